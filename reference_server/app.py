@@ -17,6 +17,7 @@ from starlette.responses import Response
 from starlette.routing import Route, Router
 from starlette.types import ASGIApp, Lifespan, Message, Receive, Scope, Send
 
+from reference_record.formats.merkle_tree import leaf_hash
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Tokens
@@ -30,6 +31,7 @@ from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
+from reference_server.records.board_history import BoardHistory
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.capacity import Quota
@@ -37,11 +39,13 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.board_service import BoardService
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
+from reference_server.storage.board_store import BoardStore
 from reference_server.storage.store import Store
 from reference_server.system.log_output import (
     ACCESS_LOG,
@@ -97,7 +101,9 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         policy_server_validator.digest_key,
         records,
     )
-    handlers = Handlers(settings, service, SharedStreams(settings.max_event_streams))
+    board = _board_of(store, service)
+    streams = SharedStreams(settings.max_event_streams)
+    handlers = Handlers(settings, service, streams, board)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
@@ -108,6 +114,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         seed_secret.open()
         if records is not None:
             await records.open()
+        if board is not None:
+            await board.open()
         await registry.open()
         await pool.start()
         driver.open()
@@ -187,6 +195,15 @@ def _records_of(
         settings.records_keep_days,
     )
     return RunRecords(store, recordings, host)
+
+
+def _board_of(store: Store, service: RunService) -> BoardService | None:
+    """None where nothing is recorded: its history is signed by the key of records."""
+    if service.records is None:
+        return None
+    board_store = BoardStore(store, leaf_hash)
+    history = BoardHistory(board_store, service.records)
+    return BoardService(service.registry, service.benchmarks, board_store, history)
 
 
 def _quota(settings: Settings) -> Quota:

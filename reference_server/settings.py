@@ -60,10 +60,11 @@ class Settings(BaseSettings):
     tokens: str = Field(
         "",
         description="Bearer tokens, comma-separated, each account:scopes:token. scopes "
-        "is read, run or read+run, and with +read_all a reader of the runs of all "
-        "accounts; token is the secret or sha256=<its hex digest>. If "
-        "empty, one is made and printed. It is kept in a file next to the SQLite file, "
-        "and stays the same; with another database it lasts until the server stops.",
+        "is read, run or read+run, with +read_all a reader of the runs of all "
+        "accounts, and with +host one who flags entries of the leaderboard; token is "
+        "the secret or sha256=<its hex digest>. If empty, one is made and printed. It "
+        "is kept in a file next to the SQLite file, and stays the same; with another "
+        "database it lasts until the server stops.",
     )
     tokens_file: str = Field(
         "",
@@ -145,6 +146,11 @@ class Settings(BaseSettings):
         allow_inf_nan=False,
         description="Days after which the recordings of a run that has ended are "
         "removed; 0 keeps them.",
+    )
+    public_board: Literal["off", "on"] = Field(
+        "off",
+        description="Whether the leaderboard can be read without a token: public "
+        "entries, rankings and the history.",
     )
     allow_private_policies: str = Field(
         "",

@@ -25,6 +25,7 @@ _DOCUMENTS = (
     "policy.yaml",
     "scoring.md",
     "record.md",
+    "board.md",
     "calibration.md",
 )
 JSON = "application/json"

@@ -155,6 +155,51 @@ Blob = TypeAliasType(
 )
 
 
+class BoardEntry(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    entry_id: str
+    run_id: str
+    submitter: Annotated[
+        str, Field(description="Name of the account that submitted the run.")
+    ]
+    benchmark_id: str
+    benchmark_version: str
+    manifest_sha256: Sha256
+    select: SelectionView | MISSING = MISSING
+    policy: PolicyInfo
+    model_name: str
+    is_public: bool
+    model_type: str | MISSING = MISSING
+    organisation: str | MISSING = MISSING
+    homepage: str | MISSING = MISSING
+    code_url: str | MISSING = MISSING
+    notes: str | MISSING = MISSING
+    state: EntryState
+    flag: EntryFlag | MISSING = MISSING
+    level: EntryLevel
+    attempts: Annotated[
+        int,
+        Field(
+            description="How many runs of the benchmark the account has submitted until now, published or not.",
+            ge=1,
+        ),
+    ]
+    score: EntryScore
+    published_at: str
+    changed_at: Annotated[
+        str,
+        Field(
+            description="When the description, the state or the flag changed for the last time."
+        ),
+    ]
+
+
+class BoardEntryList(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    entries: Annotated[list[BoardEntry], Field(max_length=1000)]
+    next_cursor: str | None
+
+
 class CalibrationOptions(BaseModel):
     """
     Only for the benchmark `calibration`, which the submitter shapes.
@@ -198,6 +243,16 @@ class CalibrationOptions(BaseModel):
 CalibrationTask = TypeAliasType(
     "CalibrationTask", Literal["score", "count", "echo", "delay", "fault"]
 )
+
+
+class Checkpoint(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    tree_size: Annotated[int, Field(ge=0)]
+    root_sha256: Sha256
+    note: Annotated[str, Field(description="The signed note, which says both as well.")]
+    keyid: Annotated[
+        str, Field(description="Of the key of `list_keys` that signed it.")
+    ]
 
 
 class ComparedRun(BaseModel):
@@ -272,7 +327,48 @@ class Comparison(BaseModel):
     ]
 
 
+class ConsistencyProof(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    old_size: Annotated[int, Field(ge=1)]
+    new_size: Annotated[int, Field(ge=1)]
+    hashes: Annotated[list[Sha256], Field(max_length=128)]
+
+
 Dtype = TypeAliasType("Dtype", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")])
+
+
+class EntryFlag(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    reason: str
+    flagged_at: str
+
+
+EntryLevel = TypeAliasType(
+    "EntryLevel",
+    Annotated[
+        str,
+        Field(
+            description="What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ],
+)
+
+
+class EntryScore(BaseModel):
+    """
+    Of the `get_score` of the run.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    score: float
+    success_rate: float
+    success_interval: Interval
+    mean_interval: Interval
+    counts: OutcomeCounts
+
+
+EntryState = TypeAliasType("EntryState", Literal["published", "withdrawn"])
 
 
 class Episode(BaseModel):
@@ -385,6 +481,14 @@ class Fault(BaseModel):
     detail: str
 
 
+class FlagEntry(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    flagged: Annotated[bool, Field(description="False takes the flag back.")]
+    reason: Annotated[
+        str, Field(description="For everybody to read.", max_length=500, min_length=1)
+    ]
+
+
 class GroupScore(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     counts: OutcomeCounts
@@ -395,6 +499,23 @@ class GroupScore(BaseModel):
 class Heartbeat(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     session_id: Annotated[str, Field(max_length=128, min_length=1)]
+
+
+class HistoryLeaf(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    index: Annotated[int, Field(ge=0)]
+    leaf: Annotated[
+        str,
+        Field(
+            description="A JSON text, whose UTF-8 is what the tree has; board.md has its members."
+        ),
+    ]
+
+
+class HistoryPage(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    leaves: Annotated[list[HistoryLeaf], Field(max_length=1000)]
+    next_cursor: str | None
 
 
 class Image(BaseModel):
@@ -439,6 +560,13 @@ class ImageSpace(BaseModel):
     tasks: Annotated[list[str] | MISSING, Field(max_length=100000)] = MISSING
 
 
+class InclusionProof(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    leaf_index: Annotated[int, Field(ge=0)]
+    tree_size: Annotated[int, Field(ge=1)]
+    hashes: Annotated[list[Sha256], Field(max_length=64)]
+
+
 class Interval(BaseModel):
     """
     95 % interval.
@@ -458,6 +586,9 @@ class Lease(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     expires_at: str
     idle_timeout_s: float
+
+
+Letter = TypeAliasType("Letter", Annotated[str, Field(pattern="^[a-z]{1,8}$")])
 
 
 class Limits(BaseModel):
@@ -840,6 +971,114 @@ class PublicKey(BaseModel):
         str | None,
         Field(description="When it signed for the last time; null for the key in use."),
     ]
+
+
+class PublishEntry(BaseModel):
+    """
+    What an entry says of itself; a member that is absent is not shown.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    model_name: Annotated[str, Field(max_length=200, min_length=1)]
+    is_public: Annotated[
+        bool,
+        Field(description="Whether others see the entry, and whether it has a rank."),
+    ]
+    model_type: Annotated[
+        str | MISSING,
+        Field(
+            description="What kind of model it is, for example `VLA` or `diffusion policy`.",
+            max_length=64,
+            min_length=1,
+        ),
+    ] = MISSING
+    organisation: Annotated[str | MISSING, Field(max_length=200, min_length=1)] = (
+        MISSING
+    )
+    homepage: Annotated[
+        str | MISSING, Field(max_length=500, pattern="^https?://[!-~]+$")
+    ] = MISSING
+    code_url: Annotated[
+        str | MISSING, Field(max_length=500, pattern="^https?://[!-~]+$")
+    ] = MISSING
+    notes: Annotated[str | MISSING, Field(max_length=2000)] = MISSING
+
+
+class RankInterval(BaseModel):
+    """
+    The ranks that an entry may have; absent for an entry that is flagged.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    low: Annotated[int, Field(description="The best one.", ge=1)]
+    high: Annotated[int, Field(description="The worst one.", ge=1)]
+
+
+class RankedEntry(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    entry: BoardEntry
+    rank: RankInterval | MISSING = MISSING
+    better: Annotated[
+        int,
+        Field(
+            description="How many entries are significantly better; 0 without a rank.",
+            ge=0,
+        ),
+    ]
+    worse: Annotated[
+        int,
+        Field(
+            description="How many entries are significantly worse; 0 without a rank.",
+            ge=0,
+        ),
+    ]
+    letters: Annotated[
+        list[Letter],
+        Field(
+            description="Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank.",
+            max_length=100000,
+        ),
+    ]
+
+
+class Ranking(BaseModel):
+    """
+    See board.md for every number here.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    benchmark_id: str
+    manifest_sha256: Sha256
+    episodes_total: Annotated[
+        int | None,
+        Field(
+            description="How many episodes each entry has; null where the manifest has no entry."
+        ),
+    ]
+    ranked: Annotated[int, Field(description="How many entries have a rank.", ge=0)]
+    comparisons: Annotated[
+        int, Field(description="How many pairs of them were tested.", ge=0)
+    ]
+    alpha: Annotated[
+        float,
+        Field(
+            description="How likely it is at most that any two equally good policies are told apart; 0.05."
+        ),
+    ]
+    differing_min: Annotated[
+        int | None,
+        Field(
+            description="Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes."
+        ),
+    ]
+    differing_enough: Annotated[
+        int | None,
+        Field(
+            description="Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes."
+        ),
+    ]
+    rows: Annotated[list[RankedEntry], Field(max_length=1000)]
+    next_cursor: str | None
 
 
 class ResetPolicy(BaseModel):

@@ -127,6 +127,13 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "title": "The session is done",
         "act": "Detach; attach again if get_run shows pending episodes.",
     },
+    "entry_withdrawn": {
+        "status": 409,
+        "retryable": False,
+        "side_effects": "none",
+        "title": "The entry was withdrawn",
+        "act": "Publish another run; a withdrawal is for good.",
+    },
     "not_comparable": {
         "status": 409,
         "retryable": False,

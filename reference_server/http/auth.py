@@ -17,6 +17,7 @@ from reference_server.http.allowed_hosts import is_loopback
 from reference_server.rules.refusal import Refused
 
 SCOPES = frozenset({"read", "run"})
+HOST = "host"  # flags entries of the leaderboard (BRD-012)
 READ_ALL = "read_all"  # reads the runs of every account, with `read` (AUTH-008)
 # Headers of a request that a proxy passed on, or that a page in a browser sends.
 _NOT_A_SCRIPT = (
@@ -39,6 +40,10 @@ class Caller:
     def reader(self) -> str | None:
         """Whose runs it may read: of its account; None for all (AUTH-008)."""
         return None if READ_ALL in self.scopes else self.account
+
+
+# Reads what is public; no token has an account without a name.
+NO_ACCOUNT = Caller("", frozenset({"read"}))
 
 
 class Tokens:
@@ -65,7 +70,7 @@ class Tokens:
     @classmethod
     def of_local_account(cls, secret: str) -> Tokens:
         """One token with every scope, for the account `local`."""
-        return cls({hash_of(secret): Caller("local", SCOPES)})
+        return cls({hash_of(secret): Caller("local", SCOPES | {HOST})})
 
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
         """From now on these are valid, and none that the file had before."""
@@ -92,11 +97,12 @@ def parse_entry(entry: str, where: str) -> tuple[str, Caller]:
     account, _, rest = entry.strip().partition(":")
     names, _, secret = rest.partition(":")
     scopes = frozenset(names.split("+"))
-    are_known = scopes <= SCOPES | {READ_ALL}
-    if not account or not secret or not are_known or scopes == {READ_ALL}:
+    are_known = scopes <= SCOPES | {READ_ALL, HOST}
+    if not account or not secret or not are_known or not scopes & SCOPES:
         raise BadTokens(
             f"{where} is not account:scopes:token with scopes read, run or read+run, "
-            f"and +{READ_ALL} to read the runs of all accounts"
+            f"and +{READ_ALL} to read the runs of all accounts, +{HOST} to flag "
+            "entries of the leaderboard"
         )
     hashed = secret.removeprefix("sha256=").lower()
     if not secret.startswith("sha256="):

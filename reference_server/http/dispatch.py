@@ -23,7 +23,7 @@ from starlette.responses import Response
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec, large_bodies
 from reference_server.http.allowed_hosts import AllowedHosts
-from reference_server.http.auth import SCOPES, Caller, Tokens, is_local
+from reference_server.http.auth import NO_ACCOUNT, SCOPES, Caller, Tokens, is_local
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
@@ -43,6 +43,7 @@ QUERY_PARAMETERS_MAX = 32
 # a worker id is the client's own choice and so its own mistake (ERR-018, ATT-013).
 PATH_PATTERNS: dict[str, tuple[str, str]] = {
     "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
+    "entry_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "episode_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "worker_id": (r"[A-Za-z0-9_-]{1,64}", "invalid_request"),
@@ -56,8 +57,13 @@ HEADER_PATTERNS: dict[str, str] = {
 }
 QUERY_PATTERNS: dict[str, str] = {
     "baseline": r"[A-Za-z0-9_-]{1,64}",
+    "benchmark_id": r"[a-z][a-z0-9_]{0,63}",
     "cursor": r"[A-Za-z0-9_-]{1,128}",
+    "leaf_index": r"[0-9]{1,15}",
     "limit": r"[0-9]{1,4}",
+    "manifest_sha256": r"[0-9a-f]{64}",
+    "new_size": r"[0-9]{1,15}",
+    "old_size": r"[0-9]{1,15}",
     "request_id": r"[A-Za-z0-9_.-]{1,1040}",
     "request_ids": r"[A-Za-z0-9_.,-]{1,8000}",
     "render_mode": r"(?s:.{0,20})",
@@ -66,6 +72,7 @@ QUERY_PATTERNS: dict[str, str] = {
     "session_id": r"(?s:.{1,128})",
     "subframes": r"(?s:.{0,20})",
     "tolerance": r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?",
+    "tree_size": r"[0-9]{1,15}",
     "user_id": r"(?s:.{0,200})",
 }
 # Where a request's scope has the account of its caller, for the log.
@@ -83,7 +90,8 @@ class Operation:
     body. query, headers: names that it takes. refusal_response: makes the response of a
     refusal; a problem by default. local_account: that of requests of this machine
     without a token; they are refused if it is empty. max_body_bytes: its own limit, if
-    that is lower than the one of every operation.
+    that is lower than the one of every operation. without_token: those of any machine
+    are answered, too, as of no account.
     """
 
     handler: Callable[[OperationCall], Awaitable[Response]]
@@ -97,6 +105,7 @@ class Operation:
     refusal_response: Callable[[Refused], Response] | None = None
     local_account: str = ""
     max_body_bytes: int = sys.maxsize
+    without_token: bool = False
 
 
 @dataclass(slots=True)
@@ -161,7 +170,7 @@ async def _check_request(
     check_version(request)
     caller = None
     if operation.scope is not None:
-        caller = _caller(request, operation.scope, operation.local_account, tokens)
+        caller = _caller(request, operation, operation.scope, tokens)
         request.scope[ACCOUNT] = caller.account
     call = OperationCall(
         request,
@@ -185,11 +194,16 @@ async def _check_request(
     return call
 
 
-def _caller(request: Request, scope: str, local_account: str, tokens: Tokens) -> Caller:
-    """Whom the token names; without one, FLE-024."""
+def _caller(
+    request: Request, operation: Operation, scope: str, tokens: Tokens
+) -> Caller:
+    """Whom the token names; without one, FLE-024 and BRD-018."""
     authorization = request.headers.get("authorization")
-    if authorization is None and local_account and is_local(request):
-        return Caller(local_account, SCOPES)
+    if authorization is None:
+        if operation.without_token:
+            return NO_ACCOUNT
+        if operation.local_account and is_local(request):
+            return Caller(operation.local_account, SCOPES)
     return tokens.authenticate(authorization, scope)
 
 

@@ -18,6 +18,7 @@ from starlette.responses import Response, StreamingResponse
 
 from reference_record.export import blocks_of
 from reference_server.generated import models
+from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.connection_limits import HEADER_BYTES
 from reference_server.http.dispatch import (
@@ -31,6 +32,7 @@ from reference_server.http.event_streams import EVENT_STREAM, EventStream, Share
 from reference_server.rules import comparison
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.refusal import Refused
+from reference_server.runs.board_service import BoardService
 from reference_server.runs.service import RunService
 from reference_server.settings import Settings
 from reference_server.views import run_views
@@ -53,6 +55,7 @@ class Handlers:
     settings: Settings
     service: RunService
     streams: SharedStreams = field(default_factory=SharedStreams)
+    board: BoardService | None = None
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; equal to the spec, as a test proves."""
@@ -96,6 +99,7 @@ class Handlers:
             f"{run}/episodes/{{episode_id}}/recording": {
                 "GET": Operation(self.fetch_recording, writes=(BYTES,))
             },
+            **self._board_operations(),
             "/v1/keys": {"GET": Operation(self.list_keys, scope=None)},
             "/v1/comparisons": {
                 "GET": Operation(
@@ -121,6 +125,15 @@ class Handlers:
             },
         }
 
+    def _board_operations(self) -> dict[str, dict[str, Operation]]:
+        return BoardHandlers(
+            self.board,
+            _number,
+            PAGE,
+            self.settings.max_control_body_bytes,
+            is_public=self.settings.public_board == "on",
+        ).table()
+
     # --- control plane ---
 
     async def describe_service(self, call: OperationCall) -> Response:
@@ -133,6 +146,7 @@ class Handlers:
             profiles=[
                 *PROFILES,
                 *(() if settings.recordings == "off" else ("record",)),
+                *self._board_profiles(),
                 *settings.enabled_profiles,
             ],
             limits=models.Limits(
@@ -157,6 +171,12 @@ class Handlers:
             server_time=run_views.timestamp(datetime.now(UTC).timestamp()),
         )
         return call.answer(service.model_dump())
+
+    def _board_profiles(self) -> tuple[models.Profile, ...]:
+        if self.board is None:
+            return ()
+        is_public = self.settings.public_board == "on"
+        return ("board", "public_board") if is_public else ("board",)
 
     async def list_benchmarks(self, call: OperationCall) -> Response:
         return call.answer({"benchmarks": self.service.benchmarks.summaries()})

@@ -27,7 +27,7 @@ from reference_record.formats.names import (
     STATEMENT,
     recording_name,
 )
-from reference_record.keys import load_or_make, make_key
+from reference_record.keys import SigningKey, load_or_make, make_key
 from reference_record.recording import timestamp
 from reference_record.statement import (
     BenchmarkFacts,
@@ -92,6 +92,16 @@ class RunRecords:
         await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
         if self._settings.keep_days:
             self._removing = asyncio.create_task(self._remove_old_for_ever())
+
+    @property
+    def key(self) -> SigningKey:
+        """The key that signs, once it is open."""
+        return self._key
+
+    @property
+    def host_name(self) -> str:
+        """What statements call this host."""
+        return self._settings.name
 
     async def close(self) -> None:
         """Returns when all that was recorded is written."""

@@ -90,6 +90,12 @@ class Benchmarks:
             "unavailable_reason": await _unavailable(benchmark_id),
         }
 
+    def manifest_sha256(self, benchmark_id: str) -> str:
+        """That of the benchmark without a choice (BEN-003)."""
+        if not self.offers(benchmark_id):
+            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+        return self._resolved(benchmark_id, None, None).manifest_sha256
+
     async def resolve(self, submission: Submission) -> ResolvedRun:
         """The manifest of a new run; refused when its choices do not fit (RUN-006)."""
         benchmark_id = submission["benchmark_id"]

@@ -14,6 +14,7 @@ from collections.abc import (
     AsyncIterator,
     Awaitable,
     Callable,
+    Iterable,
     Iterator,
     Mapping,
     Sequence,
@@ -235,6 +236,16 @@ class Store:
         except (sa.exc.SQLAlchemyError, OSError) as error:
             raise StoreFailed(_one_line(error)) from error
 
+    async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
+        """What `fetch` finds in tables of another module of storage/."""
+        return await self._read(fetch)
+
+    @asynccontextmanager
+    async def writing(self) -> AsyncIterator[AsyncConnection]:
+        """One transaction, which no other write of this process overlaps."""
+        async with self._write_lock, self._transaction() as connection:
+            yield connection
+
     async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:
         """Store a new run and give it its number, unless its key is taken (CRASH-003).
 
@@ -397,6 +408,21 @@ class Store:
         async with self._transaction() as connection:
             # Its rows may be older than the column that counts.
             return max(1, await connection.scalar(_last_attempt(run)) or 0)
+
+    async def attempts_of(
+        self, accounts: Iterable[str], benchmark_ids: Iterable[str]
+    ) -> dict[tuple[str, str], int]:
+        """(account, benchmark) → how many runs of it the account has submitted."""
+        of = (_runs.c.account, _runs.c.benchmark_id)
+        query = sa.select(*of, sa.func.max(_runs.c.attempts_by_submitter))
+        query = query.where(
+            _runs.c.account.in_(accounts), _runs.c.benchmark_id.in_(benchmark_ids)
+        ).group_by(*of)
+
+        def fetch(connection: sa.Connection) -> dict[tuple[str, str], int]:
+            return {(a, b): n for a, b, n in connection.execute(query)}
+
+        return await self._read(fetch)
 
     async def find_statement(self, run_id: str) -> bytes | None:
         """That of the run's record, if it was signed."""

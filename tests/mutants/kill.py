@@ -47,7 +47,7 @@ KIT_TIMEOUT_S = 600
 OPTIONAL_PROFILES = {"ebench", "flageval"}
 SEPARATE_PROFILES = {
     *OPTIONAL_PROFILES,
-    *("compare", "events", "limits", "push", "record"),
+    *("board", "compare", "events", "limits", "public_board", "push", "record"),
 }
 
 

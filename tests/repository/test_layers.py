@@ -77,7 +77,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "storage": {"rules", "system"},
     "records": {"generated", "reference_record", "reference_sim", "rules", "storage"},
     "system": set(),
-    "views": {"generated", "reference_sim", "rules"},
+    "views": {"generated", "reference_record", "reference_sim", "rules"},
     "runs": {"generated", "records", "reference_record", "reference_sim", "rules"}
     | {"storage", "system", "views"},
     "push": {"allowed_networks", "generated", "http", "rules", "runs"}

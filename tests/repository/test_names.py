@@ -116,6 +116,7 @@ MORE_SIBLINGS = {
     "benchmarks": "programs that are run and their parts",
     "benchmarks/contenders": "a file for each contender",
     "benchmarks/libraries": "a file for each library compared",
+    "reference_server/rules": "a file for each subject that is decided",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "spec/vectors/record": "a file for each way in which a record can be broken",
     "tests": "a folder for each package, and what judges the kit",

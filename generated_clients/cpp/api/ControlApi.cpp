@@ -19,11 +19,42 @@ Service ControlApi::describeService(std::optional<std::string> const& proctorVer
     return m_connection->send(request).get<Service>();
 }
 
+BoardEntry ControlApi::flagEntry(std::string const& entryId, FlagEntry const& flagEntry, std::optional<std::string> const& proctorVersion) {
+    Request request{"PUT", "/v1/entries/{entry_id}/flag"};
+    request.path_parameter("entry_id", entryId);
+    request.header("Proctor-Version", proctorVersion);
+    request.body = nlohmann::json(flagEntry).dump();
+    return m_connection->send(request).get<BoardEntry>();
+}
+
 Benchmark ControlApi::getBenchmark(std::string const& benchmarkId, std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/benchmarks/{benchmark_id}"};
     request.path_parameter("benchmark_id", benchmarkId);
     request.header("Proctor-Version", proctorVersion);
     return m_connection->send(request).get<Benchmark>();
+}
+
+Checkpoint ControlApi::getCheckpoint(std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/history/checkpoint"};
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<Checkpoint>();
+}
+
+BoardEntry ControlApi::getEntry(std::string const& entryId, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/entries/{entry_id}"};
+    request.path_parameter("entry_id", entryId);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<BoardEntry>();
+}
+
+Ranking ControlApi::getRanking(std::string const& benchmarkId, std::optional<std::string> const& manifestSha256, std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/benchmarks/{benchmark_id}/ranking"};
+    request.path_parameter("benchmark_id", benchmarkId);
+    request.query_parameter("manifest_sha256", manifestSha256);
+    request.query_parameter("cursor", cursor);
+    request.query_parameter("limit", limit);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<Ranking>();
 }
 
 Run ControlApi::getRun(std::string const& runId, std::optional<std::string> const& ifNoneMatch, std::optional<std::string> const& prefer, std::optional<std::string> const& proctorVersion) {
@@ -48,6 +79,15 @@ BenchmarkList ControlApi::listBenchmarks(std::optional<std::string> const& proct
     return m_connection->send(request).get<BenchmarkList>();
 }
 
+BoardEntryList ControlApi::listEntries(std::optional<std::string> const& benchmarkId, std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/entries"};
+    request.query_parameter("benchmark_id", benchmarkId);
+    request.query_parameter("cursor", cursor);
+    request.query_parameter("limit", limit);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<BoardEntryList>();
+}
+
 EpisodeList ControlApi::listEpisodes(std::string const& runId, std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/runs/{run_id}/episodes"};
     request.path_parameter("run_id", runId);
@@ -55,6 +95,14 @@ EpisodeList ControlApi::listEpisodes(std::string const& runId, std::optional<std
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
     return m_connection->send(request).get<EpisodeList>();
+}
+
+HistoryPage ControlApi::listHistory(std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/history"};
+    request.query_parameter("cursor", cursor);
+    request.query_parameter("limit", limit);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<HistoryPage>();
 }
 
 KeyList ControlApi::listKeys(std::optional<std::string> const& proctorVersion) {
@@ -77,6 +125,37 @@ Run ControlApi::submitRun(SubmitRun const& submitRun, std::optional<std::string>
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(submitRun).dump();
     return m_connection->send(request).get<Run>();
+}
+
+ConsistencyProof ControlApi::proveConsistency(std::string const& oldSize, std::string const& newSize, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/history/consistency"};
+    request.query_parameter("old_size", oldSize);
+    request.query_parameter("new_size", newSize);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<ConsistencyProof>();
+}
+
+InclusionProof ControlApi::proveInclusion(std::string const& leafIndex, std::string const& treeSize, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/history/inclusion"};
+    request.query_parameter("leaf_index", leafIndex);
+    request.query_parameter("tree_size", treeSize);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<InclusionProof>();
+}
+
+BoardEntry ControlApi::publishEntry(std::string const& runId, PublishEntry const& publishEntry, std::optional<std::string> const& proctorVersion) {
+    Request request{"PUT", "/v1/runs/{run_id}/entry"};
+    request.path_parameter("run_id", runId);
+    request.header("Proctor-Version", proctorVersion);
+    request.body = nlohmann::json(publishEntry).dump();
+    return m_connection->send(request).get<BoardEntry>();
+}
+
+BoardEntry ControlApi::withdrawEntry(std::string const& runId, std::optional<std::string> const& proctorVersion) {
+    Request request{"DELETE", "/v1/runs/{run_id}/entry"};
+    request.path_parameter("run_id", runId);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<BoardEntry>();
 }
 
 Run ControlApi::resumeRun(std::string const& runId, std::optional<std::string> const& proctorVersion) {

@@ -7,10 +7,19 @@
 #include "../connection.h"
 #include "../model/Benchmark.h"
 #include "../model/BenchmarkList.h"
+#include "../model/BoardEntry.h"
+#include "../model/BoardEntryList.h"
+#include "../model/Checkpoint.h"
 #include "../model/Comparison.h"
+#include "../model/ConsistencyProof.h"
 #include "../model/EpisodeList.h"
+#include "../model/FlagEntry.h"
+#include "../model/HistoryPage.h"
+#include "../model/InclusionProof.h"
 #include "../model/KeyList.h"
 #include "../model/Problem.h"
+#include "../model/PublishEntry.h"
+#include "../model/Ranking.h"
 #include "../model/Run.h"
 #include "../model/RunList.h"
 #include "../model/Score.h"
@@ -32,8 +41,20 @@ public:
     /// What this server is, speaks and allows
     Service describeService(std::optional<std::string> const& proctorVersion = {});
 
+    /// Say of a public entry that something is wrong with it, or take that back
+    BoardEntry flagEntry(std::string const& entryId, FlagEntry const& flagEntry, std::optional<std::string> const& proctorVersion = {});
+
     /// One benchmark with its spaces, conventions and rules
     Benchmark getBenchmark(std::string const& benchmarkId, std::optional<std::string> const& proctorVersion = {});
+
+    /// The size and the root of the history, signed
+    Checkpoint getCheckpoint(std::optional<std::string> const& proctorVersion = {});
+
+    /// One entry, withdrawn or not
+    BoardEntry getEntry(std::string const& entryId, std::optional<std::string> const& proctorVersion = {});
+
+    /// The public entries of one manifest, ranked
+    Ranking getRanking(std::string const& benchmarkId, std::optional<std::string> const& manifestSha256 = {}, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
     /// State, progress and the reason for both; can wait for a change
     Run getRun(std::string const& runId, std::optional<std::string> const& ifNoneMatch = {}, std::optional<std::string> const& prefer = {}, std::optional<std::string> const& proctorVersion = {});
@@ -44,8 +65,14 @@ public:
     /// The benchmarks offered here
     BenchmarkList listBenchmarks(std::optional<std::string> const& proctorVersion = {});
 
+    /// Entries of the leaderboard, newest first
+    BoardEntryList listEntries(std::optional<std::string> const& benchmarkId = {}, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
+
     /// Every episode with its result so far, in manifest order
     EpisodeList listEpisodes(std::string const& runId, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
+
+    /// What happened to public entries, oldest first
+    HistoryPage listHistory(std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
     /// The public keys with which this host signs records
     KeyList listKeys(std::optional<std::string> const& proctorVersion = {});
@@ -55,6 +82,18 @@ public:
 
     /// Ask for one evaluation of one policy on one benchmark
     Run submitRun(SubmitRun const& submitRun, std::optional<std::string> const& idempotencyKey = {}, std::optional<std::string> const& proctorVersion = {});
+
+    /// Proof that a history of one size begins with that of another
+    ConsistencyProof proveConsistency(std::string const& oldSize, std::string const& newSize, std::optional<std::string> const& proctorVersion = {});
+
+    /// Proof that a leaf stands in the history of a size
+    InclusionProof proveInclusion(std::string const& leafIndex, std::string const& treeSize, std::optional<std::string> const& proctorVersion = {});
+
+    /// Publish a completed run on the leaderboard, or change what its entry says
+    BoardEntry publishEntry(std::string const& runId, PublishEntry const& publishEntry, std::optional<std::string> const& proctorVersion = {});
+
+    /// Take the entry of a run off the leaderboard, for good
+    BoardEntry withdrawEntry(std::string const& runId, std::optional<std::string> const& proctorVersion = {});
 
     /// Go on with the episodes that have no score yet
     Run resumeRun(std::string const& runId, std::optional<std::string> const& proctorVersion = {});

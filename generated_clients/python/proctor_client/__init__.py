@@ -27,11 +27,18 @@ __all__ = [
     "Benchmark",
     "BenchmarkList",
     "BenchmarkSummary",
+    "BoardEntry",
+    "BoardEntryList",
     "CalibrationOptions",
     "CalibrationTask",
+    "Checkpoint",
     "ComparedRun",
     "ComparedTask",
     "Comparison",
+    "ConsistencyProof",
+    "EntryFlag",
+    "EntryScore",
+    "EntryState",
     "Episode",
     "EpisodeList",
     "EpisodeResult",
@@ -39,12 +46,16 @@ __all__ = [
     "EpisodeStatus",
     "EpisodeView",
     "Fault",
+    "FlagEntry",
     "GroupScore",
     "Heartbeat",
+    "HistoryLeaf",
+    "HistoryPage",
     "Image",
     "ImageChoice",
     "ImageSize",
     "ImageSpace",
+    "InclusionProof",
     "Interval",
     "KeyList",
     "Lease",
@@ -68,6 +79,10 @@ __all__ = [
     "Progress",
     "ProtocolRange",
     "PublicKey",
+    "PublishEntry",
+    "RankInterval",
+    "RankedEntry",
+    "Ranking",
     "ResetPolicy",
     "Run",
     "RunList",
@@ -112,11 +127,18 @@ from proctor_client.models.attach_worker import AttachWorker as AttachWorker
 from proctor_client.models.benchmark import Benchmark as Benchmark
 from proctor_client.models.benchmark_list import BenchmarkList as BenchmarkList
 from proctor_client.models.benchmark_summary import BenchmarkSummary as BenchmarkSummary
+from proctor_client.models.board_entry import BoardEntry as BoardEntry
+from proctor_client.models.board_entry_list import BoardEntryList as BoardEntryList
 from proctor_client.models.calibration_options import CalibrationOptions as CalibrationOptions
 from proctor_client.models.calibration_task import CalibrationTask as CalibrationTask
+from proctor_client.models.checkpoint import Checkpoint as Checkpoint
 from proctor_client.models.compared_run import ComparedRun as ComparedRun
 from proctor_client.models.compared_task import ComparedTask as ComparedTask
 from proctor_client.models.comparison import Comparison as Comparison
+from proctor_client.models.consistency_proof import ConsistencyProof as ConsistencyProof
+from proctor_client.models.entry_flag import EntryFlag as EntryFlag
+from proctor_client.models.entry_score import EntryScore as EntryScore
+from proctor_client.models.entry_state import EntryState as EntryState
 from proctor_client.models.episode import Episode as Episode
 from proctor_client.models.episode_list import EpisodeList as EpisodeList
 from proctor_client.models.episode_result import EpisodeResult as EpisodeResult
@@ -124,12 +146,16 @@ from proctor_client.models.episode_selection import EpisodeSelection as EpisodeS
 from proctor_client.models.episode_status import EpisodeStatus as EpisodeStatus
 from proctor_client.models.episode_view import EpisodeView as EpisodeView
 from proctor_client.models.fault import Fault as Fault
+from proctor_client.models.flag_entry import FlagEntry as FlagEntry
 from proctor_client.models.group_score import GroupScore as GroupScore
 from proctor_client.models.heartbeat import Heartbeat as Heartbeat
+from proctor_client.models.history_leaf import HistoryLeaf as HistoryLeaf
+from proctor_client.models.history_page import HistoryPage as HistoryPage
 from proctor_client.models.image import Image as Image
 from proctor_client.models.image_choice import ImageChoice as ImageChoice
 from proctor_client.models.image_size import ImageSize as ImageSize
 from proctor_client.models.image_space import ImageSpace as ImageSpace
+from proctor_client.models.inclusion_proof import InclusionProof as InclusionProof
 from proctor_client.models.interval import Interval as Interval
 from proctor_client.models.key_list import KeyList as KeyList
 from proctor_client.models.lease import Lease as Lease
@@ -153,6 +179,10 @@ from proctor_client.models.problem_item import ProblemItem as ProblemItem
 from proctor_client.models.progress import Progress as Progress
 from proctor_client.models.protocol_range import ProtocolRange as ProtocolRange
 from proctor_client.models.public_key import PublicKey as PublicKey
+from proctor_client.models.publish_entry import PublishEntry as PublishEntry
+from proctor_client.models.rank_interval import RankInterval as RankInterval
+from proctor_client.models.ranked_entry import RankedEntry as RankedEntry
+from proctor_client.models.ranking import Ranking as Ranking
 from proctor_client.models.reset_policy import ResetPolicy as ResetPolicy
 from proctor_client.models.run import Run as Run
 from proctor_client.models.run_list import RunList as RunList

@@ -16,6 +16,7 @@ from pydantic import ValidationError
 from pydantic_settings import SettingsError
 
 from reference_server.http.auth import (
+    HOST,
     READ_ALL,
     BadTokens,
     hash_of,
@@ -30,7 +31,7 @@ from reference_server.http.tokens.token_file import (
 )
 from reference_server.settings import Settings
 
-_SCOPES = ("read", "run", READ_ALL)
+_SCOPES = ("read", "run", READ_ALL, HOST)
 _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 
 
@@ -79,8 +80,8 @@ def _parser() -> argparse.ArgumentParser:
     add.add_argument(
         "--scopes",
         default="read+run",
-        help="read, run or read+run; with +read_all it reads the runs of all accounts "
-        "(read+run)",
+        help="read, run or read+run; with +read_all it reads the runs of all accounts, "
+        "with +host it flags entries of the leaderboard (read+run)",
     )
     add.set_defaults(do=_add)
     listed = commands.add_parser("list", help="list tokens by id, without secrets")

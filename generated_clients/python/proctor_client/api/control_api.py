@@ -11,9 +11,18 @@ from typing import Optional, Union
 from typing_extensions import Annotated
 from proctor_client.models.benchmark import Benchmark
 from proctor_client.models.benchmark_list import BenchmarkList
+from proctor_client.models.board_entry import BoardEntry
+from proctor_client.models.board_entry_list import BoardEntryList
+from proctor_client.models.checkpoint import Checkpoint
 from proctor_client.models.comparison import Comparison
+from proctor_client.models.consistency_proof import ConsistencyProof
 from proctor_client.models.episode_list import EpisodeList
+from proctor_client.models.flag_entry import FlagEntry
+from proctor_client.models.history_page import HistoryPage
+from proctor_client.models.inclusion_proof import InclusionProof
 from proctor_client.models.key_list import KeyList
+from proctor_client.models.publish_entry import PublishEntry
+from proctor_client.models.ranking import Ranking
 from proctor_client.models.run import Run
 from proctor_client.models.run_list import RunList
 from proctor_client.models.score import Score
@@ -417,6 +426,212 @@ class ControlApi:
 
 
     @validate_call
+    def flag_entry(
+        self,
+        entry_id: Annotated[str, Field(strict=True)],
+        flag_entry: FlagEntry,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> BoardEntry:
+        """Say of a public entry that something is wrong with it, or take that back
+
+        For the host: the token needs the scope `host`, besides `run`. A flagged entry is shown with the reason, and has no rank.
+
+        :param entry_id: (required)
+        :type entry_id: str
+        :param flag_entry: (required)
+        :type flag_entry: FlagEntry
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._flag_entry_serialize(
+            entry_id=entry_id,
+            flag_entry=flag_entry,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def flag_entry_with_http_info(
+        self,
+        entry_id: Annotated[str, Field(strict=True)],
+        flag_entry: FlagEntry,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[BoardEntry]:
+        """Say of a public entry that something is wrong with it, or take that back
+
+        For the host: the token needs the scope `host`, besides `run`. A flagged entry is shown with the reason, and has no rank.
+
+        :param entry_id: (required)
+        :type entry_id: str
+        :param flag_entry: (required)
+        :type flag_entry: FlagEntry
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._flag_entry_serialize(
+            entry_id=entry_id,
+            flag_entry=flag_entry,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _flag_entry_serialize(
+        self,
+        entry_id,
+        flag_entry,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        if entry_id is not None:
+            _path_params['entry_id'] = entry_id
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+        if flag_entry is not None:
+            _body_params = flag_entry
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+        # set the HTTP header `Content-Type`
+        if _content_type:
+            _header_params['Content-Type'] = _content_type
+        else:
+            _default_content_type = (
+                self.api_client.select_header_content_type(
+                    [
+                        'application/json'
+                    ]
+                )
+            )
+            if _default_content_type is not None:
+                _header_params['Content-Type'] = _default_content_type
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='PUT',
+            resource_path='/v1/entries/{entry_id}/flag',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
     def get_benchmark(
         self,
         benchmark_id: Annotated[str, Field(strict=True)],
@@ -581,6 +796,580 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='GET',
             resource_path='/v1/benchmarks/{benchmark_id}',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def get_checkpoint(
+        self,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> Checkpoint:
+        """The size and the root of the history, signed
+
+        A signed note, as board.md has it, by the key of `list_keys` that is in use.
+
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_checkpoint_serialize(
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "Checkpoint",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def get_checkpoint_with_http_info(
+        self,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[Checkpoint]:
+        """The size and the root of the history, signed
+
+        A signed note, as board.md has it, by the key of `list_keys` that is in use.
+
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_checkpoint_serialize(
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "Checkpoint",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _get_checkpoint_serialize(
+        self,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/history/checkpoint',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def get_entry(
+        self,
+        entry_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> BoardEntry:
+        """One entry, withdrawn or not
+
+        Of another account only if it is public, or was when it was withdrawn.
+
+        :param entry_id: (required)
+        :type entry_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_entry_serialize(
+            entry_id=entry_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def get_entry_with_http_info(
+        self,
+        entry_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[BoardEntry]:
+        """One entry, withdrawn or not
+
+        Of another account only if it is public, or was when it was withdrawn.
+
+        :param entry_id: (required)
+        :type entry_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_entry_serialize(
+            entry_id=entry_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _get_entry_serialize(
+        self,
+        entry_id,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        if entry_id is not None:
+            _path_params['entry_id'] = entry_id
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/entries/{entry_id}',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def get_ranking(
+        self,
+        benchmark_id: Annotated[str, Field(strict=True)],
+        manifest_sha256: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Which manifest; that of `get_benchmark` when absent.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> Ranking:
+        """The public entries of one manifest, ranked
+
+        One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+
+        :param benchmark_id: (required)
+        :type benchmark_id: str
+        :param manifest_sha256: Which manifest; that of `get_benchmark` when absent.
+        :type manifest_sha256: str
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_ranking_serialize(
+            benchmark_id=benchmark_id,
+            manifest_sha256=manifest_sha256,
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "Ranking",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def get_ranking_with_http_info(
+        self,
+        benchmark_id: Annotated[str, Field(strict=True)],
+        manifest_sha256: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Which manifest; that of `get_benchmark` when absent.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[Ranking]:
+        """The public entries of one manifest, ranked
+
+        One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+
+        :param benchmark_id: (required)
+        :type benchmark_id: str
+        :param manifest_sha256: Which manifest; that of `get_benchmark` when absent.
+        :type manifest_sha256: str
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_ranking_serialize(
+            benchmark_id=benchmark_id,
+            manifest_sha256=manifest_sha256,
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "Ranking",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _get_ranking_serialize(
+        self,
+        benchmark_id,
+        manifest_sha256,
+        cursor,
+        limit,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        if benchmark_id is not None:
+            _path_params['benchmark_id'] = benchmark_id
+        # process the query parameters
+        if manifest_sha256 is not None:
+
+            _query_params.append(('manifest_sha256', manifest_sha256))
+
+        if cursor is not None:
+
+            _query_params.append(('cursor', cursor))
+
+        if limit is not None:
+
+            _query_params.append(('limit', limit))
+
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/benchmarks/{benchmark_id}/ranking',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,
@@ -1150,6 +1939,216 @@ class ControlApi:
 
 
     @validate_call
+    def list_entries(
+        self,
+        benchmark_id: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Only entries of this benchmark.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> BoardEntryList:
+        """Entries of the leaderboard, newest first
+
+        Public entries, and private ones of the account that asks; none that is withdrawn.
+
+        :param benchmark_id: Only entries of this benchmark.
+        :type benchmark_id: str
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_entries_serialize(
+            benchmark_id=benchmark_id,
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntryList",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def list_entries_with_http_info(
+        self,
+        benchmark_id: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Only entries of this benchmark.")] = None,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[BoardEntryList]:
+        """Entries of the leaderboard, newest first
+
+        Public entries, and private ones of the account that asks; none that is withdrawn.
+
+        :param benchmark_id: Only entries of this benchmark.
+        :type benchmark_id: str
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_entries_serialize(
+            benchmark_id=benchmark_id,
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntryList",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _list_entries_serialize(
+        self,
+        benchmark_id,
+        cursor,
+        limit,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        if benchmark_id is not None:
+
+            _query_params.append(('benchmark_id', benchmark_id))
+
+        if cursor is not None:
+
+            _query_params.append(('cursor', cursor))
+
+        if limit is not None:
+
+            _query_params.append(('limit', limit))
+
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/entries',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
     def list_episodes(
         self,
         run_id: Annotated[str, Field(strict=True)],
@@ -1340,6 +2339,203 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='GET',
             resource_path='/v1/runs/{run_id}/episodes',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def list_history(
+        self,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> HistoryPage:
+        """What happened to public entries, oldest first
+
+        The leaves of the tree of board.md. No leaf is ever changed or taken out.
+
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_history_serialize(
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "HistoryPage",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def list_history_with_http_info(
+        self,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[HistoryPage]:
+        """What happened to public entries, oldest first
+
+        The leaves of the tree of board.md. No leaf is ever changed or taken out.
+
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_history_serialize(
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "HistoryPage",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _list_history_serialize(
+        self,
+        cursor,
+        limit,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        if cursor is not None:
+
+            _query_params.append(('cursor', cursor))
+
+        if limit is not None:
+
+            _query_params.append(('limit', limit))
+
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/history',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,
@@ -1705,6 +2901,608 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='GET',
             resource_path='/v1/runs',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def prove_consistency(
+        self,
+        old_size: Annotated[str, Field(strict=True, description="Size of the older history.")],
+        new_size: Annotated[str, Field(strict=True, description="Size of the newer history.")],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ConsistencyProof:
+        """Proof that a history of one size begins with that of another
+
+        For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+
+        :param old_size: Size of the older history. (required)
+        :type old_size: str
+        :param new_size: Size of the newer history. (required)
+        :type new_size: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._prove_consistency_serialize(
+            old_size=old_size,
+            new_size=new_size,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "ConsistencyProof",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def prove_consistency_with_http_info(
+        self,
+        old_size: Annotated[str, Field(strict=True, description="Size of the older history.")],
+        new_size: Annotated[str, Field(strict=True, description="Size of the newer history.")],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[ConsistencyProof]:
+        """Proof that a history of one size begins with that of another
+
+        For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+
+        :param old_size: Size of the older history. (required)
+        :type old_size: str
+        :param new_size: Size of the newer history. (required)
+        :type new_size: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._prove_consistency_serialize(
+            old_size=old_size,
+            new_size=new_size,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "ConsistencyProof",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _prove_consistency_serialize(
+        self,
+        old_size,
+        new_size,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        if old_size is not None:
+
+            _query_params.append(('old_size', old_size))
+
+        if new_size is not None:
+
+            _query_params.append(('new_size', new_size))
+
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/history/consistency',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def prove_inclusion(
+        self,
+        leaf_index: Annotated[str, Field(strict=True, description="Index of the leaf, from 0.")],
+        tree_size: Annotated[str, Field(strict=True, description="Size of the history.")],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> InclusionProof:
+        """Proof that a leaf stands in the history of a size
+
+        For a size up to that of the checkpoint and a leaf below it.
+
+        :param leaf_index: Index of the leaf, from 0. (required)
+        :type leaf_index: str
+        :param tree_size: Size of the history. (required)
+        :type tree_size: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._prove_inclusion_serialize(
+            leaf_index=leaf_index,
+            tree_size=tree_size,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "InclusionProof",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def prove_inclusion_with_http_info(
+        self,
+        leaf_index: Annotated[str, Field(strict=True, description="Index of the leaf, from 0.")],
+        tree_size: Annotated[str, Field(strict=True, description="Size of the history.")],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[InclusionProof]:
+        """Proof that a leaf stands in the history of a size
+
+        For a size up to that of the checkpoint and a leaf below it.
+
+        :param leaf_index: Index of the leaf, from 0. (required)
+        :type leaf_index: str
+        :param tree_size: Size of the history. (required)
+        :type tree_size: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._prove_inclusion_serialize(
+            leaf_index=leaf_index,
+            tree_size=tree_size,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "InclusionProof",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _prove_inclusion_serialize(
+        self,
+        leaf_index,
+        tree_size,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        if leaf_index is not None:
+
+            _query_params.append(('leaf_index', leaf_index))
+
+        if tree_size is not None:
+
+            _query_params.append(('tree_size', tree_size))
+
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/history/inclusion',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def publish_entry(
+        self,
+        run_id: Annotated[str, Field(strict=True)],
+        publish_entry: PublishEntry,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> BoardEntry:
+        """Publish a completed run on the leaderboard, or change what its entry says
+
+        A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile `board`, as are the operations on entries, rankings and history.
+
+        :param run_id: (required)
+        :type run_id: str
+        :param publish_entry: (required)
+        :type publish_entry: PublishEntry
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._publish_entry_serialize(
+            run_id=run_id,
+            publish_entry=publish_entry,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '201': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def publish_entry_with_http_info(
+        self,
+        run_id: Annotated[str, Field(strict=True)],
+        publish_entry: PublishEntry,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[BoardEntry]:
+        """Publish a completed run on the leaderboard, or change what its entry says
+
+        A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile `board`, as are the operations on entries, rankings and history.
+
+        :param run_id: (required)
+        :type run_id: str
+        :param publish_entry: (required)
+        :type publish_entry: PublishEntry
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._publish_entry_serialize(
+            run_id=run_id,
+            publish_entry=publish_entry,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '201': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _publish_entry_serialize(
+        self,
+        run_id,
+        publish_entry,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        if run_id is not None:
+            _path_params['run_id'] = run_id
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+        if publish_entry is not None:
+            _body_params = publish_entry
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+        # set the HTTP header `Content-Type`
+        if _content_type:
+            _header_params['Content-Type'] = _content_type
+        else:
+            _default_content_type = (
+                self.api_client.select_header_content_type(
+                    [
+                        'application/json'
+                    ]
+                )
+            )
+            if _default_content_type is not None:
+                _header_params['Content-Type'] = _default_content_type
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='PUT',
+            resource_path='/v1/runs/{run_id}/entry',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,
@@ -2293,6 +4091,188 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='POST',
             resource_path='/v1/runs',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def withdraw_entry(
+        self,
+        run_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> BoardEntry:
+        """Take the entry of a run off the leaderboard, for good
+
+        A withdrawn entry has no rank and is in no list; `get_entry` and the history go on to show it. A repeat changes nothing.
+
+        :param run_id: (required)
+        :type run_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._withdraw_entry_serialize(
+            run_id=run_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def withdraw_entry_with_http_info(
+        self,
+        run_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[BoardEntry]:
+        """Take the entry of a run off the leaderboard, for good
+
+        A withdrawn entry has no rank and is in no list; `get_entry` and the history go on to show it. A repeat changes nothing.
+
+        :param run_id: (required)
+        :type run_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._withdraw_entry_serialize(
+            run_id=run_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "BoardEntry",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _withdraw_entry_serialize(
+        self,
+        run_id,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        if run_id is not None:
+            _path_params['run_id'] = run_id
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='DELETE',
+            resource_path='/v1/runs/{run_id}/entry',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,

@@ -25,10 +25,46 @@ pub enum DescribeServiceError {
     UnknownValue(serde_json::Value),
 }
 
+/// struct for typed errors of method [`flag_entry`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum FlagEntryError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
 /// struct for typed errors of method [`get_benchmark`]
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum GetBenchmarkError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`get_checkpoint`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum GetCheckpointError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`get_entry`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum GetEntryError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`get_ranking`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum GetRankingError {
     Status4XX(models::Problem),
     Status5XX(models::Problem),
     UnknownValue(serde_json::Value),
@@ -61,10 +97,28 @@ pub enum ListBenchmarksError {
     UnknownValue(serde_json::Value),
 }
 
+/// struct for typed errors of method [`list_entries`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ListEntriesError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
 /// struct for typed errors of method [`list_episodes`]
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum ListEpisodesError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`list_history`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ListHistoryError {
     Status4XX(models::Problem),
     Status5XX(models::Problem),
     UnknownValue(serde_json::Value),
@@ -83,6 +137,33 @@ pub enum ListKeysError {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum ListRunsError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`prove_consistency`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ProveConsistencyError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`prove_inclusion`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ProveInclusionError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`publish_entry`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum PublishEntryError {
     Status4XX(models::Problem),
     Status5XX(models::Problem),
     UnknownValue(serde_json::Value),
@@ -110,6 +191,15 @@ pub enum StopRunError {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum SubmitRunError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`withdraw_entry`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum WithdrawEntryError {
     Status4XX(models::Problem),
     Status5XX(models::Problem),
     UnknownValue(serde_json::Value),
@@ -208,6 +298,53 @@ pub async fn describe_service(configuration: &configuration::Configuration, proc
     }
 }
 
+/// For the host: the token needs the scope `host`, besides `run`. A flagged entry is shown with the reason, and has no rank.
+pub async fn flag_entry(configuration: &configuration::Configuration, entry_id: &str, flag_entry: models::FlagEntry, proctor_version: Option<&str>) -> Result<models::BoardEntry, Error<FlagEntryError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_entry_id = entry_id;
+    let p_body_flag_entry = flag_entry;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/entries/{entry_id}/flag", configuration.base_path, entry_id=crate::apis::urlencode(p_path_entry_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::PUT, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+    req_builder = req_builder.json(&p_body_flag_entry);
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::BoardEntry`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::BoardEntry`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<FlagEntryError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
 pub async fn get_benchmark(configuration: &configuration::Configuration, benchmark_id: &str, proctor_version: Option<&str>) -> Result<models::Benchmark, Error<GetBenchmarkError>> {
     // add a prefix to parameters to efficiently prevent name collisions
     let p_path_benchmark_id = benchmark_id;
@@ -248,6 +385,152 @@ pub async fn get_benchmark(configuration: &configuration::Configuration, benchma
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<GetBenchmarkError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// A signed note, as board.md has it, by the key of `list_keys` that is in use.
+pub async fn get_checkpoint(configuration: &configuration::Configuration, proctor_version: Option<&str>) -> Result<models::Checkpoint, Error<GetCheckpointError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/history/checkpoint", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::Checkpoint`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::Checkpoint`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<GetCheckpointError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// Of another account only if it is public, or was when it was withdrawn.
+pub async fn get_entry(configuration: &configuration::Configuration, entry_id: &str, proctor_version: Option<&str>) -> Result<models::BoardEntry, Error<GetEntryError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_entry_id = entry_id;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/entries/{entry_id}", configuration.base_path, entry_id=crate::apis::urlencode(p_path_entry_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::BoardEntry`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::BoardEntry`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<GetEntryError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+pub async fn get_ranking(configuration: &configuration::Configuration, benchmark_id: &str, manifest_sha256: Option<&str>, cursor: Option<&str>, limit: Option<i32>, proctor_version: Option<&str>) -> Result<models::Ranking, Error<GetRankingError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_benchmark_id = benchmark_id;
+    let p_query_manifest_sha256 = manifest_sha256;
+    let p_query_cursor = cursor;
+    let p_query_limit = limit;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/benchmarks/{benchmark_id}/ranking", configuration.base_path, benchmark_id=crate::apis::urlencode(p_path_benchmark_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref param_value) = p_query_manifest_sha256 {
+        req_builder = req_builder.query(&[("manifest_sha256", &param_value.to_string())]);
+    }
+    if let Some(ref param_value) = p_query_cursor {
+        req_builder = req_builder.query(&[("cursor", &param_value.to_string())]);
+    }
+    if let Some(ref param_value) = p_query_limit {
+        req_builder = req_builder.query(&[("limit", &param_value.to_string())]);
+    }
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::Ranking`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::Ranking`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<GetRankingError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }
@@ -391,6 +674,62 @@ pub async fn list_benchmarks(configuration: &configuration::Configuration, proct
     }
 }
 
+/// Public entries, and private ones of the account that asks; none that is withdrawn.
+pub async fn list_entries(configuration: &configuration::Configuration, benchmark_id: Option<&str>, cursor: Option<&str>, limit: Option<i32>, proctor_version: Option<&str>) -> Result<models::BoardEntryList, Error<ListEntriesError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_query_benchmark_id = benchmark_id;
+    let p_query_cursor = cursor;
+    let p_query_limit = limit;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/entries", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref param_value) = p_query_benchmark_id {
+        req_builder = req_builder.query(&[("benchmark_id", &param_value.to_string())]);
+    }
+    if let Some(ref param_value) = p_query_cursor {
+        req_builder = req_builder.query(&[("cursor", &param_value.to_string())]);
+    }
+    if let Some(ref param_value) = p_query_limit {
+        req_builder = req_builder.query(&[("limit", &param_value.to_string())]);
+    }
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::BoardEntryList`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::BoardEntryList`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<ListEntriesError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
 pub async fn list_episodes(configuration: &configuration::Configuration, run_id: &str, cursor: Option<&str>, limit: Option<i32>, proctor_version: Option<&str>) -> Result<models::EpisodeList, Error<ListEpisodesError>> {
     // add a prefix to parameters to efficiently prevent name collisions
     let p_path_run_id = run_id;
@@ -439,6 +778,58 @@ pub async fn list_episodes(configuration: &configuration::Configuration, run_id:
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<ListEpisodesError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// The leaves of the tree of board.md. No leaf is ever changed or taken out.
+pub async fn list_history(configuration: &configuration::Configuration, cursor: Option<&str>, limit: Option<i32>, proctor_version: Option<&str>) -> Result<models::HistoryPage, Error<ListHistoryError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_query_cursor = cursor;
+    let p_query_limit = limit;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/history", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref param_value) = p_query_cursor {
+        req_builder = req_builder.query(&[("cursor", &param_value.to_string())]);
+    }
+    if let Some(ref param_value) = p_query_limit {
+        req_builder = req_builder.query(&[("limit", &param_value.to_string())]);
+    }
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::HistoryPage`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::HistoryPage`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<ListHistoryError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }
@@ -531,6 +922,149 @@ pub async fn list_runs(configuration: &configuration::Configuration, cursor: Opt
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<ListRunsError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+pub async fn prove_consistency(configuration: &configuration::Configuration, old_size: &str, new_size: &str, proctor_version: Option<&str>) -> Result<models::ConsistencyProof, Error<ProveConsistencyError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_query_old_size = old_size;
+    let p_query_new_size = new_size;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/history/consistency", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    req_builder = req_builder.query(&[("old_size", &p_query_old_size.to_string())]);
+    req_builder = req_builder.query(&[("new_size", &p_query_new_size.to_string())]);
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::ConsistencyProof`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::ConsistencyProof`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<ProveConsistencyError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// For a size up to that of the checkpoint and a leaf below it.
+pub async fn prove_inclusion(configuration: &configuration::Configuration, leaf_index: &str, tree_size: &str, proctor_version: Option<&str>) -> Result<models::InclusionProof, Error<ProveInclusionError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_query_leaf_index = leaf_index;
+    let p_query_tree_size = tree_size;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/history/inclusion", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    req_builder = req_builder.query(&[("leaf_index", &p_query_leaf_index.to_string())]);
+    req_builder = req_builder.query(&[("tree_size", &p_query_tree_size.to_string())]);
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::InclusionProof`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::InclusionProof`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<ProveInclusionError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile `board`, as are the operations on entries, rankings and history.
+pub async fn publish_entry(configuration: &configuration::Configuration, run_id: &str, publish_entry: models::PublishEntry, proctor_version: Option<&str>) -> Result<models::BoardEntry, Error<PublishEntryError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_run_id = run_id;
+    let p_body_publish_entry = publish_entry;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/runs/{run_id}/entry", configuration.base_path, run_id=crate::apis::urlencode(p_path_run_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::PUT, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+    req_builder = req_builder.json(&p_body_publish_entry);
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::BoardEntry`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::BoardEntry`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<PublishEntryError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }
@@ -670,6 +1204,51 @@ pub async fn submit_run(configuration: &configuration::Configuration, submit_run
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<SubmitRunError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// A withdrawn entry has no rank and is in no list; `get_entry` and the history go on to show it. A repeat changes nothing.
+pub async fn withdraw_entry(configuration: &configuration::Configuration, run_id: &str, proctor_version: Option<&str>) -> Result<models::BoardEntry, Error<WithdrawEntryError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_run_id = run_id;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/runs/{run_id}/entry", configuration.base_path, run_id=crate::apis::urlencode(p_path_run_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::DELETE, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::BoardEntry`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::BoardEntry`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<WithdrawEntryError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }

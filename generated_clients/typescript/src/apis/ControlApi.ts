@@ -16,15 +16,50 @@ import {
     BenchmarkListToJSON,
 } from '../models/BenchmarkList';
 import {
+    type BoardEntry,
+    BoardEntryFromJSON,
+    BoardEntryToJSON,
+} from '../models/BoardEntry';
+import {
+    type BoardEntryList,
+    BoardEntryListFromJSON,
+    BoardEntryListToJSON,
+} from '../models/BoardEntryList';
+import {
+    type Checkpoint,
+    CheckpointFromJSON,
+    CheckpointToJSON,
+} from '../models/Checkpoint';
+import {
     type Comparison,
     ComparisonFromJSON,
     ComparisonToJSON,
 } from '../models/Comparison';
 import {
+    type ConsistencyProof,
+    ConsistencyProofFromJSON,
+    ConsistencyProofToJSON,
+} from '../models/ConsistencyProof';
+import {
     type EpisodeList,
     EpisodeListFromJSON,
     EpisodeListToJSON,
 } from '../models/EpisodeList';
+import {
+    type FlagEntry,
+    FlagEntryFromJSON,
+    FlagEntryToJSON,
+} from '../models/FlagEntry';
+import {
+    type HistoryPage,
+    HistoryPageFromJSON,
+    HistoryPageToJSON,
+} from '../models/HistoryPage';
+import {
+    type InclusionProof,
+    InclusionProofFromJSON,
+    InclusionProofToJSON,
+} from '../models/InclusionProof';
 import {
     type KeyList,
     KeyListFromJSON,
@@ -35,6 +70,16 @@ import {
     ProblemFromJSON,
     ProblemToJSON,
 } from '../models/Problem';
+import {
+    type PublishEntry,
+    PublishEntryFromJSON,
+    PublishEntryToJSON,
+} from '../models/PublishEntry';
+import {
+    type Ranking,
+    RankingFromJSON,
+    RankingToJSON,
+} from '../models/Ranking';
 import {
     type Run,
     RunFromJSON,
@@ -92,11 +137,67 @@ export interface DescribeServiceRequest {
     proctorVersion?: string;
 }
 
+export interface FlagEntryRequest {
+    /**
+     *
+     */
+    entryId: string;
+    /**
+     *
+     */
+    flagEntry: FlagEntry;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
 export interface GetBenchmarkRequest {
     /**
      *
      */
     benchmarkId: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface GetCheckpointRequest {
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface GetEntryRequest {
+    /**
+     *
+     */
+    entryId: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface GetRankingRequest {
+    /**
+     *
+     */
+    benchmarkId: string;
+    /**
+     * Which manifest; that of `get_benchmark` when absent.
+     */
+    manifestSha256?: string;
+    /**
+     * `next_cursor` of the page before; opaque to the caller.
+     */
+    cursor?: string;
+    /**
+     * Most items wanted on a page; 100 when absent.
+     */
+    limit?: number;
     /**
      * The protocol version the caller was written for.
      */
@@ -140,11 +241,45 @@ export interface ListBenchmarksRequest {
     proctorVersion?: string;
 }
 
+export interface ListEntriesRequest {
+    /**
+     * Only entries of this benchmark.
+     */
+    benchmarkId?: string;
+    /**
+     * `next_cursor` of the page before; opaque to the caller.
+     */
+    cursor?: string;
+    /**
+     * Most items wanted on a page; 100 when absent.
+     */
+    limit?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
 export interface ListEpisodesRequest {
     /**
      *
      */
     runId: string;
+    /**
+     * `next_cursor` of the page before; opaque to the caller.
+     */
+    cursor?: string;
+    /**
+     * Most items wanted on a page; 100 when absent.
+     */
+    limit?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ListHistoryRequest {
     /**
      * `next_cursor` of the page before; opaque to the caller.
      */
@@ -175,6 +310,51 @@ export interface ListRunsRequest {
      * Most items wanted on a page; 100 when absent.
      */
     limit?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ProveConsistencyRequest {
+    /**
+     * Size of the older history.
+     */
+    oldSize: string;
+    /**
+     * Size of the newer history.
+     */
+    newSize: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ProveInclusionRequest {
+    /**
+     * Index of the leaf, from 0.
+     */
+    leafIndex: string;
+    /**
+     * Size of the history.
+     */
+    treeSize: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface PublishEntryRequest {
+    /**
+     *
+     */
+    runId: string;
+    /**
+     *
+     */
+    publishEntry: PublishEntry;
     /**
      * The protocol version the caller was written for.
      */
@@ -216,6 +396,17 @@ export interface SubmitRunRequest {
      * Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
      */
     idempotencyKey?: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface WithdrawEntryRequest {
+    /**
+     *
+     */
+    runId: string;
     /**
      * The protocol version the caller was written for.
      */
@@ -346,6 +537,75 @@ export class ControlApi extends runtime.BaseAPI {
     }
 
     /**
+     * Creates request options for flagEntry without sending the request
+     */
+    async flagEntryRequestOpts(requestParameters: FlagEntryRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['entryId'] == null) {
+            throw new runtime.RequiredError(
+                'entryId',
+                'Required parameter "entryId" was null or undefined when calling flagEntry().'
+            );
+        }
+
+        if (requestParameters['flagEntry'] == null) {
+            throw new runtime.RequiredError(
+                'flagEntry',
+                'Required parameter "flagEntry" was null or undefined when calling flagEntry().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        headerParameters['Content-Type'] = 'application/json';
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/entries/{entry_id}/flag`;
+        urlPath = urlPath.replace('{entry_id}', encodeURIComponent(String(requestParameters['entryId'])));
+
+        return {
+            path: urlPath,
+            method: 'PUT',
+            headers: headerParameters,
+            query: queryParameters,
+            body: FlagEntryToJSON(requestParameters['flagEntry']),
+        };
+    }
+
+    /**
+     * For the host: the token needs the scope `host`, besides `run`. A flagged entry is shown with the reason, and has no rank.
+     * Say of a public entry that something is wrong with it, or take that back
+     */
+    async flagEntryRaw(requestParameters: FlagEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<BoardEntry>> {
+        const requestOptions = await this.flagEntryRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => BoardEntryFromJSON(jsonValue));
+    }
+
+    /**
+     * For the host: the token needs the scope `host`, besides `run`. A flagged entry is shown with the reason, and has no rank.
+     * Say of a public entry that something is wrong with it, or take that back
+     */
+    async flagEntry(requestParameters: FlagEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<BoardEntry> {
+        const response = await this.flagEntryRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
      * Creates request options for getBenchmark without sending the request
      */
     async getBenchmarkRequestOpts(requestParameters: GetBenchmarkRequest): Promise<runtime.RequestOpts> {
@@ -399,6 +659,187 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async getBenchmark(requestParameters: GetBenchmarkRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Benchmark> {
         const response = await this.getBenchmarkRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for getCheckpoint without sending the request
+     */
+    async getCheckpointRequestOpts(requestParameters: GetCheckpointRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/history/checkpoint`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * A signed note, as board.md has it, by the key of `list_keys` that is in use.
+     * The size and the root of the history, signed
+     */
+    async getCheckpointRaw(requestParameters: GetCheckpointRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Checkpoint>> {
+        const requestOptions = await this.getCheckpointRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => CheckpointFromJSON(jsonValue));
+    }
+
+    /**
+     * A signed note, as board.md has it, by the key of `list_keys` that is in use.
+     * The size and the root of the history, signed
+     */
+    async getCheckpoint(requestParameters: GetCheckpointRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Checkpoint> {
+        const response = await this.getCheckpointRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for getEntry without sending the request
+     */
+    async getEntryRequestOpts(requestParameters: GetEntryRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['entryId'] == null) {
+            throw new runtime.RequiredError(
+                'entryId',
+                'Required parameter "entryId" was null or undefined when calling getEntry().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/entries/{entry_id}`;
+        urlPath = urlPath.replace('{entry_id}', encodeURIComponent(String(requestParameters['entryId'])));
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Of another account only if it is public, or was when it was withdrawn.
+     * One entry, withdrawn or not
+     */
+    async getEntryRaw(requestParameters: GetEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<BoardEntry>> {
+        const requestOptions = await this.getEntryRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => BoardEntryFromJSON(jsonValue));
+    }
+
+    /**
+     * Of another account only if it is public, or was when it was withdrawn.
+     * One entry, withdrawn or not
+     */
+    async getEntry(requestParameters: GetEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<BoardEntry> {
+        const response = await this.getEntryRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for getRanking without sending the request
+     */
+    async getRankingRequestOpts(requestParameters: GetRankingRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['benchmarkId'] == null) {
+            throw new runtime.RequiredError(
+                'benchmarkId',
+                'Required parameter "benchmarkId" was null or undefined when calling getRanking().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        if (requestParameters['manifestSha256'] != null) {
+            queryParameters['manifest_sha256'] = requestParameters['manifestSha256'];
+        }
+
+        if (requestParameters['cursor'] != null) {
+            queryParameters['cursor'] = requestParameters['cursor'];
+        }
+
+        if (requestParameters['limit'] != null) {
+            queryParameters['limit'] = requestParameters['limit'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/benchmarks/{benchmark_id}/ranking`;
+        urlPath = urlPath.replace('{benchmark_id}', encodeURIComponent(String(requestParameters['benchmarkId'])));
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+     * The public entries of one manifest, ranked
+     */
+    async getRankingRaw(requestParameters: GetRankingRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<Ranking>> {
+        const requestOptions = await this.getRankingRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RankingFromJSON(jsonValue));
+    }
+
+    /**
+     * One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+     * The public entries of one manifest, ranked
+     */
+    async getRanking(requestParameters: GetRankingRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Ranking> {
+        const response = await this.getRankingRaw(requestParameters, initOverrides);
         return await response.value();
     }
 
@@ -574,6 +1015,69 @@ export class ControlApi extends runtime.BaseAPI {
     }
 
     /**
+     * Creates request options for listEntries without sending the request
+     */
+    async listEntriesRequestOpts(requestParameters: ListEntriesRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        if (requestParameters['benchmarkId'] != null) {
+            queryParameters['benchmark_id'] = requestParameters['benchmarkId'];
+        }
+
+        if (requestParameters['cursor'] != null) {
+            queryParameters['cursor'] = requestParameters['cursor'];
+        }
+
+        if (requestParameters['limit'] != null) {
+            queryParameters['limit'] = requestParameters['limit'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/entries`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Public entries, and private ones of the account that asks; none that is withdrawn.
+     * Entries of the leaderboard, newest first
+     */
+    async listEntriesRaw(requestParameters: ListEntriesRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<BoardEntryList>> {
+        const requestOptions = await this.listEntriesRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => BoardEntryListFromJSON(jsonValue));
+    }
+
+    /**
+     * Public entries, and private ones of the account that asks; none that is withdrawn.
+     * Entries of the leaderboard, newest first
+     */
+    async listEntries(requestParameters: ListEntriesRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<BoardEntryList> {
+        const response = await this.listEntriesRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
      * Creates request options for listEpisodes without sending the request
      */
     async listEpisodesRequestOpts(requestParameters: ListEpisodesRequest): Promise<runtime.RequestOpts> {
@@ -635,6 +1139,65 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async listEpisodes(requestParameters: ListEpisodesRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<EpisodeList> {
         const response = await this.listEpisodesRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for listHistory without sending the request
+     */
+    async listHistoryRequestOpts(requestParameters: ListHistoryRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        if (requestParameters['cursor'] != null) {
+            queryParameters['cursor'] = requestParameters['cursor'];
+        }
+
+        if (requestParameters['limit'] != null) {
+            queryParameters['limit'] = requestParameters['limit'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/history`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * The leaves of the tree of board.md. No leaf is ever changed or taken out.
+     * What happened to public entries, oldest first
+     */
+    async listHistoryRaw(requestParameters: ListHistoryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<HistoryPage>> {
+        const requestOptions = await this.listHistoryRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => HistoryPageFromJSON(jsonValue));
+    }
+
+    /**
+     * The leaves of the tree of board.md. No leaf is ever changed or taken out.
+     * What happened to public entries, oldest first
+     */
+    async listHistory(requestParameters: ListHistoryRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<HistoryPage> {
+        const response = await this.listHistoryRaw(requestParameters, initOverrides);
         return await response.value();
     }
 
@@ -735,6 +1298,221 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async listRuns(requestParameters: ListRunsRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<RunList> {
         const response = await this.listRunsRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for proveConsistency without sending the request
+     */
+    async proveConsistencyRequestOpts(requestParameters: ProveConsistencyRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['oldSize'] == null) {
+            throw new runtime.RequiredError(
+                'oldSize',
+                'Required parameter "oldSize" was null or undefined when calling proveConsistency().'
+            );
+        }
+
+        if (requestParameters['newSize'] == null) {
+            throw new runtime.RequiredError(
+                'newSize',
+                'Required parameter "newSize" was null or undefined when calling proveConsistency().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        if (requestParameters['oldSize'] != null) {
+            queryParameters['old_size'] = requestParameters['oldSize'];
+        }
+
+        if (requestParameters['newSize'] != null) {
+            queryParameters['new_size'] = requestParameters['newSize'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/history/consistency`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+     * Proof that a history of one size begins with that of another
+     */
+    async proveConsistencyRaw(requestParameters: ProveConsistencyRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<ConsistencyProof>> {
+        const requestOptions = await this.proveConsistencyRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => ConsistencyProofFromJSON(jsonValue));
+    }
+
+    /**
+     * For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+     * Proof that a history of one size begins with that of another
+     */
+    async proveConsistency(requestParameters: ProveConsistencyRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<ConsistencyProof> {
+        const response = await this.proveConsistencyRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for proveInclusion without sending the request
+     */
+    async proveInclusionRequestOpts(requestParameters: ProveInclusionRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['leafIndex'] == null) {
+            throw new runtime.RequiredError(
+                'leafIndex',
+                'Required parameter "leafIndex" was null or undefined when calling proveInclusion().'
+            );
+        }
+
+        if (requestParameters['treeSize'] == null) {
+            throw new runtime.RequiredError(
+                'treeSize',
+                'Required parameter "treeSize" was null or undefined when calling proveInclusion().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        if (requestParameters['leafIndex'] != null) {
+            queryParameters['leaf_index'] = requestParameters['leafIndex'];
+        }
+
+        if (requestParameters['treeSize'] != null) {
+            queryParameters['tree_size'] = requestParameters['treeSize'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/history/inclusion`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * For a size up to that of the checkpoint and a leaf below it.
+     * Proof that a leaf stands in the history of a size
+     */
+    async proveInclusionRaw(requestParameters: ProveInclusionRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<InclusionProof>> {
+        const requestOptions = await this.proveInclusionRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => InclusionProofFromJSON(jsonValue));
+    }
+
+    /**
+     * For a size up to that of the checkpoint and a leaf below it.
+     * Proof that a leaf stands in the history of a size
+     */
+    async proveInclusion(requestParameters: ProveInclusionRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<InclusionProof> {
+        const response = await this.proveInclusionRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for publishEntry without sending the request
+     */
+    async publishEntryRequestOpts(requestParameters: PublishEntryRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling publishEntry().'
+            );
+        }
+
+        if (requestParameters['publishEntry'] == null) {
+            throw new runtime.RequiredError(
+                'publishEntry',
+                'Required parameter "publishEntry" was null or undefined when calling publishEntry().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        headerParameters['Content-Type'] = 'application/json';
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}/entry`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'PUT',
+            headers: headerParameters,
+            query: queryParameters,
+            body: PublishEntryToJSON(requestParameters['publishEntry']),
+        };
+    }
+
+    /**
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile `board`, as are the operations on entries, rankings and history.
+     * Publish a completed run on the leaderboard, or change what its entry says
+     */
+    async publishEntryRaw(requestParameters: PublishEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<BoardEntry>> {
+        const requestOptions = await this.publishEntryRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => BoardEntryFromJSON(jsonValue));
+    }
+
+    /**
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile `board`, as are the operations on entries, rankings and history.
+     * Publish a completed run on the leaderboard, or change what its entry says
+     */
+    async publishEntry(requestParameters: PublishEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<BoardEntry> {
+        const response = await this.publishEntryRaw(requestParameters, initOverrides);
         return await response.value();
     }
 
@@ -922,6 +1700,65 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async submitRun(requestParameters: SubmitRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Run> {
         const response = await this.submitRunRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for withdrawEntry without sending the request
+     */
+    async withdrawEntryRequestOpts(requestParameters: WithdrawEntryRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling withdrawEntry().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}/entry`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'DELETE',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * A withdrawn entry has no rank and is in no list; `get_entry` and the history go on to show it. A repeat changes nothing.
+     * Take the entry of a run off the leaderboard, for good
+     */
+    async withdrawEntryRaw(requestParameters: WithdrawEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<BoardEntry>> {
+        const requestOptions = await this.withdrawEntryRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => BoardEntryFromJSON(jsonValue));
+    }
+
+    /**
+     * A withdrawn entry has no rank and is in no list; `get_entry` and the history go on to show it. A repeat changes nothing.
+     * Take the entry of a run off the leaderboard, for good
+     */
+    async withdrawEntry(requestParameters: WithdrawEntryRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<BoardEntry> {
+        const response = await this.withdrawEntryRaw(requestParameters, initOverrides);
         return await response.value();
     }
 

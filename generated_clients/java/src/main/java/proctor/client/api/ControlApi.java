@@ -21,10 +21,19 @@ import java.io.IOException;
 
 import proctor.client.model.Benchmark;
 import proctor.client.model.BenchmarkList;
+import proctor.client.model.BoardEntry;
+import proctor.client.model.BoardEntryList;
+import proctor.client.model.Checkpoint;
 import proctor.client.model.Comparison;
+import proctor.client.model.ConsistencyProof;
 import proctor.client.model.EpisodeList;
+import proctor.client.model.FlagEntry;
+import proctor.client.model.HistoryPage;
+import proctor.client.model.InclusionProof;
 import proctor.client.model.KeyList;
 import proctor.client.model.Problem;
+import proctor.client.model.PublishEntry;
+import proctor.client.model.Ranking;
 import proctor.client.model.Run;
 import proctor.client.model.RunList;
 import proctor.client.model.Score;
@@ -380,6 +389,161 @@ public class ControlApi {
         return localVarCall;
     }
     /**
+     * Build call for flagEntry
+     * @param entryId  (required)
+     * @param flagEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call flagEntryCall(@javax.annotation.Nonnull String entryId, @javax.annotation.Nonnull FlagEntry flagEntry, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = flagEntry;
+
+        // create path and map variables
+        String localVarPath = "/v1/entries/{entry_id}/flag"
+            .replace("{" + "entry_id" + "}", localVarApiClient.escapeString(entryId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+            "application/json"
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "PUT", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call flagEntryValidateBeforeCall(@javax.annotation.Nonnull String entryId, @javax.annotation.Nonnull FlagEntry flagEntry, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'entryId' is set
+        if (entryId == null) {
+            throw new ApiException("Missing the required parameter 'entryId' when calling flagEntry(Async)");
+        }
+
+        // verify the required parameter 'flagEntry' is set
+        if (flagEntry == null) {
+            throw new ApiException("Missing the required parameter 'flagEntry' when calling flagEntry(Async)");
+        }
+
+        return flagEntryCall(entryId, flagEntry, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Say of a public entry that something is wrong with it, or take that back
+     * For the host: the token needs the scope &#x60;host&#x60;, besides &#x60;run&#x60;. A flagged entry is shown with the reason, and has no rank.
+     * @param entryId  (required)
+     * @param flagEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return BoardEntry
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public BoardEntry flagEntry(@javax.annotation.Nonnull String entryId, @javax.annotation.Nonnull FlagEntry flagEntry, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<BoardEntry> localVarResp = flagEntryWithHttpInfo(entryId, flagEntry, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Say of a public entry that something is wrong with it, or take that back
+     * For the host: the token needs the scope &#x60;host&#x60;, besides &#x60;run&#x60;. A flagged entry is shown with the reason, and has no rank.
+     * @param entryId  (required)
+     * @param flagEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;BoardEntry&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<BoardEntry> flagEntryWithHttpInfo(@javax.annotation.Nonnull String entryId, @javax.annotation.Nonnull FlagEntry flagEntry, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = flagEntryValidateBeforeCall(entryId, flagEntry, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Say of a public entry that something is wrong with it, or take that back (asynchronously)
+     * For the host: the token needs the scope &#x60;host&#x60;, besides &#x60;run&#x60;. A flagged entry is shown with the reason, and has no rank.
+     * @param entryId  (required)
+     * @param flagEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call flagEntryAsync(@javax.annotation.Nonnull String entryId, @javax.annotation.Nonnull FlagEntry flagEntry, @javax.annotation.Nullable String proctorVersion, final ApiCallback<BoardEntry> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = flagEntryValidateBeforeCall(entryId, flagEntry, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
      * Build call for getBenchmark
      * @param benchmarkId  (required)
      * @param proctorVersion The protocol version the caller was written for. (optional)
@@ -521,6 +685,455 @@ public class ControlApi {
 
         okhttp3.Call localVarCall = getBenchmarkValidateBeforeCall(benchmarkId, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<Benchmark>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for getCheckpoint
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The checkpoint of all leaves that there are now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getCheckpointCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/history/checkpoint";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call getCheckpointValidateBeforeCall(@javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return getCheckpointCall(proctorVersion, _callback);
+
+    }
+
+    /**
+     * The size and the root of the history, signed
+     * A signed note, as board.md has it, by the key of &#x60;list_keys&#x60; that is in use.
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Checkpoint
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The checkpoint of all leaves that there are now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Checkpoint getCheckpoint(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Checkpoint> localVarResp = getCheckpointWithHttpInfo(proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * The size and the root of the history, signed
+     * A signed note, as board.md has it, by the key of &#x60;list_keys&#x60; that is in use.
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Checkpoint&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The checkpoint of all leaves that there are now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Checkpoint> getCheckpointWithHttpInfo(@javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = getCheckpointValidateBeforeCall(proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Checkpoint>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * The size and the root of the history, signed (asynchronously)
+     * A signed note, as board.md has it, by the key of &#x60;list_keys&#x60; that is in use.
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The checkpoint of all leaves that there are now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getCheckpointAsync(@javax.annotation.Nullable String proctorVersion, final ApiCallback<Checkpoint> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = getCheckpointValidateBeforeCall(proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Checkpoint>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for getEntry
+     * @param entryId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getEntryCall(@javax.annotation.Nonnull String entryId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/entries/{entry_id}"
+            .replace("{" + "entry_id" + "}", localVarApiClient.escapeString(entryId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call getEntryValidateBeforeCall(@javax.annotation.Nonnull String entryId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'entryId' is set
+        if (entryId == null) {
+            throw new ApiException("Missing the required parameter 'entryId' when calling getEntry(Async)");
+        }
+
+        return getEntryCall(entryId, proctorVersion, _callback);
+
+    }
+
+    /**
+     * One entry, withdrawn or not
+     * Of another account only if it is public, or was when it was withdrawn.
+     * @param entryId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return BoardEntry
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public BoardEntry getEntry(@javax.annotation.Nonnull String entryId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<BoardEntry> localVarResp = getEntryWithHttpInfo(entryId, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * One entry, withdrawn or not
+     * Of another account only if it is public, or was when it was withdrawn.
+     * @param entryId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;BoardEntry&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<BoardEntry> getEntryWithHttpInfo(@javax.annotation.Nonnull String entryId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = getEntryValidateBeforeCall(entryId, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * One entry, withdrawn or not (asynchronously)
+     * Of another account only if it is public, or was when it was withdrawn.
+     * @param entryId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getEntryAsync(@javax.annotation.Nonnull String entryId, @javax.annotation.Nullable String proctorVersion, final ApiCallback<BoardEntry> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = getEntryValidateBeforeCall(entryId, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for getRanking
+     * @param benchmarkId  (required)
+     * @param manifestSha256 Which manifest; that of &#x60;get_benchmark&#x60; when absent. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page of its rows, the highest score first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getRankingCall(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String manifestSha256, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/benchmarks/{benchmark_id}/ranking"
+            .replace("{" + "benchmark_id" + "}", localVarApiClient.escapeString(benchmarkId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (manifestSha256 != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("manifest_sha256", manifestSha256));
+        }
+
+        if (cursor != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("cursor", cursor));
+        }
+
+        if (limit != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("limit", limit));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call getRankingValidateBeforeCall(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String manifestSha256, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'benchmarkId' is set
+        if (benchmarkId == null) {
+            throw new ApiException("Missing the required parameter 'benchmarkId' when calling getRanking(Async)");
+        }
+
+        return getRankingCall(benchmarkId, manifestSha256, cursor, limit, proctorVersion, _callback);
+
+    }
+
+    /**
+     * The public entries of one manifest, ranked
+     * One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+     * @param benchmarkId  (required)
+     * @param manifestSha256 Which manifest; that of &#x60;get_benchmark&#x60; when absent. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return Ranking
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page of its rows, the highest score first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public Ranking getRanking(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String manifestSha256, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<Ranking> localVarResp = getRankingWithHttpInfo(benchmarkId, manifestSha256, cursor, limit, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * The public entries of one manifest, ranked
+     * One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+     * @param benchmarkId  (required)
+     * @param manifestSha256 Which manifest; that of &#x60;get_benchmark&#x60; when absent. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Ranking&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page of its rows, the highest score first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Ranking> getRankingWithHttpInfo(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String manifestSha256, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = getRankingValidateBeforeCall(benchmarkId, manifestSha256, cursor, limit, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<Ranking>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * The public entries of one manifest, ranked (asynchronously)
+     * One ranking for every caller; private entries do not enter. board.md has the arithmetic.
+     * @param benchmarkId  (required)
+     * @param manifestSha256 Which manifest; that of &#x60;get_benchmark&#x60; when absent. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page of its rows, the highest score first. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getRankingAsync(@javax.annotation.Nonnull String benchmarkId, @javax.annotation.Nullable String manifestSha256, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Ranking> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = getRankingValidateBeforeCall(benchmarkId, manifestSha256, cursor, limit, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<Ranking>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
         return localVarCall;
     }
@@ -972,6 +1585,165 @@ public class ControlApi {
         return localVarCall;
     }
     /**
+     * Build call for listEntries
+     * @param benchmarkId Only entries of this benchmark. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listEntriesCall(@javax.annotation.Nullable String benchmarkId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/entries";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (benchmarkId != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("benchmark_id", benchmarkId));
+        }
+
+        if (cursor != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("cursor", cursor));
+        }
+
+        if (limit != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("limit", limit));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call listEntriesValidateBeforeCall(@javax.annotation.Nullable String benchmarkId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return listEntriesCall(benchmarkId, cursor, limit, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Entries of the leaderboard, newest first
+     * Public entries, and private ones of the account that asks; none that is withdrawn.
+     * @param benchmarkId Only entries of this benchmark. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return BoardEntryList
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public BoardEntryList listEntries(@javax.annotation.Nullable String benchmarkId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<BoardEntryList> localVarResp = listEntriesWithHttpInfo(benchmarkId, cursor, limit, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Entries of the leaderboard, newest first
+     * Public entries, and private ones of the account that asks; none that is withdrawn.
+     * @param benchmarkId Only entries of this benchmark. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;BoardEntryList&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<BoardEntryList> listEntriesWithHttpInfo(@javax.annotation.Nullable String benchmarkId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = listEntriesValidateBeforeCall(benchmarkId, cursor, limit, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<BoardEntryList>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Entries of the leaderboard, newest first (asynchronously)
+     * Public entries, and private ones of the account that asks; none that is withdrawn.
+     * @param benchmarkId Only entries of this benchmark. (optional)
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listEntriesAsync(@javax.annotation.Nullable String benchmarkId, @javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback<BoardEntryList> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = listEntriesValidateBeforeCall(benchmarkId, cursor, limit, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<BoardEntryList>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
      * Build call for listEpisodes
      * @param runId  (required)
      * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
@@ -1129,6 +1901,157 @@ public class ControlApi {
 
         okhttp3.Call localVarCall = listEpisodesValidateBeforeCall(runId, cursor, limit, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<EpisodeList>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for listHistory
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listHistoryCall(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/history";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (cursor != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("cursor", cursor));
+        }
+
+        if (limit != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("limit", limit));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call listHistoryValidateBeforeCall(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return listHistoryCall(cursor, limit, proctorVersion, _callback);
+
+    }
+
+    /**
+     * What happened to public entries, oldest first
+     * The leaves of the tree of board.md. No leaf is ever changed or taken out.
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return HistoryPage
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public HistoryPage listHistory(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<HistoryPage> localVarResp = listHistoryWithHttpInfo(cursor, limit, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * What happened to public entries, oldest first
+     * The leaves of the tree of board.md. No leaf is ever changed or taken out.
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;HistoryPage&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<HistoryPage> listHistoryWithHttpInfo(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = listHistoryValidateBeforeCall(cursor, limit, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<HistoryPage>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * What happened to public entries, oldest first (asynchronously)
+     * The leaves of the tree of board.md. No leaf is ever changed or taken out.
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listHistoryAsync(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback<HistoryPage> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = listHistoryValidateBeforeCall(cursor, limit, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<HistoryPage>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
         return localVarCall;
     }
@@ -1415,6 +2338,487 @@ public class ControlApi {
 
         okhttp3.Call localVarCall = listRunsValidateBeforeCall(cursor, limit, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<RunList>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for proveConsistency
+     * @param oldSize Size of the older history. (required)
+     * @param newSize Size of the newer history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call proveConsistencyCall(@javax.annotation.Nonnull String oldSize, @javax.annotation.Nonnull String newSize, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/history/consistency";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (oldSize != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("old_size", oldSize));
+        }
+
+        if (newSize != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("new_size", newSize));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call proveConsistencyValidateBeforeCall(@javax.annotation.Nonnull String oldSize, @javax.annotation.Nonnull String newSize, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'oldSize' is set
+        if (oldSize == null) {
+            throw new ApiException("Missing the required parameter 'oldSize' when calling proveConsistency(Async)");
+        }
+
+        // verify the required parameter 'newSize' is set
+        if (newSize == null) {
+            throw new ApiException("Missing the required parameter 'newSize' when calling proveConsistency(Async)");
+        }
+
+        return proveConsistencyCall(oldSize, newSize, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Proof that a history of one size begins with that of another
+     * For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+     * @param oldSize Size of the older history. (required)
+     * @param newSize Size of the newer history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ConsistencyProof
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ConsistencyProof proveConsistency(@javax.annotation.Nonnull String oldSize, @javax.annotation.Nonnull String newSize, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<ConsistencyProof> localVarResp = proveConsistencyWithHttpInfo(oldSize, newSize, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Proof that a history of one size begins with that of another
+     * For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+     * @param oldSize Size of the older history. (required)
+     * @param newSize Size of the newer history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;ConsistencyProof&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<ConsistencyProof> proveConsistencyWithHttpInfo(@javax.annotation.Nonnull String oldSize, @javax.annotation.Nonnull String newSize, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = proveConsistencyValidateBeforeCall(oldSize, newSize, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<ConsistencyProof>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Proof that a history of one size begins with that of another (asynchronously)
+     * For sizes up to that of the checkpoint, the old one at least 1 and at most the new one.
+     * @param oldSize Size of the older history. (required)
+     * @param newSize Size of the newer history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call proveConsistencyAsync(@javax.annotation.Nonnull String oldSize, @javax.annotation.Nonnull String newSize, @javax.annotation.Nullable String proctorVersion, final ApiCallback<ConsistencyProof> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = proveConsistencyValidateBeforeCall(oldSize, newSize, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<ConsistencyProof>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for proveInclusion
+     * @param leafIndex Index of the leaf, from 0. (required)
+     * @param treeSize Size of the history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call proveInclusionCall(@javax.annotation.Nonnull String leafIndex, @javax.annotation.Nonnull String treeSize, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/history/inclusion";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (leafIndex != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("leaf_index", leafIndex));
+        }
+
+        if (treeSize != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("tree_size", treeSize));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call proveInclusionValidateBeforeCall(@javax.annotation.Nonnull String leafIndex, @javax.annotation.Nonnull String treeSize, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'leafIndex' is set
+        if (leafIndex == null) {
+            throw new ApiException("Missing the required parameter 'leafIndex' when calling proveInclusion(Async)");
+        }
+
+        // verify the required parameter 'treeSize' is set
+        if (treeSize == null) {
+            throw new ApiException("Missing the required parameter 'treeSize' when calling proveInclusion(Async)");
+        }
+
+        return proveInclusionCall(leafIndex, treeSize, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Proof that a leaf stands in the history of a size
+     * For a size up to that of the checkpoint and a leaf below it.
+     * @param leafIndex Index of the leaf, from 0. (required)
+     * @param treeSize Size of the history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return InclusionProof
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public InclusionProof proveInclusion(@javax.annotation.Nonnull String leafIndex, @javax.annotation.Nonnull String treeSize, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<InclusionProof> localVarResp = proveInclusionWithHttpInfo(leafIndex, treeSize, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Proof that a leaf stands in the history of a size
+     * For a size up to that of the checkpoint and a leaf below it.
+     * @param leafIndex Index of the leaf, from 0. (required)
+     * @param treeSize Size of the history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;InclusionProof&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<InclusionProof> proveInclusionWithHttpInfo(@javax.annotation.Nonnull String leafIndex, @javax.annotation.Nonnull String treeSize, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = proveInclusionValidateBeforeCall(leafIndex, treeSize, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<InclusionProof>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Proof that a leaf stands in the history of a size (asynchronously)
+     * For a size up to that of the checkpoint and a leaf below it.
+     * @param leafIndex Index of the leaf, from 0. (required)
+     * @param treeSize Size of the history. (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The proof. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call proveInclusionAsync(@javax.annotation.Nonnull String leafIndex, @javax.annotation.Nonnull String treeSize, @javax.annotation.Nullable String proctorVersion, final ApiCallback<InclusionProof> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = proveInclusionValidateBeforeCall(leafIndex, treeSize, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<InclusionProof>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for publishEntry
+     * @param runId  (required)
+     * @param publishEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 201 </td><td> The entry, which is new. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call publishEntryCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull PublishEntry publishEntry, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = publishEntry;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs/{run_id}/entry"
+            .replace("{" + "run_id" + "}", localVarApiClient.escapeString(runId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+            "application/json"
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "PUT", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call publishEntryValidateBeforeCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull PublishEntry publishEntry, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'runId' is set
+        if (runId == null) {
+            throw new ApiException("Missing the required parameter 'runId' when calling publishEntry(Async)");
+        }
+
+        // verify the required parameter 'publishEntry' is set
+        if (publishEntry == null) {
+            throw new ApiException("Missing the required parameter 'publishEntry' when calling publishEntry(Async)");
+        }
+
+        return publishEntryCall(runId, publishEntry, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Publish a completed run on the leaderboard, or change what its entry says
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
+     * @param runId  (required)
+     * @param publishEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return BoardEntry
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 201 </td><td> The entry, which is new. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public BoardEntry publishEntry(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull PublishEntry publishEntry, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<BoardEntry> localVarResp = publishEntryWithHttpInfo(runId, publishEntry, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Publish a completed run on the leaderboard, or change what its entry says
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
+     * @param runId  (required)
+     * @param publishEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;BoardEntry&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 201 </td><td> The entry, which is new. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<BoardEntry> publishEntryWithHttpInfo(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull PublishEntry publishEntry, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = publishEntryValidateBeforeCall(runId, publishEntry, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Publish a completed run on the leaderboard, or change what its entry says (asynchronously)
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
+     * @param runId  (required)
+     * @param publishEntry  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, as it is now. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 201 </td><td> The entry, which is new. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call publishEntryAsync(@javax.annotation.Nonnull String runId, @javax.annotation.Nonnull PublishEntry publishEntry, @javax.annotation.Nullable String proctorVersion, final ApiCallback<BoardEntry> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = publishEntryValidateBeforeCall(runId, publishEntry, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
         return localVarCall;
     }
@@ -1869,6 +3273,151 @@ public class ControlApi {
 
         okhttp3.Call localVarCall = submitRunValidateBeforeCall(submitRun, idempotencyKey, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<Run>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for withdrawEntry
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, withdrawn. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call withdrawEntryCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/runs/{run_id}/entry"
+            .replace("{" + "run_id" + "}", localVarApiClient.escapeString(runId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "DELETE", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call withdrawEntryValidateBeforeCall(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'runId' is set
+        if (runId == null) {
+            throw new ApiException("Missing the required parameter 'runId' when calling withdrawEntry(Async)");
+        }
+
+        return withdrawEntryCall(runId, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Take the entry of a run off the leaderboard, for good
+     * A withdrawn entry has no rank and is in no list; &#x60;get_entry&#x60; and the history go on to show it. A repeat changes nothing.
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return BoardEntry
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, withdrawn. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public BoardEntry withdrawEntry(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<BoardEntry> localVarResp = withdrawEntryWithHttpInfo(runId, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Take the entry of a run off the leaderboard, for good
+     * A withdrawn entry has no rank and is in no list; &#x60;get_entry&#x60; and the history go on to show it. A repeat changes nothing.
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;BoardEntry&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, withdrawn. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<BoardEntry> withdrawEntryWithHttpInfo(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = withdrawEntryValidateBeforeCall(runId, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Take the entry of a run off the leaderboard, for good (asynchronously)
+     * A withdrawn entry has no rank and is in no list; &#x60;get_entry&#x60; and the history go on to show it. A repeat changes nothing.
+     * @param runId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The entry, withdrawn. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call withdrawEntryAsync(@javax.annotation.Nonnull String runId, @javax.annotation.Nullable String proctorVersion, final ApiCallback<BoardEntry> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = withdrawEntryValidateBeforeCall(runId, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<BoardEntry>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
         return localVarCall;
     }

@@ -1,0 +1,30 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <map>
+#include <vector>
+#include "../members.h"
+
+namespace proctor {
+
+
+struct Checkpoint {
+    using IsMessage = void;
+
+    std::int64_t tree_size{};
+    std::string root_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string note{}; // The signed note, which says both as well.
+    std::string keyid{}; // Of the key of `list_keys` that signed it.
+
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("tree_size", self.tree_size);
+        visitor.required("root_sha256", self.root_sha256);
+        visitor.required("note", self.note);
+        visitor.required("keyid", self.keyid);
+    }
+};
+
+} // namespace proctor

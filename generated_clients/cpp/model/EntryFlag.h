@@ -1,0 +1,26 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <map>
+#include <vector>
+#include "../members.h"
+
+namespace proctor {
+
+
+struct EntryFlag {
+    using IsMessage = void;
+
+    std::string reason{};
+    std::string flagged_at{};
+
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("reason", self.reason);
+        visitor.required("flagged_at", self.flagged_at);
+    }
+};
+
+} // namespace proctor

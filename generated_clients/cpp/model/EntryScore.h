@@ -1,0 +1,33 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+#pragma once
+
+#include <cstdint>
+#include "Interval.h"
+#include <map>
+#include <vector>
+#include "OutcomeCounts.h"
+#include "../members.h"
+
+namespace proctor {
+
+/// Of the `get_score` of the run.
+struct EntryScore {
+    using IsMessage = void;
+
+    double score{};
+    double success_rate{};
+    Interval success_interval{};
+    Interval mean_interval{};
+    OutcomeCounts counts{};
+
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("score", self.score);
+        visitor.required("success_rate", self.success_rate);
+        visitor.required("success_interval", self.success_interval);
+        visitor.required("mean_interval", self.mean_interval);
+        visitor.required("counts", self.counts);
+    }
+};
+
+} // namespace proctor

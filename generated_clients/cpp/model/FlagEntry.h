@@ -1,0 +1,25 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+#include "../members.h"
+
+namespace proctor {
+
+
+struct FlagEntry {
+    using IsMessage = void;
+
+    bool flagged{}; // False takes the flag back.
+    std::string reason{}; // For everybody to read.
+
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("flagged", self.flagged);
+        visitor.required("reason", self.reason);
+    }
+};
+
+} // namespace proctor

@@ -1,0 +1,9 @@
+// Code generated from spec/openapi.yaml by `make generate`; DO NOT EDIT.
+
+package proctor
+
+// HistoryPage is a message of the protocol.
+type HistoryPage struct {
+	Leaves []HistoryLeaf `json:"leaves"`
+	NextCursor NullableString `json:"next_cursor"`
+}

@@ -1,0 +1,193 @@
+"""Entries of the leaderboard, and what may become of them. Pure.
+
+A change of an entry that others see, or saw, has a leaf in the history; what only its
+own account sees has none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import msgspec
+
+from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.scoring import ScoredEpisode, score_of
+
+Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]
+EntryState = Literal["published", "withdrawn"]
+Level = Literal["reported", "signed"]
+SHOWN_OF_SCORE = (
+    *("score", "success_rate", "success_interval", "mean_interval", "counts"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Flag:
+    """What the host says is wrong with an entry."""
+
+    reason: str
+    flagged_at_wall: float
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One entry; it has all that is shown of it and ranked, and needs its run no more.
+
+    number: grows with every entry; 0 before it is stored. description: schema
+    PublishEntry. score: schema EntryScore. successes: 1 or 0 for each episode, in the
+    order of the manifest.
+    """
+
+    entry_id: str
+    number: int
+    run_id: str
+    account: str
+    benchmark_id: str
+    benchmark_version: str
+    manifest_sha256: str
+    select: Mapping[str, Any] | None
+    policy: Mapping[str, Any]
+    level: Level
+    score: Mapping[str, Any]
+    successes: str
+    description: Mapping[str, Any]
+    published_at_wall: float
+    changed_at_wall: float
+    state: EntryState = "published"
+    flag: Flag | None = None
+
+    @property
+    def is_public(self) -> bool:
+        public: bool = self.description["is_public"]
+        return public
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """An entry as it is from now on, and the leaf of the history that says so."""
+
+    entry: Entry
+    leaf: str | None = None
+
+
+def may_see_entry(account: str | None, entry: Entry) -> bool:
+    """BRD-004: a private entry is there for its own account, and a reader of all."""
+    return entry.is_public or account is None or account == entry.account
+
+
+def new_entry(
+    entry_id: str, run: RunHead, episodes: Sequence[Episode], at_wall: float
+) -> Entry | Refuse:
+    """The entry of a completed run, with a description to come (BRD-001, BRD-002)."""
+    if run.state != "completed":
+        detail = f"The run is {run.state}; a completed run can be published."
+        return Refuse(
+            "illegal_transition", detail, "BRD-002", members={"state": run.state}
+        )
+    scored = [
+        ScoredEpisode(e.task, e.split, e.result.outcome, e.result.score)
+        for e in episodes
+        if e.result is not None
+    ]
+    score = score_of(scored)
+    is_recorded = all(e.recording and e.recording.first_digest for e in episodes)
+    return Entry(
+        entry_id=entry_id,
+        number=0,
+        run_id=run.run_id,
+        account=run.account,
+        benchmark_id=run.manifest["benchmark_id"],
+        benchmark_version=run.manifest["version"],
+        manifest_sha256=run.manifest_sha256,
+        select=run.submission.get("select"),
+        policy=run.submission["policy"],
+        level="signed" if is_recorded else "reported",
+        score={name: score[name] for name in SHOWN_OF_SCORE},  # BRD-003
+        successes="".join(str(int(e.outcome == "success")) for e in scored),
+        description={},
+        published_at_wall=at_wall,
+        changed_at_wall=at_wall,
+    )
+
+
+def publish(
+    fresh: Entry, stored: Entry | None, description: Mapping[str, Any]
+) -> Change | Refuse:
+    """A run has one entry: a repeat replaces its description alone (BRD-001).
+
+    fresh: the entry that the run would get now. stored: the one that it has.
+    """
+    if stored is None:
+        entry = replace(fresh, description=description)
+        return Change(entry, _leaf("publish", entry) if entry.is_public else None)
+    if stored.state == "withdrawn":
+        detail = f"{stored.entry_id} was withdrawn."
+        return Refuse("entry_withdrawn", detail, "BRD-006")
+    if stored.description == description:
+        return Change(stored)
+    at = max(fresh.changed_at_wall, stored.changed_at_wall)
+    entry = replace(stored, description=description, changed_at_wall=at)
+    kind = _kind_of_change(stored, entry)
+    return Change(entry, None if kind is None else _leaf(kind, entry))
+
+
+def _kind_of_change(before: Entry, after: Entry) -> Kind | None:
+    """BRD-013."""
+    if after.is_public:
+        return "change" if before.is_public else "publish"
+    return "hide" if before.is_public else None
+
+
+def withdraw(stored: Entry, at_wall: float) -> Change:
+    """BRD-005: for good."""
+    if stored.state == "withdrawn":
+        return Change(stored)
+    entry = replace(stored, state="withdrawn", changed_at_wall=at_wall)
+    return Change(entry, _leaf("withdraw", entry) if entry.is_public else None)
+
+
+def flag(
+    stored: Entry, *, flagged: bool, reason: str, at_wall: float
+) -> Change | Refuse:
+    """BRD-012: set, replaced or taken back."""
+    if not stored.is_public:
+        return Refuse("not_found", "There is no such public entry.", "BRD-012")
+    if not flagged and stored.flag is None:
+        return Change(stored)
+    if flagged and stored.flag is not None and stored.flag.reason == reason:
+        return Change(stored)
+    entry = replace(
+        stored,
+        flag=Flag(reason, at_wall) if flagged else None,
+        changed_at_wall=at_wall,
+    )
+    leaf = _leaf("flag" if flagged else "unflag", entry, reason=reason)
+    return Change(entry, leaf)
+
+
+def _leaf(kind: Kind, entry: Entry, **members: str) -> str:
+    """BRD-013: what the history says of a change; the members by name."""
+    said: dict[str, Any] = {
+        "kind": kind,
+        "at_ms": int(entry.changed_at_wall * 1000),
+        "entry_id": entry.entry_id,
+        **members,
+    }
+    if kind in ("publish", "change"):
+        said["description"] = dict(entry.description)
+    if kind == "publish":
+        said |= {
+            "run_id": entry.run_id,
+            "submitter": entry.account,
+            "benchmark_id": entry.benchmark_id,
+            "benchmark_version": entry.benchmark_version,
+            "manifest_sha256": entry.manifest_sha256,
+            "policy": dict(entry.policy),
+            "level": entry.level,
+            "score": dict(entry.score),
+            "successes": entry.successes,
+        }
+    return msgspec.json.encode(said, order="deterministic").decode()

@@ -1,0 +1,248 @@
+"""The use cases of the leaderboard: publish, withdraw, flag, list, rank, prove.
+
+The rules decide what may become of an entry; the store keeps it with its leaf. It knows
+no HTTP. All methods raise Refused, and StoreFailed when the database fails.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import secrets
+import time
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from reference_record.formats.merkle_tree import MerkleTree
+from reference_server.records.board_history import BoardHistory
+from reference_server.rules.board import entries as rules
+from reference_server.rules.board.entries import Change, Entry
+from reference_server.rules.board.ranking import Contender, Ranking, rank
+from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.refusal import Refused
+from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.registry import RunRegistry
+from reference_server.storage.board_store import BoardStore
+from reference_server.views import board_views
+
+CACHED_RANKINGS_MAX = 64
+
+Json = dict[str, Any]
+
+
+@dataclass(frozen=True, slots=True)
+class RankedEntries:
+    """The public entries of a manifest by id, and their ranking."""
+
+    entries: Mapping[str, Entry]
+    contenders: Sequence[Contender]
+    ranking: Ranking
+    episodes_total: int | None
+
+
+class BoardService:
+    """The use cases over one server's parts."""
+
+    def __init__(
+        self,
+        registry: RunRegistry,
+        benchmarks: Benchmarks,
+        store: BoardStore,
+        history: BoardHistory,
+    ) -> None:
+        self._registry, self._benchmarks = registry, benchmarks
+        self._store, self._history = store, history
+        # (benchmark, manifest) → its ranking; one computation at a time.
+        self._rankings: OrderedDict[tuple[str, str], RankedEntries] = OrderedDict()
+        self._ranking = asyncio.Lock()
+
+    async def open(self) -> None:
+        await self._store.open()
+
+    # --- entries ---
+
+    async def publish(
+        self, account: str, run_id: str, description: Json
+    ) -> tuple[Json, bool]:
+        """Schema BoardEntry, and whether it is new."""
+        entry_id = f"entry_{secrets.token_hex(12)}"
+        fresh = await self._registry.read_view(
+            run_id,
+            account,
+            lambda run, all_: rules.new_entry(entry_id, run, all_, time.time()),
+            end=None,
+        )
+        if isinstance(fresh, Refuse):
+            raise Refused.from_verdict(fresh)
+
+        def decide(stored: Entry | None) -> Change:
+            return _accepted(rules.publish(fresh, stored, description))
+
+        entry, is_new = await self._store.change(run_id, decide)
+        return await self._view(entry), is_new
+
+    async def withdraw(self, account: str, run_id: str) -> Json:
+        """Schema BoardEntry."""
+        # A run of another account is refused as any run is (AUTH-003).
+        await self._registry.read_view(run_id, account, lambda run, _: run)
+
+        def decide(stored: Entry | None) -> Change:
+            if stored is None:
+                raise Refused("not_found", "The run has no entry.")
+            return rules.withdraw(stored, time.time())
+
+        entry, _ = await self._store.change(run_id, decide)
+        return await self._view(entry)
+
+    async def flag(self, entry_id: str, *, flagged: bool, reason: str) -> Json:
+        """Schema BoardEntry."""
+        found = await self._find(entry_id)
+
+        def decide(stored: Entry | None) -> Change:
+            assert stored is not None, "an entry is never removed"
+            at = time.time()
+            verdict = rules.flag(stored, flagged=flagged, reason=reason, at_wall=at)
+            return _accepted(verdict)
+
+        entry, _ = await self._store.change(found.run_id, decide)
+        return await self._view(entry)
+
+    async def get(self, account: str | None, entry_id: str) -> Json:
+        """Schema BoardEntry of one that the account may see."""
+        entry = await self._find(entry_id)
+        if not rules.may_see_entry(account, entry):
+            raise _no_entry(entry_id)
+        return await self._view(entry)
+
+    async def page(
+        self,
+        account: str | None,
+        benchmark_id: str | None,
+        before: int | None,
+        limit: int,
+    ) -> list[tuple[int, Json]]:
+        """(number, schema BoardEntry), newest first, below a number (BRD-007)."""
+        found = await self._store.page(account, benchmark_id, before, limit)
+        views = await self._views(found)
+        return [(one.number, view) for one, view in zip(found, views, strict=True)]
+
+    # --- ranking ---
+
+    async def rank(
+        self, benchmark_id: str, manifest_sha256: str | None, start: int, limit: int
+    ) -> tuple[Json, int]:
+        """Schema Ranking with its rows from a place on, and how many there are."""
+        if manifest_sha256 is None:
+            manifest_sha256 = self._benchmarks.manifest_sha256(benchmark_id)
+        found = await self._ranked(benchmark_id, manifest_sha256)
+        if not found.entries and not self._benchmarks.offers(benchmark_id):
+            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+        rows = found.ranking.rows[start : start + limit]
+        views = await self._views([found.entries[row.entry_id] for row in rows])
+        head = board_views.ranking_view(
+            benchmark_id, manifest_sha256, found.episodes_total, found.ranking
+        )
+        shown = zip(rows, views, strict=True)
+        head["rows"] = [board_views.row_view(row, entry) for row, entry in shown]
+        return head, len(found.ranking.rows)
+
+    async def _ranked(self, benchmark_id: str, manifest_sha256: str) -> RankedEntries:
+        """Computed once for a set of entries, while others are served."""
+        key = benchmark_id, manifest_sha256
+        async with self._ranking:
+            entries = await self._store.of_manifest(*key)
+            contenders = [_contender(one) for one in entries]
+            by_id = {one.entry_id: one for one in entries}
+            total = len(entries[0].successes) if entries else None
+            cached = self._rankings.get(key)
+            if cached is not None and cached.contenders == contenders:
+                ranking = cached.ranking
+            else:
+                ranking = await asyncio.to_thread(rank, contenders, total or 0)
+            found = RankedEntries(by_id, contenders, ranking, total)
+            self._rankings[key] = found
+            self._rankings.move_to_end(key)
+            if len(self._rankings) > CACHED_RANKINGS_MAX:
+                self._rankings.popitem(last=False)
+        return found
+
+    # --- history ---
+
+    async def checkpoint(self) -> Json:
+        """Schema Checkpoint."""
+        return board_views.checkpoint_view(*await self._history.sign())
+
+    async def leaves(self, start: int, limit: int) -> list[Json]:
+        """Schema HistoryLeaf, from an index on."""
+        leaves = await self._store.leaves(start, limit)
+        return [{"index": start + i, "leaf": leaf} for i, leaf in enumerate(leaves)]
+
+    async def inclusion(self, leaf_index: int, tree_size: int) -> Json:
+        """Schema InclusionProof (BRD-015)."""
+        tree = await self._tree_of("tree_size", tree_size)
+        if leaf_index >= tree_size:
+            raise _outside("leaf_index", "must be below tree_size")
+        hashes = [one.hex() for one in tree.inclusion(leaf_index, tree_size)]
+        return {"leaf_index": leaf_index, "tree_size": tree_size, "hashes": hashes}
+
+    async def consistency(self, old_size: int, new_size: int) -> Json:
+        """Schema ConsistencyProof (BRD-016)."""
+        tree = await self._tree_of("new_size", new_size)
+        if not 0 < old_size <= new_size:
+            raise _outside("old_size", "must be from 1 to new_size")
+        hashes = [one.hex() for one in tree.consistency(old_size, new_size)]
+        return {"old_size": old_size, "new_size": new_size, "hashes": hashes}
+
+    async def _tree_of(self, name: str, size: int) -> MerkleTree:
+        """The tree, which has as many leaves (BRD-017)."""
+        tree = await self._history.tree()
+        if size > len(tree):
+            raise _outside(name, f"the history has {len(tree)} leaves")
+        return tree
+
+    # --- parts ---
+
+    async def _find(self, entry_id: str) -> Entry:
+        entry = await self._store.find(entry_id)
+        if entry is None:
+            raise _no_entry(entry_id)
+        return entry
+
+    async def _view(self, entry: Entry) -> Json:
+        (view,) = await self._views([entry])
+        return view
+
+    async def _views(self, entries: Sequence[Entry]) -> list[Json]:
+        attempts = await self._store.attempts(entries)
+        return [
+            board_views.entry_view(
+                one, attempts.get((one.account, one.benchmark_id)) or 1
+            )
+            for one in entries
+        ]
+
+
+def _contender(entry: Entry) -> Contender:
+    """BRD-012: a flagged entry has no rank."""
+    successes = None if entry.flag else int(entry.successes[::-1], 2)
+    return Contender(entry.entry_id, entry.number, entry.score["score"], successes)
+
+
+def _accepted(verdict: Change | Refuse) -> Change:
+    if isinstance(verdict, Refuse):
+        raise Refused.from_verdict(verdict)
+    return verdict
+
+
+def _no_entry(entry_id: str) -> Refused:
+    return Refused("not_found", f"There is no entry {entry_id[:64]}.")
+
+
+def _outside(name: str, text: str) -> Refused:
+    return Refused(
+        "invalid_request",
+        "The history has no such part.",
+        errors=[(f"query:{name}", text)],
+        requirement="BRD-017",
+    )

@@ -1,0 +1,180 @@
+"""The tables of the leaderboard: entries, and the leaves of its history.
+
+An entry and the leaf that says what became of it are stored in one transaction. Leaves
+are only ever added. What may become of an entry is decided by the function that a write
+is given.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import msgspec
+import sqlalchemy as sa
+from sqlalchemy.ext.asyncio import AsyncConnection
+
+from reference_server.rules.board.entries import Change, Entry
+from reference_server.storage.store import Store
+
+_tables = sa.MetaData()
+
+_entries = sa.Table(
+    "entries",
+    _tables,
+    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
+    sa.Column("entry_id", sa.String(64), unique=True, nullable=False),
+    sa.Column("run_id", sa.String(64), unique=True, nullable=False),
+    sa.Column("account", sa.String(200), nullable=False, index=True),
+    sa.Column("benchmark_id", sa.String(64), nullable=False),
+    sa.Column("manifest_sha256", sa.String(64), nullable=False, index=True),
+    sa.Column("is_listed", sa.Boolean, nullable=False),
+    sa.Column("is_public", sa.Boolean, nullable=False),
+    sa.Column("entry", sa.LargeBinary, nullable=False),
+)
+_leaves = sa.Table(
+    "history",
+    _tables,
+    sa.Column("index", sa.Integer, primary_key=True, autoincrement=False),
+    sa.Column("leaf", sa.Text, nullable=False),
+    sa.Column("leaf_sha256", sa.LargeBinary, nullable=False),
+)
+_NUMBERED = sa.select(_entries.c.number, _entries.c.entry)
+_SIZE = sa.select(sa.func.count()).select_from(_leaves)
+_ENTRY = msgspec.json.Decoder(Entry)
+
+
+class BoardStore:
+    """Entries and leaves of one server's database.
+
+    leaf_hash: of the tree, stored beside each leaf.
+    """
+
+    def __init__(self, store: Store, leaf_hash: Callable[[bytes], bytes]) -> None:
+        self._store, self._leaf_hash = store, leaf_hash
+
+    async def open(self) -> None:
+        """Create the tables that are missing."""
+        async with self._store.writing() as connection:
+            await connection.run_sync(_tables.create_all)
+
+    async def change(
+        self, run_id: str, decide: Callable[[Entry | None], Change]
+    ) -> tuple[Entry, bool]:
+        """Store what `decide` makes of the entry of a run; whether there was none.
+
+        What `decide` raises ends the transaction, and nothing is stored.
+        """
+        query = _NUMBERED.where(_entries.c.run_id == run_id)
+        async with self._store.writing() as connection:
+            row = (await connection.execute(query)).first()
+            before = None if row is None else _entry_of(*row)
+            change = decide(before)
+            if change.entry == before:
+                return before, False
+            number = await _store_entry(connection, change.entry)
+            if change.leaf is not None:
+                await self._append(connection, change.leaf)
+        return replace(change.entry, number=number), before is None
+
+    async def _append(self, connection: AsyncConnection, leaf: str) -> None:
+        # Two servers that share the database cannot take the same index.
+        index = await connection.scalar(_SIZE)
+        hashed = self._leaf_hash(leaf.encode())
+        row = {"index": index, "leaf": leaf, "leaf_sha256": hashed}
+        await connection.execute(_leaves.insert().values(row))
+
+    async def find(self, entry_id: str) -> Entry | None:
+        """An entry, withdrawn or not."""
+        return await self._first(_NUMBERED.where(_entries.c.entry_id == entry_id))
+
+    async def find_of_run(self, run_id: str) -> Entry | None:
+        """The entry of a run, withdrawn or not."""
+        return await self._first(_NUMBERED.where(_entries.c.run_id == run_id))
+
+    async def page(
+        self,
+        account: str | None,
+        benchmark_id: str | None,
+        before: int | None,
+        limit: int,
+    ) -> list[Entry]:
+        """Public entries and those of an account, newest first, below a number.
+
+        account: None for those of all.
+        """
+        query = _NUMBERED.where(_entries.c.is_listed)
+        if account is not None:
+            query = query.where(
+                sa.or_(_entries.c.is_public, _entries.c.account == account)
+            )
+        if benchmark_id is not None:
+            query = query.where(_entries.c.benchmark_id == benchmark_id)
+        if before is not None:
+            query = query.where(_entries.c.number < before)
+        return await self._all(query.order_by(_entries.c.number.desc()).limit(limit))
+
+    async def of_manifest(self, benchmark_id: str, manifest_sha256: str) -> list[Entry]:
+        """The public entries of a manifest that are not withdrawn, oldest first."""
+        query = _NUMBERED.where(
+            _entries.c.manifest_sha256 == manifest_sha256,
+            _entries.c.benchmark_id == benchmark_id,
+            _entries.c.is_listed,
+            _entries.c.is_public,
+        )
+        return await self._all(query.order_by(_entries.c.number))
+
+    async def attempts(self, entries: Sequence[Entry]) -> dict[tuple[str, str], int]:
+        """(account, benchmark) → how many of its runs were submitted until now."""
+        accounts = {entry.account for entry in entries}
+        benchmarks = {entry.benchmark_id for entry in entries}
+        return await self._store.attempts_of(accounts, benchmarks)
+
+    # --- history ---
+
+    async def leaves(self, start: int, limit: int) -> list[str]:
+        """Leaves by index, oldest first."""
+        query = sa.select(_leaves.c.leaf).where(_leaves.c.index >= start)
+        query = query.order_by(_leaves.c.index).limit(limit)
+        return await self._store.read(lambda c: list(c.scalars(query)))
+
+    async def leaf_hashes(self, start: int) -> list[bytes]:
+        """The hashes of all leaves from an index on."""
+        query = sa.select(_leaves.c.leaf_sha256).where(_leaves.c.index >= start)
+        query = query.order_by(_leaves.c.index)
+        return await self._store.read(lambda c: list(c.scalars(query)))
+
+    async def _first(self, query: sa.Select[Any]) -> Entry | None:
+        return next(iter(await self._all(query)), None)
+
+    async def _all(self, query: sa.Select[Any]) -> list[Entry]:
+        return await self._store.read(
+            lambda connection: [_entry_of(*row) for row in connection.execute(query)]
+        )
+
+
+async def _store_entry(connection: AsyncConnection, entry: Entry) -> int:
+    """Insert or replace it; returns its number."""
+    row = {
+        "entry_id": entry.entry_id,
+        "run_id": entry.run_id,
+        "account": entry.account,
+        "benchmark_id": entry.benchmark_id,
+        "manifest_sha256": entry.manifest_sha256,
+        "is_listed": entry.state == "published",
+        "is_public": entry.is_public,
+        "entry": msgspec.json.encode(entry),
+    }
+    if entry.number:
+        same = _entries.c.number == entry.number
+        await connection.execute(_entries.update().where(same).values(row))
+        return entry.number
+    inserted = await connection.execute(
+        _entries.insert().values(row).returning(_entries.c.number)
+    )
+    return int(inserted.scalar_one())
+
+
+def _entry_of(number: int, stored: bytes) -> Entry:
+    return replace(_ENTRY.decode(stored), number=number)

@@ -1,0 +1,74 @@
+"""Entries, rankings and the history in the spec's schemas, as plain data."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from reference_record.formats.checkpoint import Checkpoint
+from reference_server.rules.board.entries import Entry
+from reference_server.rules.board.ranking import ALPHA, Ranking, Row
+from reference_server.views.run_views import timestamp
+
+Json = dict[str, Any]
+
+
+def entry_view(entry: Entry, attempts: int) -> Json:
+    """Schema BoardEntry (BRD-003); attempts: of its account until now."""
+    view = {
+        "entry_id": entry.entry_id,
+        "run_id": entry.run_id,
+        "submitter": entry.account,
+        "benchmark_id": entry.benchmark_id,
+        "benchmark_version": entry.benchmark_version,
+        "manifest_sha256": entry.manifest_sha256,
+        "policy": entry.policy,
+        **entry.description,
+        "state": entry.state,
+        "level": entry.level,
+        "attempts": attempts,
+        "score": entry.score,
+        "published_at": timestamp(entry.published_at_wall),
+        "changed_at": timestamp(entry.changed_at_wall),
+    }
+    if entry.select is not None:
+        view["select"] = entry.select
+    if entry.flag is not None:
+        at = timestamp(entry.flag.flagged_at_wall)
+        view["flag"] = {"reason": entry.flag.reason, "flagged_at": at}
+    return view
+
+
+def ranking_view(
+    benchmark_id: str, manifest_sha256: str, episodes_total: int | None, of: Ranking
+) -> Json:
+    """Schema Ranking without its rows."""
+    return {
+        "benchmark_id": benchmark_id,
+        "manifest_sha256": manifest_sha256,
+        "episodes_total": episodes_total,
+        "ranked": of.ranked,
+        "comparisons": of.comparisons,
+        "alpha": ALPHA,
+        "differing_min": of.differing_min,
+        "differing_enough": of.differing_enough,
+    }
+
+
+def row_view(row: Row, entry: Json) -> Json:
+    """Schema RankedEntry; entry: schema BoardEntry."""
+    view: Json = {"entry": entry, "better": row.better, "worse": row.worse}
+    view["letters"] = list(row.letters)
+    if row.rank is not None:
+        low, high = row.rank
+        view["rank"] = {"low": low, "high": high}
+    return view
+
+
+def checkpoint_view(signed: Checkpoint, note: str, keyid: str) -> Json:
+    """Schema Checkpoint."""
+    return {
+        "tree_size": signed.tree_size,
+        "root_sha256": signed.root.hex(),
+        "note": note,
+        "keyid": keyid,
+    }
