@@ -44,6 +44,7 @@ QUERY_PARAMETERS_MAX = 32
 PATH_PATTERNS: dict[str, tuple[str, str]] = {
     "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
     "episode_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
+    "import_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "worker_id": (r"[A-Za-z0-9_-]{1,64}", "invalid_request"),
 }
@@ -83,7 +84,8 @@ class Operation:
     body. query, headers: names that it takes. refusal_response: makes the response of a
     refusal; a problem by default. local_account: that of requests of this machine
     without a token; they are refused if it is empty. max_body_bytes: its own limit, if
-    that is lower than the one of every operation.
+    that is lower than the one of every operation. has_streamed_body: the handler reads
+    it, part by part.
     """
 
     handler: Callable[[OperationCall], Awaitable[Response]]
@@ -97,6 +99,7 @@ class Operation:
     refusal_response: Callable[[Refused], Response] | None = None
     local_account: str = ""
     max_body_bytes: int = sys.maxsize
+    has_streamed_body: bool = False
 
 
 @dataclass(slots=True)
@@ -173,6 +176,8 @@ async def _check_request(
         else "",
         caller,
     )
+    if operation.has_streamed_body:
+        codec.media_type_of(request, operation.reads)
     if operation.body is not None:
         media_type = codec.media_type_of(request, operation.reads)
         # LIM-008: what is longer is not parsed.

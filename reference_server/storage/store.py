@@ -19,7 +19,7 @@ from collections.abc import (
     Sequence,
 )
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import asynccontextmanager
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -40,11 +40,12 @@ READER_THREADS = 4
 # Decoded manifests kept, for all the runs that share them.
 CACHED_MANIFESTS_MAX = 64
 
-_tables = sa.MetaData()
+# Tables of other modules of this folder are added to these.
+TABLES = sa.MetaData()
 
 _runs = sa.Table(
     "runs",
-    _tables,
+    TABLES,
     sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
     sa.Column("run_id", sa.String(64), unique=True, nullable=False),
     sa.Column("account", sa.String(200), nullable=False),
@@ -72,14 +73,14 @@ _runs = sa.Table(
 # A manifest is stored once, however many runs use it.
 _manifests = sa.Table(
     "manifests",
-    _tables,
+    TABLES,
     sa.Column("manifest_sha256", sa.String(64), primary_key=True),
     sa.Column("manifest", sa.LargeBinary, nullable=False),
 )
 # Only episodes that something happened to; the others follow from the manifest.
 _episodes = sa.Table(
     "episodes",
-    _tables,
+    TABLES,
     sa.Column("number", sa.ForeignKey("runs.number"), primary_key=True),
     sa.Column("index", sa.Integer, primary_key=True),
     sa.Column("attempt", sa.Integer, nullable=False),
@@ -94,7 +95,7 @@ _episodes = sa.Table(
 )
 _keys = sa.Table(
     "idempotency_keys",
-    _tables,
+    TABLES,
     sa.Column("account", sa.String(200), primary_key=True),
     sa.Column("key", sa.String(128), primary_key=True),
     sa.Column("body_sha256", sa.String(64), nullable=False),
@@ -104,7 +105,7 @@ _keys = sa.Table(
 # The statements of records, in the order in which they were signed.
 _statements = sa.Table(
     "statements",
-    _tables,
+    TABLES,
     sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
     sa.Column("run_id", sa.String(64), unique=True, nullable=False),
     sa.Column("statement", sa.LargeBinary, nullable=False),
@@ -112,7 +113,7 @@ _statements = sa.Table(
 )
 _signing_keys = sa.Table(
     "signing_keys",
-    _tables,
+    TABLES,
     sa.Column("keyid", sa.String(80), primary_key=True),
     sa.Column("public_key", sa.LargeBinary, nullable=False),
     sa.Column("created_at_wall", sa.Float, nullable=False),
@@ -200,7 +201,7 @@ class Store:
             except OSError as error:
                 raise StoreFailed(_one_line(error)) from error
         async with self._transaction() as connection:
-            await connection.run_sync(_tables.create_all)
+            await connection.run_sync(TABLES.create_all)
             await connection.run_sync(_add_missing_columns)
             await connection.run_sync(_number_older_attempts)
         if path is not None:  # only now it is known to be a database
@@ -221,6 +222,16 @@ class Store:
         except (sa.exc.SQLAlchemyError, OSError) as error:
             # An unreachable server is reported by its driver, not by SQLAlchemy.
             raise StoreFailed(_one_line(error)) from error
+
+    def read(self) -> AbstractAsyncContextManager[AsyncConnection]:
+        """A transaction that writes nothing. Raises StoreFailed."""
+        return self._transaction()
+
+    @asynccontextmanager
+    async def write(self) -> AsyncIterator[AsyncConnection]:
+        """A transaction after all writes before it. Raises StoreFailed."""
+        async with self._write_lock, self._transaction() as connection:
+            yield connection
 
     async def _read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """What `fetch` finds, all of it as it was at one moment."""
@@ -486,7 +497,7 @@ def _run_in_connection(
 
 def _add_missing_columns(connection: sa.Connection) -> None:
     """Add the columns that an older database does not have, empty; and the indexes."""
-    for table in _tables.sorted_tables:
+    for table in TABLES.sorted_tables:
         columns = sa.inspect(connection).get_columns(table.name)
         present = {column["name"] for column in columns}
         for column in table.columns:

@@ -45,6 +45,7 @@ __all__ = [
     "ImageChoice",
     "ImageSize",
     "ImageSpace",
+    "ImportedPolicy",
     "Interval",
     "KeyList",
     "Lease",
@@ -68,6 +69,10 @@ __all__ = [
     "Progress",
     "ProtocolRange",
     "PublicKey",
+    "RecordImport",
+    "RecordImportList",
+    "RecordReplay",
+    "ReplayDivergence",
     "ResetPolicy",
     "Run",
     "RunList",
@@ -130,6 +135,7 @@ from proctor_client.models.image import Image as Image
 from proctor_client.models.image_choice import ImageChoice as ImageChoice
 from proctor_client.models.image_size import ImageSize as ImageSize
 from proctor_client.models.image_space import ImageSpace as ImageSpace
+from proctor_client.models.imported_policy import ImportedPolicy as ImportedPolicy
 from proctor_client.models.interval import Interval as Interval
 from proctor_client.models.key_list import KeyList as KeyList
 from proctor_client.models.lease import Lease as Lease
@@ -153,6 +159,10 @@ from proctor_client.models.problem_item import ProblemItem as ProblemItem
 from proctor_client.models.progress import Progress as Progress
 from proctor_client.models.protocol_range import ProtocolRange as ProtocolRange
 from proctor_client.models.public_key import PublicKey as PublicKey
+from proctor_client.models.record_import import RecordImport as RecordImport
+from proctor_client.models.record_import_list import RecordImportList as RecordImportList
+from proctor_client.models.record_replay import RecordReplay as RecordReplay
+from proctor_client.models.replay_divergence import ReplayDivergence as ReplayDivergence
 from proctor_client.models.reset_policy import ResetPolicy as ResetPolicy
 from proctor_client.models.run import Run as Run
 from proctor_client.models.run_list import RunList as RunList

@@ -29,6 +29,7 @@ from proctor_client.models.image import Image
 from proctor_client.models.image_choice import ImageChoice
 from proctor_client.models.image_size import ImageSize
 from proctor_client.models.image_space import ImageSpace
+from proctor_client.models.imported_policy import ImportedPolicy
 from proctor_client.models.interval import Interval
 from proctor_client.models.key_list import KeyList
 from proctor_client.models.lease import Lease
@@ -52,6 +53,10 @@ from proctor_client.models.problem_item import ProblemItem
 from proctor_client.models.progress import Progress
 from proctor_client.models.protocol_range import ProtocolRange
 from proctor_client.models.public_key import PublicKey
+from proctor_client.models.record_import import RecordImport
+from proctor_client.models.record_import_list import RecordImportList
+from proctor_client.models.record_replay import RecordReplay
+from proctor_client.models.replay_divergence import ReplayDivergence
 from proctor_client.models.reset_policy import ResetPolicy
 from proctor_client.models.run import Run
 from proctor_client.models.run_list import RunList
