@@ -81,19 +81,20 @@ def trust_of(one: RecordImport, names: Mapping[str, str], host: str) -> Trust:
     names: keyid → whose key it is. host: what this server calls itself.
     """
     signer = names.get(one.keyid)
-    said = "reported" if signer is None else f"signed by {signer}"
+    said = [] if signer is None else [f"signed by {signer}"]
     replay = one.replay
     if replay is None:
-        return Trust("reported" if signer is None else "signed", signer, said)
-    counted = f"{replay.episodes} of {one.episodes} episodes"
-    if replay.result != "diverged":
-        text = f"{said}, replayed by {host} ({replay.result}, {counted})"
-        return Trust("replayed", signer, text)
-    text = f"{said}, diverged when replayed by {host}"
-    if where := replay.first_divergence:
-        text += f" at episode {where.episode_index}, attempt {where.attempt}, step "
-        text += str(where.step)
-    return Trust("diverged", signer, text)
+        level: TrustLevel = "reported" if signer is None else "signed"
+        return Trust(level, signer, ", ".join(said) or level)
+    if replay.result == "diverged":
+        text = f"diverged when replayed by {host}"
+        if where := replay.first_divergence:
+            text += f" at episode {where.episode_index}, attempt {where.attempt}, "
+            text += f"step {where.step}"
+        return Trust("diverged", signer, ", ".join([*said, text]))
+    counted = f"{replay.result}, {replay.episodes} of {one.episodes} episodes"
+    text = f"replayed by {host} ({counted})"
+    return Trust("replayed", signer, ", ".join([*said, text]))
 
 
 class ImportUsage(NamedTuple):
