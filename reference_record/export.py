@@ -144,9 +144,20 @@ def add_verdict(bundle: Bundle, path: Path, name: str, verdict: bytes) -> None:
         (path / FOLDERS[1]).mkdir(exist_ok=True)
         _replace(path / file, [verdict])
         return
+    _replace(path, stream_archive(with_verdict(bundle, name, verdict).items()))
+
+
+def with_verdict(
+    bundle: Bundle, name: str, verdict: bytes | None
+) -> dict[str, Content]:
+    """The files of a record and one more verdict, if there is one.
+
+    One of the same name is replaced.
+    """
     contents = {one: _of_bundle(bundle, one) for one in bundle.sizes}
-    contents[file] = _of_bytes(verdict)
-    _replace(path, stream_archive(contents.items()))
+    if verdict is not None:
+        contents[verdict_name(name)] = _of_bytes(verdict)
+    return contents
 
 
 def save_blocks(path: Path, blocks: Iterable[bytes]) -> None:

@@ -32,9 +32,11 @@ from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.board_history import BoardHistory
+from reference_server.records.record_imports import ImportSettings, RecordImports
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.capacity import Quota
+from reference_server.rules.record_imports import ImportUsage
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -46,6 +48,7 @@ from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.board_store import BoardStore
+from reference_server.storage.import_store import ImportStore
 from reference_server.storage.store import Store
 from reference_server.system.log_output import (
     ACCESS_LOG,
@@ -102,8 +105,10 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         records,
     )
     board = _board_of(store, service)
-    streams = SharedStreams(settings.max_event_streams)
-    handlers = Handlers(settings, service, streams, board)
+    imports = _imports_of(settings, store, pool, records)
+    handlers = Handlers(
+        settings, service, SharedStreams(settings.max_event_streams), board, imports
+    )
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
@@ -118,6 +123,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await board.open()
         await registry.open()
         await pool.start()
+        if imports is not None:
+            await imports.open()
         driver.open()
         await asyncio.to_thread(token_file.read)
         following = asyncio.create_task(token_file.follow())
@@ -126,6 +133,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         finally:
             following.cancel()
             await driver.close()
+            if imports is not None:
+                await imports.close()
             await executor.close()
             await registry.close()
             if records is not None:
@@ -133,8 +142,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             await pool.close()
             await store.close()
 
-    router = _router(handlers, tokens, lifespan)
-    return Application(router, registry.release_waiters)
+    return Application(_router(handlers, tokens, lifespan), registry.release_waiters)
 
 
 def _registry_of(
@@ -193,6 +201,7 @@ def _records_of(
         settings.signing_key_path,
         settings.record_promise,
         settings.records_keep_days,
+        settings.key_names,
     )
     return RunRecords(store, recordings, host)
 
@@ -204,6 +213,21 @@ def _board_of(store: Store, service: RunService) -> BoardService | None:
     board_store = BoardStore(store, leaf_hash)
     history = BoardHistory(board_store, service.records)
     return BoardService(service.registry, service.benchmarks, board_store, history)
+
+
+def _imports_of(
+    settings: Settings, store: Store, pool: SimulatorPool, records: RunRecords | None
+) -> RecordImports | None:
+    if records is None or not settings.takes_records:
+        return None
+    most = ImportUsage(settings.max_waiting_imports, settings.max_imported_bytes)
+    imports = ImportSettings(
+        settings.imports_path,
+        most,
+        settings.max_record_bytes,
+        settings.import_replay_s_max,
+    )
+    return RecordImports(ImportStore(store), pool, records, imports)
 
 
 def _quota(settings: Settings) -> Quota:

@@ -24,7 +24,7 @@ from conformance.exchanges.answer import Answer, file_of
 from conformance.verdicts import expect
 
 STATEMENT, MANIFEST, EPISODES = "statement.dsse.json", "manifest.json", "episodes.jsonl"
-_PAYLOAD_TYPE = "application/vnd.in-toto+json"
+PAYLOAD_TYPE = "application/vnd.in-toto+json"
 _STARTED = "started"
 
 
@@ -134,22 +134,32 @@ def _files_of(data: bytes) -> Iterator[tuple[str, bytes]]:
         raise expect.Violation("a record", repr(error)) from error
 
 
-def _statement_of(envelope_bytes: bytes) -> dict[str, Any]:
-    """Read the payload, whose signature is that of the key it names."""
+def verdicts_of(record: RecordFiles) -> list[dict[str, Any]]:
+    """Read the verdicts in a record, each signed by the key that it names."""
+    names = [name for name in record.files if name.startswith("verdicts/")]
+    return [_statement_of(record.files[name], "verifier") for name in names]
+
+
+def signed_bytes(payload: bytes) -> bytes:
+    """Give what DSSE signs."""
+    kind = PAYLOAD_TYPE.encode()
+    return b"DSSEv1 %d %s %d %s" % (len(kind), kind, len(payload), payload)
+
+
+def _statement_of(envelope_bytes: bytes, by: str = "host") -> dict[str, Any]:
+    """Read the payload, whose signature is that of the key it names; `by` has it."""
     envelope = _object(envelope_bytes)
-    expect.equal(envelope.get("payloadType"), _PAYLOAD_TYPE, "payloadType")
+    expect.equal(envelope.get("payloadType"), PAYLOAD_TYPE, "payloadType")
     payload = base64.b64decode(envelope["payload"])
     statement = _object(payload)
-    host = statement["predicate"]["host"]
+    host = statement["predicate"][by]
     (signature,) = envelope["signatures"]
     expect.equal(signature["keyid"], host["keyid"], "keyid of the signature")
-    kind = _PAYLOAD_TYPE.encode()
-    signed = b"DSSEv1 %d %s %d %s" % (len(kind), kind, len(payload), payload)
     public_key = base64.b64decode(host["public_key"])
     expect.equal(keyid_of(public_key), host["keyid"], "keyid")
     try:
         key = Ed25519PublicKey.from_public_bytes(public_key)
-        key.verify(base64.b64decode(signature["sig"]), signed)
+        key.verify(base64.b64decode(signature["sig"]), signed_bytes(payload))
     except (InvalidSignature, ValueError) as error:
         raise expect.Violation("the signature of its key", "another one") from error
     return statement

@@ -27,7 +27,8 @@ _OF_FILES = "a rule of a file, which the vectors in vectors/record/ judge"
 _OF_VERIFIERS = "a rule of who reads a file, which the vectors in vectors/record/ judge"
 PROFILES = (
     *("core", "msgpack", "compare", "events", "push", "limits", "record"),
-    *("attribution", "subsets", "sealed_seeds", "board", "public_board", "crash"),
+    *("record_import", "attribution", "subsets", "sealed_seeds"),
+    *("board", "public_board", "crash"),
     *("ebench", "flageval"),
 )
 POLICY = "policy"  # of policy servers, which are checked by a command of their own

@@ -177,6 +177,129 @@ func (a *ControlAPIService) CompareRunsExecute(r ApiCompareRunsRequest) (*Compar
 	return localVarReturnValue, localVarHTTPResponse, nil
 }
 
+type ApiDeleteImportRequest struct {
+	ctx context.Context
+	ApiService *ControlAPIService
+	importId string
+	proctorVersion *string
+}
+
+// The protocol version the caller was written for.
+func (r ApiDeleteImportRequest) ProctorVersion(proctorVersion string) ApiDeleteImportRequest {
+	r.proctorVersion = &proctorVersion
+	return r
+}
+
+func (r ApiDeleteImportRequest) Execute() (*http.Response, error) {
+	return r.ApiService.DeleteImportExecute(r)
+}
+
+/*
+DeleteImport Remove a record that was handed in
+
+What was read of it and its replay are forgotten. Offered with the profile `record_import`.
+
+ @param ctx context.Context - for authentication, logging, cancellation, deadlines, tracing, etc. Passed from http.Request or context.Background().
+ @param importId
+ @return ApiDeleteImportRequest
+*/
+func (a *ControlAPIService) DeleteImport(ctx context.Context, importId string) ApiDeleteImportRequest {
+	return ApiDeleteImportRequest{
+		ApiService: a,
+		ctx: ctx,
+		importId: importId,
+	}
+}
+
+// Execute executes the request
+func (a *ControlAPIService) DeleteImportExecute(r ApiDeleteImportRequest) (*http.Response, error) {
+	var (
+		localVarHTTPMethod   = http.MethodDelete
+		localVarPostBody     interface{}
+		formFiles            []formFile
+	)
+
+	localBasePath, err := a.client.cfg.ServerURLWithContext(r.ctx, "ControlAPIService.DeleteImport")
+	if err != nil {
+		return nil, &GenericOpenAPIError{error: err.Error()}
+	}
+
+	localVarPath := localBasePath + "/v1/records/{import_id}"
+	localVarPath = strings.Replace(localVarPath, "{"+"import_id"+"}", url.PathEscape(parameterValueToString(r.importId, "importId")), -1)
+
+	localVarHeaderParams := make(map[string]string)
+	localVarQueryParams := url.Values{}
+	localVarFormParams := url.Values{}
+
+	// to determine the Content-Type header
+	localVarHTTPContentTypes := []string{}
+
+	// set Content-Type header
+	localVarHTTPContentType := selectHeaderContentType(localVarHTTPContentTypes)
+	if localVarHTTPContentType != "" {
+		localVarHeaderParams["Content-Type"] = localVarHTTPContentType
+	}
+
+	// to determine the Accept header
+	localVarHTTPHeaderAccepts := []string{"application/problem+json"}
+
+	// set Accept header
+	localVarHTTPHeaderAccept := selectHeaderAccept(localVarHTTPHeaderAccepts)
+	if localVarHTTPHeaderAccept != "" {
+		localVarHeaderParams["Accept"] = localVarHTTPHeaderAccept
+	}
+	if r.proctorVersion != nil {
+		parameterAddToHeaderOrQuery(localVarHeaderParams, "Proctor-Version", r.proctorVersion, "simple", "")
+	}
+	req, err := a.client.prepareRequest(r.ctx, localVarPath, localVarHTTPMethod, localVarPostBody, localVarHeaderParams, localVarQueryParams, localVarFormParams, formFiles)
+	if err != nil {
+		return nil, err
+	}
+
+	localVarHTTPResponse, err := a.client.callAPI(req)
+	if err != nil || localVarHTTPResponse == nil {
+		return localVarHTTPResponse, err
+	}
+
+	localVarBody, err := io.ReadAll(localVarHTTPResponse.Body)
+	localVarHTTPResponse.Body.Close()
+	localVarHTTPResponse.Body = io.NopCloser(bytes.NewBuffer(localVarBody))
+	if err != nil {
+		return localVarHTTPResponse, err
+	}
+
+	if localVarHTTPResponse.StatusCode >= 300 {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: localVarHTTPResponse.Status,
+		}
+		if localVarHTTPResponse.StatusCode >= 400 && localVarHTTPResponse.StatusCode < 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+			return localVarHTTPResponse, newErr
+		}
+		if localVarHTTPResponse.StatusCode >= 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+		}
+		return localVarHTTPResponse, newErr
+	}
+
+	return localVarHTTPResponse, nil
+}
+
 type ApiDescribeServiceRequest struct {
 	ctx context.Context
 	ApiService *ControlAPIService
@@ -846,6 +969,140 @@ func (a *ControlAPIService) GetEntryExecute(r ApiGetEntryRequest) (*BoardEntry, 
 	return localVarReturnValue, localVarHTTPResponse, nil
 }
 
+type ApiGetImportRequest struct {
+	ctx context.Context
+	ApiService *ControlAPIService
+	importId string
+	proctorVersion *string
+}
+
+// The protocol version the caller was written for.
+func (r ApiGetImportRequest) ProctorVersion(proctorVersion string) ApiGetImportRequest {
+	r.proctorVersion = &proctorVersion
+	return r
+}
+
+func (r ApiGetImportRequest) Execute() (*RecordImport, *http.Response, error) {
+	return r.ApiService.GetImportExecute(r)
+}
+
+/*
+GetImport What is known here of a record that was handed in
+
+Offered with the profile `record_import`.
+
+ @param ctx context.Context - for authentication, logging, cancellation, deadlines, tracing, etc. Passed from http.Request or context.Background().
+ @param importId
+ @return ApiGetImportRequest
+*/
+func (a *ControlAPIService) GetImport(ctx context.Context, importId string) ApiGetImportRequest {
+	return ApiGetImportRequest{
+		ApiService: a,
+		ctx: ctx,
+		importId: importId,
+	}
+}
+
+// Execute executes the request
+//  @return RecordImport
+func (a *ControlAPIService) GetImportExecute(r ApiGetImportRequest) (*RecordImport, *http.Response, error) {
+	var (
+		localVarHTTPMethod   = http.MethodGet
+		localVarPostBody     interface{}
+		formFiles            []formFile
+		localVarReturnValue  *RecordImport
+	)
+
+	localBasePath, err := a.client.cfg.ServerURLWithContext(r.ctx, "ControlAPIService.GetImport")
+	if err != nil {
+		return localVarReturnValue, nil, &GenericOpenAPIError{error: err.Error()}
+	}
+
+	localVarPath := localBasePath + "/v1/records/{import_id}"
+	localVarPath = strings.Replace(localVarPath, "{"+"import_id"+"}", url.PathEscape(parameterValueToString(r.importId, "importId")), -1)
+
+	localVarHeaderParams := make(map[string]string)
+	localVarQueryParams := url.Values{}
+	localVarFormParams := url.Values{}
+
+	// to determine the Content-Type header
+	localVarHTTPContentTypes := []string{}
+
+	// set Content-Type header
+	localVarHTTPContentType := selectHeaderContentType(localVarHTTPContentTypes)
+	if localVarHTTPContentType != "" {
+		localVarHeaderParams["Content-Type"] = localVarHTTPContentType
+	}
+
+	// to determine the Accept header
+	localVarHTTPHeaderAccepts := []string{"application/json", "application/problem+json"}
+
+	// set Accept header
+	localVarHTTPHeaderAccept := selectHeaderAccept(localVarHTTPHeaderAccepts)
+	if localVarHTTPHeaderAccept != "" {
+		localVarHeaderParams["Accept"] = localVarHTTPHeaderAccept
+	}
+	if r.proctorVersion != nil {
+		parameterAddToHeaderOrQuery(localVarHeaderParams, "Proctor-Version", r.proctorVersion, "simple", "")
+	}
+	req, err := a.client.prepareRequest(r.ctx, localVarPath, localVarHTTPMethod, localVarPostBody, localVarHeaderParams, localVarQueryParams, localVarFormParams, formFiles)
+	if err != nil {
+		return localVarReturnValue, nil, err
+	}
+
+	localVarHTTPResponse, err := a.client.callAPI(req)
+	if err != nil || localVarHTTPResponse == nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	localVarBody, err := io.ReadAll(localVarHTTPResponse.Body)
+	localVarHTTPResponse.Body.Close()
+	localVarHTTPResponse.Body = io.NopCloser(bytes.NewBuffer(localVarBody))
+	if err != nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	if localVarHTTPResponse.StatusCode >= 300 {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: localVarHTTPResponse.Status,
+		}
+		if localVarHTTPResponse.StatusCode >= 400 && localVarHTTPResponse.StatusCode < 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+			return localVarReturnValue, localVarHTTPResponse, newErr
+		}
+		if localVarHTTPResponse.StatusCode >= 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	err = a.client.decode(&localVarReturnValue, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+	if err != nil {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: err.Error(),
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	return localVarReturnValue, localVarHTTPResponse, nil
+}
+
 type ApiGetRankingRequest struct {
 	ctx context.Context
 	ApiService *ControlAPIService
@@ -1236,6 +1493,152 @@ func (a *ControlAPIService) GetScoreExecute(r ApiGetScoreRequest) (*Score, *http
 	if r.proctorVersion != nil {
 		parameterAddToHeaderOrQuery(localVarHeaderParams, "Proctor-Version", r.proctorVersion, "simple", "")
 	}
+	req, err := a.client.prepareRequest(r.ctx, localVarPath, localVarHTTPMethod, localVarPostBody, localVarHeaderParams, localVarQueryParams, localVarFormParams, formFiles)
+	if err != nil {
+		return localVarReturnValue, nil, err
+	}
+
+	localVarHTTPResponse, err := a.client.callAPI(req)
+	if err != nil || localVarHTTPResponse == nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	localVarBody, err := io.ReadAll(localVarHTTPResponse.Body)
+	localVarHTTPResponse.Body.Close()
+	localVarHTTPResponse.Body = io.NopCloser(bytes.NewBuffer(localVarBody))
+	if err != nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	if localVarHTTPResponse.StatusCode >= 300 {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: localVarHTTPResponse.Status,
+		}
+		if localVarHTTPResponse.StatusCode >= 400 && localVarHTTPResponse.StatusCode < 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+			return localVarReturnValue, localVarHTTPResponse, newErr
+		}
+		if localVarHTTPResponse.StatusCode >= 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	err = a.client.decode(&localVarReturnValue, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+	if err != nil {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: err.Error(),
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	return localVarReturnValue, localVarHTTPResponse, nil
+}
+
+type ApiImportRecordRequest struct {
+	ctx context.Context
+	ApiService *ControlAPIService
+	body *string
+	proctorVersion *string
+}
+
+func (r ApiImportRecordRequest) Body(body string) ApiImportRecordRequest {
+	r.body = &body
+	return r
+}
+
+// The protocol version the caller was written for.
+func (r ApiImportRecordRequest) ProctorVersion(proctorVersion string) ApiImportRecordRequest {
+	r.proctorVersion = &proctorVersion
+	return r
+}
+
+func (r ApiImportRecordRequest) Execute() (*RecordImport, *http.Response, error) {
+	return r.ApiService.ImportRecordExecute(r)
+}
+
+/*
+ImportRecord Hand in a record of any host, to be verified and replayed here
+
+The body is the archive that record.md describes; it is verified before the answer, so
+what is broken is refused with the file and the rule. Then it is replayed on this
+server, when its simulators are free: `get_import` shows how far that is, and the level
+of trust that the record has here. Offered with the profile `record_import`. The same
+bytes, sent again by the account, are the same import.
+
+
+ @param ctx context.Context - for authentication, logging, cancellation, deadlines, tracing, etc. Passed from http.Request or context.Background().
+ @return ApiImportRecordRequest
+*/
+func (a *ControlAPIService) ImportRecord(ctx context.Context) ApiImportRecordRequest {
+	return ApiImportRecordRequest{
+		ApiService: a,
+		ctx: ctx,
+	}
+}
+
+// Execute executes the request
+//  @return RecordImport
+func (a *ControlAPIService) ImportRecordExecute(r ApiImportRecordRequest) (*RecordImport, *http.Response, error) {
+	var (
+		localVarHTTPMethod   = http.MethodPost
+		localVarPostBody     interface{}
+		formFiles            []formFile
+		localVarReturnValue  *RecordImport
+	)
+
+	localBasePath, err := a.client.cfg.ServerURLWithContext(r.ctx, "ControlAPIService.ImportRecord")
+	if err != nil {
+		return localVarReturnValue, nil, &GenericOpenAPIError{error: err.Error()}
+	}
+
+	localVarPath := localBasePath + "/v1/records"
+
+	localVarHeaderParams := make(map[string]string)
+	localVarQueryParams := url.Values{}
+	localVarFormParams := url.Values{}
+	if r.body == nil {
+		return localVarReturnValue, nil, reportError("body is required and must be specified")
+	}
+
+	// to determine the Content-Type header
+	localVarHTTPContentTypes := []string{"application/zip"}
+
+	// set Content-Type header
+	localVarHTTPContentType := selectHeaderContentType(localVarHTTPContentTypes)
+	if localVarHTTPContentType != "" {
+		localVarHeaderParams["Content-Type"] = localVarHTTPContentType
+	}
+
+	// to determine the Accept header
+	localVarHTTPHeaderAccepts := []string{"application/json", "application/problem+json"}
+
+	// set Accept header
+	localVarHTTPHeaderAccept := selectHeaderAccept(localVarHTTPHeaderAccepts)
+	if localVarHTTPHeaderAccept != "" {
+		localVarHeaderParams["Accept"] = localVarHTTPHeaderAccept
+	}
+	if r.proctorVersion != nil {
+		parameterAddToHeaderOrQuery(localVarHeaderParams, "Proctor-Version", r.proctorVersion, "simple", "")
+	}
+	// body params
+	localVarPostBody = r.body
 	req, err := a.client.prepareRequest(r.ctx, localVarPath, localVarHTTPMethod, localVarPostBody, localVarHeaderParams, localVarQueryParams, localVarFormParams, formFiles)
 	if err != nil {
 		return localVarReturnValue, nil, err
@@ -1795,6 +2198,156 @@ func (a *ControlAPIService) ListHistoryExecute(r ApiListHistoryRequest) (*Histor
 	}
 
 	localVarPath := localBasePath + "/v1/history"
+
+	localVarHeaderParams := make(map[string]string)
+	localVarQueryParams := url.Values{}
+	localVarFormParams := url.Values{}
+
+	if r.cursor != nil {
+		parameterAddToHeaderOrQuery(localVarQueryParams, "cursor", r.cursor, "form", "")
+	}
+	if r.limit != nil {
+		parameterAddToHeaderOrQuery(localVarQueryParams, "limit", r.limit, "form", "")
+	}
+	// to determine the Content-Type header
+	localVarHTTPContentTypes := []string{}
+
+	// set Content-Type header
+	localVarHTTPContentType := selectHeaderContentType(localVarHTTPContentTypes)
+	if localVarHTTPContentType != "" {
+		localVarHeaderParams["Content-Type"] = localVarHTTPContentType
+	}
+
+	// to determine the Accept header
+	localVarHTTPHeaderAccepts := []string{"application/json", "application/problem+json"}
+
+	// set Accept header
+	localVarHTTPHeaderAccept := selectHeaderAccept(localVarHTTPHeaderAccepts)
+	if localVarHTTPHeaderAccept != "" {
+		localVarHeaderParams["Accept"] = localVarHTTPHeaderAccept
+	}
+	if r.proctorVersion != nil {
+		parameterAddToHeaderOrQuery(localVarHeaderParams, "Proctor-Version", r.proctorVersion, "simple", "")
+	}
+	req, err := a.client.prepareRequest(r.ctx, localVarPath, localVarHTTPMethod, localVarPostBody, localVarHeaderParams, localVarQueryParams, localVarFormParams, formFiles)
+	if err != nil {
+		return localVarReturnValue, nil, err
+	}
+
+	localVarHTTPResponse, err := a.client.callAPI(req)
+	if err != nil || localVarHTTPResponse == nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	localVarBody, err := io.ReadAll(localVarHTTPResponse.Body)
+	localVarHTTPResponse.Body.Close()
+	localVarHTTPResponse.Body = io.NopCloser(bytes.NewBuffer(localVarBody))
+	if err != nil {
+		return localVarReturnValue, localVarHTTPResponse, err
+	}
+
+	if localVarHTTPResponse.StatusCode >= 300 {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: localVarHTTPResponse.Status,
+		}
+		if localVarHTTPResponse.StatusCode >= 400 && localVarHTTPResponse.StatusCode < 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+			return localVarReturnValue, localVarHTTPResponse, newErr
+		}
+		if localVarHTTPResponse.StatusCode >= 500 {
+			var v Problem
+			err = a.client.decode(&v, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+			if err != nil {
+				newErr.error = err.Error()
+				return localVarReturnValue, localVarHTTPResponse, newErr
+			}
+					newErr.error = formatErrorMessage(localVarHTTPResponse.Status, &v)
+					newErr.model = v
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	err = a.client.decode(&localVarReturnValue, localVarBody, localVarHTTPResponse.Header.Get("Content-Type"))
+	if err != nil {
+		newErr := &GenericOpenAPIError{
+			body:  localVarBody,
+			error: err.Error(),
+		}
+		return localVarReturnValue, localVarHTTPResponse, newErr
+	}
+
+	return localVarReturnValue, localVarHTTPResponse, nil
+}
+
+type ApiListImportsRequest struct {
+	ctx context.Context
+	ApiService *ControlAPIService
+	cursor *string
+	limit *int32
+	proctorVersion *string
+}
+
+// &#x60;next_cursor&#x60; of the page before; opaque to the caller.
+func (r ApiListImportsRequest) Cursor(cursor string) ApiListImportsRequest {
+	r.cursor = &cursor
+	return r
+}
+
+// Most items wanted on a page; 100 when absent.
+func (r ApiListImportsRequest) Limit(limit int32) ApiListImportsRequest {
+	r.limit = &limit
+	return r
+}
+
+// The protocol version the caller was written for.
+func (r ApiListImportsRequest) ProctorVersion(proctorVersion string) ApiListImportsRequest {
+	r.proctorVersion = &proctorVersion
+	return r
+}
+
+func (r ApiListImportsRequest) Execute() (*RecordImportList, *http.Response, error) {
+	return r.ApiService.ListImportsExecute(r)
+}
+
+/*
+ListImports The records that the account handed in, newest first
+
+Offered with the profile `record_import`.
+
+ @param ctx context.Context - for authentication, logging, cancellation, deadlines, tracing, etc. Passed from http.Request or context.Background().
+ @return ApiListImportsRequest
+*/
+func (a *ControlAPIService) ListImports(ctx context.Context) ApiListImportsRequest {
+	return ApiListImportsRequest{
+		ApiService: a,
+		ctx: ctx,
+	}
+}
+
+// Execute executes the request
+//  @return RecordImportList
+func (a *ControlAPIService) ListImportsExecute(r ApiListImportsRequest) (*RecordImportList, *http.Response, error) {
+	var (
+		localVarHTTPMethod   = http.MethodGet
+		localVarPostBody     interface{}
+		formFiles            []formFile
+		localVarReturnValue  *RecordImportList
+	)
+
+	localBasePath, err := a.client.cfg.ServerURLWithContext(r.ctx, "ControlAPIService.ListImports")
+	if err != nil {
+		return localVarReturnValue, nil, &GenericOpenAPIError{error: err.Error()}
+	}
+
+	localVarPath := localBasePath + "/v1/records"
 
 	localVarHeaderParams := make(map[string]string)
 	localVarQueryParams := url.Values{}

@@ -32,6 +32,12 @@ type Limits struct {
 	MaxIdempotencyKeys *int64 `json:"max_idempotency_keys,omitzero"`
 	// Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
 	MaxStoredBytes *int64 `json:"max_stored_bytes,omitzero"`
+	// Longest archive that `import_record` reads; for the profile `record_import`.
+	MaxRecordBytes *int64 `json:"max_record_bytes,omitzero"`
+	// Most imports of one account that are not `finished`; for the profile `record_import`.
+	MaxWaitingImports *int32 `json:"max_waiting_imports,omitzero"`
+	// Most bytes that the archives of one account may have together; for the profile `record_import`.
+	MaxImportedBytes *int64 `json:"max_imported_bytes,omitzero"`
 }
 
 // GetMaxHeaderBytes returns max_header_bytes, or the zero value when it is absent.
@@ -149,4 +155,43 @@ func (o *Limits) GetMaxStoredBytes() (v int64) {
 // SetMaxStoredBytes sets max_stored_bytes.
 func (o *Limits) SetMaxStoredBytes(v int64) {
 	o.MaxStoredBytes = &v
+}
+
+// GetMaxRecordBytes returns max_record_bytes, or the zero value when it is absent.
+func (o *Limits) GetMaxRecordBytes() (v int64) {
+	if o != nil && o.MaxRecordBytes != nil {
+		v = *o.MaxRecordBytes
+	}
+	return v
+}
+
+// SetMaxRecordBytes sets max_record_bytes.
+func (o *Limits) SetMaxRecordBytes(v int64) {
+	o.MaxRecordBytes = &v
+}
+
+// GetMaxWaitingImports returns max_waiting_imports, or the zero value when it is absent.
+func (o *Limits) GetMaxWaitingImports() (v int32) {
+	if o != nil && o.MaxWaitingImports != nil {
+		v = *o.MaxWaitingImports
+	}
+	return v
+}
+
+// SetMaxWaitingImports sets max_waiting_imports.
+func (o *Limits) SetMaxWaitingImports(v int32) {
+	o.MaxWaitingImports = &v
+}
+
+// GetMaxImportedBytes returns max_imported_bytes, or the zero value when it is absent.
+func (o *Limits) GetMaxImportedBytes() (v int64) {
+	if o != nil && o.MaxImportedBytes != nil {
+		v = *o.MaxImportedBytes
+	}
+	return v
+}
+
+// SetMaxImportedBytes sets max_imported_bytes.
+func (o *Limits) SetMaxImportedBytes(v int64) {
+	o.MaxImportedBytes = &v
 }

@@ -44,6 +44,7 @@ COMMANDS = {
     "compare": "compare runs with a baseline, with the release decision",
     "export": "save the signed record of a completed run in a file",
     "verify": "check a record: signature, every episode, the score (no server needed)",
+    "upload": "hand a record in at a server, which verifies it and replays it",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
     "admin": "manage the tokens of a server on this machine (own flags)",
@@ -136,6 +137,7 @@ def build_parser() -> argparse.ArgumentParser:
     )
     _add_run_id(made["export"], "id of the run")
     _add_record_options(made["export"], made["verify"])
+    _add_upload_options(made["upload"])
     _add_submission_options(made["submit"])
     made["submit"].add_argument(
         "--push", metavar="URL",
@@ -221,6 +223,20 @@ def _add_record_options(
     )  # fmt: skip
     verify.add_argument(
         "--server", metavar="URL", help="host whose published keys are accepted"
+    )
+
+
+def _add_upload_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("file", metavar="FILE", help="the record, or its directory")
+    parser.add_argument(
+        "--to", metavar="URL", dest="url", default=argparse.SUPPRESS,
+        help="the server; the same as --url",
+    )  # fmt: skip
+    parser.add_argument(
+        "--wait", action="store_true", help="wait until it has been replayed"
+    )
+    parser.add_argument(
+        "--timeout", type=_seconds, metavar="S", help="maximum wait (default: none)"
     )
 
 

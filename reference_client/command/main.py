@@ -12,7 +12,7 @@ import sys
 import traceback
 from collections.abc import Callable, Sequence
 
-from reference_client.command import control, records, running
+from reference_client.command import control, records, running, uploads
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
 from reference_client.command.arguments import SERVERLESS_COMMANDS, build_parser
 from reference_client.command.exit_codes import (
@@ -37,6 +37,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "benchmarks": control.benchmarks,
     "export": records.export,
     "verify": records.check,
+    "upload": uploads.upload,
 }
 # Command → module to start, modules that it needs, and the extra that installs them.
 PROGRAMS = {

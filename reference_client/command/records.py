@@ -30,7 +30,7 @@ from reference_record.verification import Report, verify
 BROKEN = 1
 SUFFIX = ".proctor"
 _KEY = re.compile(r"(?:(?P<name>[^=]{1,64})=)?(?P<keyid>SHA256:[0-9a-f]{64})")
-_NOT_SHOWN = (
+NOT_SHOWN = (
     "whether the actions came from this policy: only evaluating it again shows that"
 )
 
@@ -111,7 +111,7 @@ def _facts(path: Path, report: Report) -> TextTable:
             "checked": f"signature, {report.episodes} episodes, "
             f"{report.recordings} recordings with {report.turns} turns, the score",
             "replays": "; ".join(map(_verdict_text, report.replayed_by)) or "none",
-            "not shown": _NOT_SHOWN,
+            "not shown": NOT_SHOWN,
         }
     )
 

@@ -1,15 +1,17 @@
-"""Fetches records and the keys of hosts.
+"""Fetches records and the keys of hosts, and hands records in.
 
-The generated client keeps a whole answer in memory; a record is read block by block.
+The generated client keeps a whole body in memory; a record is sent and read by blocks.
 """
 
 from __future__ import annotations
 
 import contextlib
 from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import BinaryIO
 from urllib.parse import quote
 
-from proctor_client import ApiException, Problem
+from proctor_client import ApiException, Problem, RecordImport
 from urllib3 import BaseHTTPResponse, Timeout
 
 from reference_client.errors import BAD_ANSWER, NO_ANSWER_ERRORS, ProctorError
@@ -26,7 +28,7 @@ def fetch_record(
 ) -> Iterator[bytes]:
     """The record of a run, block by block. Raises ProctorError."""
     url = f"{connection.url}/v1/runs/{quote(run_id, safe='')}/record"
-    response = retry_policy.call(lambda: _open(connection, url))
+    response = retry_policy.call(lambda: _request(connection, "GET", url, {}))
     try:
         yield from response.stream(BLOCK_BYTES)
     except NO_ANSWER_ERRORS as error:
@@ -45,25 +47,68 @@ def fetch_keys(connection: Connection, retry_policy: RetryPolicy) -> Mapping[str
     return {key.keyid: key.public_key for key in found.keys}
 
 
-def _open(connection: Connection, url: str) -> BaseHTTPResponse:
+def send_record(
+    connection: Connection, retry_policy: RetryPolicy, path: Path
+) -> RecordImport:
+    """Hand a record in. Raises ProctorError, and OSError if it cannot be read."""
+
+    def send() -> RecordImport:
+        # Sent again, the same bytes are the same import (REC-119).
+        with path.open("rb") as file:
+            response = _request(
+                connection,
+                "POST",
+                f"{connection.url}/v1/records",
+                {
+                    "Content-Type": "application/zip",
+                    "Content-Length": str(path.stat().st_size),
+                },
+                file,
+            )
+        try:
+            return RecordImport.model_validate_json(response.read(BLOCK_BYTES))
+        finally:
+            response.release_conn()
+
+    return retry_policy.call(send)
+
+
+def read_import(
+    connection: Connection, retry_policy: RetryPolicy, import_id: str
+) -> RecordImport:
+    """What is known there of a record that was handed in. Raises ProctorError."""
+    return retry_policy.call(
+        lambda: connection.control.get_import(import_id, _request_timeout=TIMEOUTS_S)
+    )
+
+
+def _request(
+    connection: Connection,
+    method: str,
+    url: str,
+    headers: Mapping[str, str],
+    body: BinaryIO | None = None,
+) -> BaseHTTPResponse:
+    """An answer that was not read yet; of a refusal, ApiException."""
     client = connection.control.api_client
-    headers = dict(client.default_headers)
+    all_headers = {**client.default_headers, **headers}
     if token := client.configuration.access_token:
-        headers["Authorization"] = f"Bearer {token}"
+        all_headers["Authorization"] = f"Bearer {token}"
     response: BaseHTTPResponse = client.rest_client.pool_manager.request(
-        "GET",
+        method,
         url,
-        headers=headers,
+        body=body,
+        headers=all_headers,
         preload_content=False,
         redirect=False,
         retries=False,
         timeout=Timeout(*RECORD_TIMEOUTS_S),
     )
-    if response.status != 200:
-        body = response.read(BLOCK_BYTES).decode(errors="replace")
+    if not 200 <= response.status < 300:
+        answer = response.read(BLOCK_BYTES).decode(errors="replace")
         refusal = ApiException(status=response.status, reason=response.reason)
-        refusal.body, refusal.headers = body, response.headers
+        refusal.body, refusal.headers = answer, response.headers
         with contextlib.suppress(ValueError):  # it is no problem document
-            refusal.data = Problem.from_json(body)
+            refusal.data = Problem.from_json(answer)
         raise refusal
     return response

@@ -560,6 +560,24 @@ class ImageSpace(BaseModel):
     tasks: Annotated[list[str] | MISSING, Field(max_length=100000)] = MISSING
 
 
+ImportState = TypeAliasType(
+    "ImportState",
+    Annotated[
+        str,
+        Field(
+            description="`waiting` for simulators, `replaying`, or `finished`.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ],
+)
+
+
+class ImportedPolicy(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    name: str
+    version: str | None
+
+
 class InclusionProof(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     leaf_index: Annotated[int, Field(ge=0)]
@@ -672,6 +690,27 @@ class Limits(BaseModel):
         Field(
             description="Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.",
             ge=1,
+        ),
+    ] = MISSING
+    max_record_bytes: Annotated[
+        int | MISSING,
+        Field(
+            description="Longest archive that `import_record` reads; for the profile `record_import`.",
+            ge=65536,
+        ),
+    ] = MISSING
+    max_waiting_imports: Annotated[
+        int | MISSING,
+        Field(
+            description="Most imports of one account that are not `finished`; for the profile `record_import`.",
+            ge=1,
+        ),
+    ] = MISSING
+    max_imported_bytes: Annotated[
+        int | MISSING,
+        Field(
+            description="Most bytes that the archives of one account may have together; for the profile `record_import`.",
+            ge=65536,
         ),
     ] = MISSING
 
@@ -924,7 +963,7 @@ class ProblemItem(BaseModel):
     pointer: Annotated[
         str,
         Field(
-            description="JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`."
+            description="JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record."
         ),
     ]
     detail: str
@@ -1079,6 +1118,91 @@ class Ranking(BaseModel):
     ]
     rows: Annotated[list[RankedEntry], Field(max_length=1000)]
     next_cursor: str | None
+
+
+class RecordImport(BaseModel):
+    """
+    A record that was handed in, and what is known of it here.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    import_id: Annotated[str, Field(pattern="^[A-Za-z0-9_-]{1,64}$")]
+    state: ImportState
+    level: TrustLevel
+    level_text: Annotated[
+        str, Field(description="The level with who says it, as REC-031 has it.")
+    ]
+    signer: Annotated[
+        str | None,
+        Field(
+            description="Whose key signed the record, as this server knows it; null for a key that it does not know."
+        ),
+    ]
+    keyid: Annotated[str, Field(description="Of the key that signed the record.")]
+    archive_sha256: Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
+    statement_sha256: Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
+    size_bytes: Annotated[int, Field(ge=1)]
+    run_id: Annotated[
+        str, Field(description="In the statement, as are the members below it.")
+    ]
+    benchmark_id: str
+    benchmark_version: str
+    manifest_sha256: Annotated[str, Field(pattern="^[0-9a-f]{64}$")]
+    policy: ImportedPolicy
+    score: Annotated[
+        float | None, Field(description="Null where an episode has no result.")
+    ]
+    episodes: Annotated[int, Field(ge=1)]
+    episodes_replayed: Annotated[
+        int, Field(description="How many of them were simulated so far.", ge=0)
+    ]
+    replay: RecordReplay | MISSING = MISSING
+    reason: Annotated[str | None, Field(description="Why there is no replay.")]
+    imported_at: str
+    finished_at: str | None
+
+
+class RecordImportList(BaseModel):
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    imports: Annotated[list[RecordImport], Field(max_length=1000)]
+    next_cursor: str | None
+
+
+class RecordReplay(BaseModel):
+    """
+    As in a verdict (record.md); absent before the end of the replay, and where there is none.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    result: Annotated[
+        str,
+        Field(
+            description="`exact`, `outcome` or `diverged`.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ]
+    episodes: Annotated[int, Field(ge=1)]
+    exact: Annotated[int, Field(ge=0)]
+    outcome: Annotated[int, Field(ge=0)]
+    diverged: Annotated[int, Field(ge=0)]
+    first_divergence: ReplayDivergence | MISSING = MISSING
+
+
+class ReplayDivergence(BaseModel):
+    """
+    The first state that was another one; absent where every state was met.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    episode_index: Annotated[int, Field(ge=0)]
+    attempt: Annotated[int, Field(ge=0)]
+    step: Annotated[
+        int,
+        Field(
+            description="After how many steps of the attempt the state was another one.",
+            ge=0,
+        ),
+    ]
 
 
 class ResetPolicy(BaseModel):
@@ -1376,6 +1500,18 @@ class Timing(BaseModel):
     simulate_s: Annotated[float, Field(ge=0.0)]
     render_s: Annotated[float, Field(ge=0.0)]
     encode_s: Annotated[float, Field(description="Encoding of images.", ge=0.0)]
+
+
+TrustLevel = TypeAliasType(
+    "TrustLevel",
+    Annotated[
+        str,
+        Field(
+            description="`reported`: whole, by anyone; `signed` by a key that this server knows; `replayed` here with the same results; `diverged`: the replay came out otherwise.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ],
+)
 
 
 class Turn(BaseModel):

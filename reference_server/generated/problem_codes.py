@@ -169,6 +169,13 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "title": "The request breaks the schema or the benchmark's spaces",
         "act": "Correct what `errors` points at.",
     },
+    "record_broken": {
+        "status": 422,
+        "retryable": False,
+        "side_effects": "none",
+        "title": "The record is broken",
+        "act": "Nothing of it was stored. Fetch it again from its host; `requirement` is the rule of record.md that it breaks, and `errors` has the file.",
+    },
     "worker_limit": {
         "status": 429,
         "retryable": True,

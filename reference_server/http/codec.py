@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import re
 import secrets
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import AsyncIterator, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
 from functools import lru_cache
@@ -71,6 +71,20 @@ async def read_body(
             requirement="LIM-008" if is_control else "ERR-005",
         )
     return bytes(whole)
+
+
+async def stream_body(request: Request) -> AsyncIterator[bytes]:
+    """A long body part by part; refused when it ends too early.
+
+    Whoever reads it stops when it is too long: the connection is drained then.
+    """
+    more = True
+    while more:
+        message = await request.receive()
+        if message["type"] == "http.disconnect":
+            raise Refused("malformed_body", "The body ended before its Content-Length.")
+        more = message.get("more_body", False)
+        yield message.get("body", b"")
 
 
 def decode(body: bytes, media_type: str) -> Any:

@@ -45,6 +45,7 @@ PATH_PATTERNS: dict[str, tuple[str, str]] = {
     "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
     "entry_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "episode_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
+    "import_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
     "worker_id": (r"[A-Za-z0-9_-]{1,64}", "invalid_request"),
 }
@@ -91,7 +92,8 @@ class Operation:
     refusal; a problem by default. local_account: that of requests of this machine
     without a token; they are refused if it is empty. max_body_bytes: its own limit, if
     that is lower than the one of every operation. without_token: those of any machine
-    are answered, too, as of no account.
+    are answered, too, as of no account. has_streamed_body: the handler reads
+    it, part by part.
     """
 
     handler: Callable[[OperationCall], Awaitable[Response]]
@@ -106,6 +108,7 @@ class Operation:
     local_account: str = ""
     max_body_bytes: int = sys.maxsize
     without_token: bool = False
+    has_streamed_body: bool = False
 
 
 @dataclass(slots=True)
@@ -182,6 +185,8 @@ async def _check_request(
         else "",
         caller,
     )
+    if operation.has_streamed_body:
+        codec.media_type_of(request, operation.reads)
     if operation.body is not None:
         media_type = codec.media_type_of(request, operation.reads)
         # LIM-008: what is longer is not parsed.

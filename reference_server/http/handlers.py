@@ -13,11 +13,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial
+from typing import Any
 
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.export import blocks_of
 from reference_server.generated import models
+from reference_server.http import codec
 from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.connection_limits import HEADER_BYTES
@@ -29,13 +31,16 @@ from reference_server.http.dispatch import (
     OperationCall,
 )
 from reference_server.http.event_streams import EVENT_STREAM, EventStream, SharedStreams
+from reference_server.records.record_imports import RecordImports
 from reference_server.rules import comparison
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
+from reference_server.rules.record_imports import RecordImport
 from reference_server.rules.refusal import Refused
 from reference_server.runs.board_service import BoardService
 from reference_server.runs.service import RunService
 from reference_server.settings import Settings
 from reference_server.views import run_views
+from reference_server.views.import_view import import_view
 
 ARCHIVE, BYTES = "application/zip", "application/octet-stream"
 SOFTWARE_VERSION = importlib.metadata.version("proctor-eval")
@@ -56,11 +61,13 @@ class Handlers:
     service: RunService
     streams: SharedStreams = field(default_factory=SharedStreams)
     board: BoardService | None = None
+    # None where no records are taken in.
+    imports: RecordImports | None = None
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; equal to the spec, as a test proves."""
         run, worker = "/v1/runs/{run_id}", "/v1/runs/{run_id}/workers/{worker_id}"
-        pages = ("cursor", "limit")
+        record, pages = "/v1/records/{import_id}", ("cursor", "limit")
         both = (JSON, MSGPACK)
         # Everything but a predict is short.
         control = partial(
@@ -101,6 +108,22 @@ class Handlers:
             },
             **self._board_operations(),
             "/v1/keys": {"GET": Operation(self.list_keys, scope=None)},
+            "/v1/records": {
+                "GET": Operation(self.list_imports, query=pages),
+                "POST": Operation(
+                    self.import_record,
+                    "run",
+                    reads=(ARCHIVE,),
+                    has_streamed_body=True,
+                ),
+            },
+            record: {
+                "GET": Operation(self.get_import),
+                "DELETE": Operation(self.delete_import, "run", writes=()),
+            },
+            f"{record}/archive": {
+                "GET": Operation(self.fetch_imported_record, writes=(ARCHIVE,))
+            },
             "/v1/comparisons": {
                 "GET": Operation(
                     self.compare_runs,
@@ -147,6 +170,7 @@ class Handlers:
                 *PROFILES,
                 *(() if settings.recordings == "off" else ("record",)),
                 *self._board_profiles(),
+                *(("record_import",) if settings.takes_records else ()),
                 *settings.enabled_profiles,
             ],
             limits=models.Limits(
@@ -165,6 +189,9 @@ class Handlers:
                 max_idempotency_keys=settings.max_idempotency_keys,
                 max_stored_bytes=settings.max_stored_bytes,
                 max_control_body_bytes=settings.max_control_body_bytes,
+                max_record_bytes=settings.max_record_bytes,
+                max_waiting_imports=settings.max_waiting_imports,
+                max_imported_bytes=settings.max_imported_bytes,
             ),
             encodings=[JSON, MSGPACK],
             image_codecs=["raw", "png", "jpeg"],
@@ -291,6 +318,54 @@ class Handlers:
         return _file_response(
             blocks_of(path), size, BYTES, f"{run_id}-{episode_id}.mcap"
         )
+
+    # --- records that are handed in ---
+
+    async def import_record(self, call: OperationCall) -> Response:
+        """REC-112."""
+        declared = call.request.headers.get("content-length", "0")
+        parts = codec.stream_body(call.request)
+        one = await self._imports().receive(call.account, int(declared), parts)
+        response = call.answer(await self._import_view(one), 202)
+        response.headers["Location"] = f"/v1/records/{one.import_id}"
+        return response
+
+    async def list_imports(self, call: OperationCall) -> Response:
+        """REC-120."""
+        limit = int(call.query.get("limit", PAGE))
+        before = _number(call.query.get("cursor"))
+        found = await self._imports().page(call.reader, before, limit + 1)
+        more = len(found) > limit
+        return call.answer(
+            {
+                "imports": [await self._import_view(one) for one in found[:limit]],
+                "next_cursor": str(found[limit - 1].number) if more else None,
+            }
+        )
+
+    async def get_import(self, call: OperationCall) -> Response:
+        one = await self._imports().find(call.reader, call.path["import_id"])
+        return call.answer(await self._import_view(one))
+
+    async def delete_import(self, call: OperationCall) -> Response:
+        await self._imports().delete(call.account, call.path["import_id"])
+        return Response(status_code=204)
+
+    async def fetch_imported_record(self, call: OperationCall) -> Response:
+        import_id = call.path["import_id"]
+        record = await self._imports().archive(call.reader, import_id)
+        name = f"import-{import_id}.proctor"
+        return _file_response(record.stream(), record.size, ARCHIVE, name)
+
+    async def _import_view(self, one: RecordImport) -> dict[str, Any]:
+        imports = self._imports()
+        trust = await imports.trust(one)
+        return import_view(one, trust, imports.episodes_replayed(one))
+
+    def _imports(self) -> RecordImports:
+        if self.imports is None:
+            raise Refused("not_found", "This server takes no records in.")
+        return self.imports
 
     async def compare_runs(self, call: OperationCall) -> Response:
         tolerance = float(call.query.get("tolerance", comparison.TOLERANCE))

@@ -11,7 +11,7 @@ import asyncio
 import logging
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 from typing import Any, Literal
@@ -29,6 +29,7 @@ from reference_record.formats.names import (
 )
 from reference_record.keys import SigningKey, load_or_make, make_key
 from reference_record.recording import timestamp
+from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.statement import (
     BenchmarkFacts,
     EpisodeLine,
@@ -61,12 +62,14 @@ class HostSettings:
     """key_path: None for a key in memory. promise: of replays, on the same engine.
 
     keep_days: after these a run that has ended loses its recordings; 0: never.
+    known_keys: keyid → whose key it is, of other hosts.
     """
 
     name: str
     key_path: Path | None
     promise: Literal["exact", "outcome"] = "outcome"
     keep_days: float = 0.0
+    known_keys: Mapping[str, str] = field(default_factory=dict)
 
 
 class RecordUnavailable(Exception):
@@ -133,6 +136,21 @@ class RunRecords:
     async def keys(self) -> list[PublicKey]:
         """REC-101: every key that signed, the newest first."""
         return await self._store.keys()
+
+    async def key_names(self) -> dict[str, str]:
+        """keyid → whose key it is: REC-117, those of others and every one of ours."""
+        own = {key.keyid: self.host_name for key in await self.keys()}
+        return {**self._settings.known_keys, **own}
+
+    async def sign_verdict(self, replay: ReplaySummary, statement_sha256: str) -> bytes:
+        """REC-118: this server's verdict on a record that it has replayed."""
+        return write_verdict(
+            replay,
+            statement_sha256=statement_sha256,
+            name=self.host_name,
+            at=timestamp(time.time_ns()),
+            key=self._key,
+        )
 
     async def fetch(
         self, run: RunHead, episodes: Sequence[Episode], score: Mapping[str, Any]

@@ -56,7 +56,7 @@ class BoardStore:
 
     async def open(self) -> None:
         """Create the tables that are missing."""
-        async with self._store.writing() as connection:
+        async with self._store.write() as connection:
             await connection.run_sync(_tables.create_all)
 
     async def change(
@@ -67,7 +67,7 @@ class BoardStore:
         What `decide` raises ends the transaction, and nothing is stored.
         """
         query = _NUMBERED.where(_entries.c.run_id == run_id)
-        async with self._store.writing() as connection:
+        async with self._store.write() as connection:
             row = (await connection.execute(query)).first()
             before = None if row is None else _entry_of(*row)
             change = decide(before)

@@ -41,11 +41,12 @@ READER_THREADS = 4
 # Decoded manifests kept, for all the runs that share them.
 CACHED_MANIFESTS_MAX = 64
 
-_tables = sa.MetaData()
+# Tables of other modules of this folder are added to these.
+TABLES = sa.MetaData()
 
 _runs = sa.Table(
     "runs",
-    _tables,
+    TABLES,
     sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
     sa.Column("run_id", sa.String(64), unique=True, nullable=False),
     sa.Column("account", sa.String(200), nullable=False),
@@ -73,14 +74,14 @@ _runs = sa.Table(
 # A manifest is stored once, however many runs use it.
 _manifests = sa.Table(
     "manifests",
-    _tables,
+    TABLES,
     sa.Column("manifest_sha256", sa.String(64), primary_key=True),
     sa.Column("manifest", sa.LargeBinary, nullable=False),
 )
 # Only episodes that something happened to; the others follow from the manifest.
 _episodes = sa.Table(
     "episodes",
-    _tables,
+    TABLES,
     sa.Column("number", sa.ForeignKey("runs.number"), primary_key=True),
     sa.Column("index", sa.Integer, primary_key=True),
     sa.Column("attempt", sa.Integer, nullable=False),
@@ -95,7 +96,7 @@ _episodes = sa.Table(
 )
 _keys = sa.Table(
     "idempotency_keys",
-    _tables,
+    TABLES,
     sa.Column("account", sa.String(200), primary_key=True),
     sa.Column("key", sa.String(128), primary_key=True),
     sa.Column("body_sha256", sa.String(64), nullable=False),
@@ -105,7 +106,7 @@ _keys = sa.Table(
 # The statements of records, in the order in which they were signed.
 _statements = sa.Table(
     "statements",
-    _tables,
+    TABLES,
     sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
     sa.Column("run_id", sa.String(64), unique=True, nullable=False),
     sa.Column("statement", sa.LargeBinary, nullable=False),
@@ -113,7 +114,7 @@ _statements = sa.Table(
 )
 _signing_keys = sa.Table(
     "signing_keys",
-    _tables,
+    TABLES,
     sa.Column("keyid", sa.String(80), primary_key=True),
     sa.Column("public_key", sa.LargeBinary, nullable=False),
     sa.Column("created_at_wall", sa.Float, nullable=False),
@@ -201,7 +202,7 @@ class Store:
             except OSError as error:
                 raise StoreFailed(_one_line(error)) from error
         async with self._transaction() as connection:
-            await connection.run_sync(_tables.create_all)
+            await connection.run_sync(TABLES.create_all)
             await connection.run_sync(_add_missing_columns)
             await connection.run_sync(_number_older_attempts)
         if path is not None:  # only now it is known to be a database
@@ -223,6 +224,12 @@ class Store:
             # An unreachable server is reported by its driver, not by SQLAlchemy.
             raise StoreFailed(_one_line(error)) from error
 
+    @asynccontextmanager
+    async def write(self) -> AsyncIterator[AsyncConnection]:
+        """A transaction after all writes before it. Raises StoreFailed."""
+        async with self._write_lock, self._transaction() as connection:
+            yield connection
+
     async def _read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """What `fetch` finds, all of it as it was at one moment."""
         if self._read_engine is None:
@@ -239,12 +246,6 @@ class Store:
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """What `fetch` finds in tables of another module of storage/."""
         return await self._read(fetch)
-
-    @asynccontextmanager
-    async def writing(self) -> AsyncIterator[AsyncConnection]:
-        """One transaction, which no other write of this process overlaps."""
-        async with self._write_lock, self._transaction() as connection:
-            yield connection
 
     async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:
         """Store a new run and give it its number, unless its key is taken (CRASH-003).
@@ -512,7 +513,7 @@ def _run_in_connection(
 
 def _add_missing_columns(connection: sa.Connection) -> None:
     """Add the columns that an older database does not have, empty; and the indexes."""
-    for table in _tables.sorted_tables:
+    for table in TABLES.sorted_tables:
         columns = sa.inspect(connection).get_columns(table.name)
         present = {column["name"] for column in columns}
         for column in table.columns:

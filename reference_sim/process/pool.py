@@ -11,6 +11,7 @@ import contextlib
 import logging
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 
 import msgspec
 
@@ -19,7 +20,12 @@ from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.encoding import EncodedObservation
 from reference_sim.process.recorder import RecordingPlan
-from reference_sim.process.simulator_main import ChunkReply, EpisodeStart, Timing
+from reference_sim.process.simulator_main import (
+    ChunkReply,
+    EpisodeStart,
+    ReplayReply,
+    Timing,
+)
 from reference_sim.process.simulator_process import (
     ExecStarter,
     ForkStarter,
@@ -34,6 +40,7 @@ __all__ = [
     "EpisodeStart",
     "NoCapacity",
     "RecordingPlan",
+    "ReplayReply",
     "SimulatorFault",
     "SimulatorHandle",
     "SimulatorPool",
@@ -114,6 +121,11 @@ class SimulatorHandle:
                 simulator_main.Observe(), simulator_main.ObservationReply
             )
         ).observation
+
+    async def replay(self, path: Path, line: bytes, plan: bytes) -> ReplayReply:
+        """Simulate a recording again; see simulator_main.Replay."""
+        command = simulator_main.Replay(str(path), line, plan)
+        return await self._request(command, ReplayReply)
 
     async def release(self) -> None:
         """Return the process to the pool. Does nothing after discard or a fault."""
@@ -209,6 +221,19 @@ class SimulatorPool:
             self._acquiring -= 1
         self._lent.add(process)
         return SimulatorHandle(process, self._take_back)
+
+    async def start_beside(self, world: SimulatorConfig) -> SimulatorHandle:
+        """A simulator that is not one of the `size_max`, and ends when it is returned.
+
+        For work with low priority that takes nothing from sessions. Raises as
+        `acquire`.
+        """
+        try:
+            process = await self._start_process()
+            await process.build(world)
+        except ResourceShortage as shortage:
+            raise NoCapacity(str(shortage)) from shortage
+        return SimulatorHandle(process, lambda one: one.end("was returned"))
 
     async def _build(self, world: SimulatorConfig) -> SimulatorProcess:
         if (idle := self._pick_idle(world)) is not None:

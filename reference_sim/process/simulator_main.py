@@ -21,6 +21,7 @@ import sys
 import threading
 import time
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any, Never
 
 import msgspec
@@ -38,6 +39,7 @@ from reference_sim.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
 HEADER = struct.Struct(">I")
 BUSY_INTERVAL_S = 1.0
+REPLAY_NICENESS = 15
 
 _log = logging.getLogger(__name__)
 
@@ -79,6 +81,18 @@ class Play(msgspec.Struct, tag="play"):
 
 class Observe(msgspec.Struct, tag="observe"):
     pass
+
+
+class Replay(msgspec.Struct, tag="replay"):
+    """Simulate one recording of a verified record again, with low priority.
+
+    line, plan: EpisodeLine and EpisodePlan as JSON: what reads them is imported when it
+    is needed.
+    """
+
+    path: str
+    line: bytes
+    plan: bytes
 
 
 class Hello(msgspec.Struct, tag="hello", frozen=True):
@@ -141,12 +155,19 @@ class ObservationReply(msgspec.Struct, tag="seen", frozen=True):
     observation: EncodedObservation
 
 
+class ReplayReply(msgspec.Struct, tag="replayed", frozen=True):
+    """result: `exact`, `outcome` or `diverged`. where: attempt and step, from 1."""
+
+    result: str
+    where: tuple[int, int] | None
+
+
 class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     error: str
     unplayable: bool
 
 
-SimulatorCommand = Build | Begin | Play | Observe
+SimulatorCommand = Build | Begin | Play | Observe | Replay
 SimulatorReply = (
     Hello
     | Busy
@@ -155,6 +176,7 @@ SimulatorReply = (
     | EpisodeStart
     | ChunkReply
     | ObservationReply
+    | ReplayReply
     | FailureReply
 )
 
@@ -227,6 +249,8 @@ class _EpisodeHost:
             case Observe():
                 # Shown before, and so recorded before.
                 return ObservationReply(self._observe(_Clock(), record=False))
+            case Replay():
+                return self._replay(command)
 
     def _build(self, command: Build) -> Built:
         world = benchmark_registry.SimulatorConfig(
@@ -303,6 +327,30 @@ class _EpisodeHost:
             observations=observations if command.observe_all else None,
             timing=timing,
         )
+
+    def _replay(self, command: Replay) -> ReplayReply:
+        from reference_record.statement import EpisodeLine
+        from reference_sim.replay import episode_replay
+
+        os.nice(REPLAY_NICENESS - os.nice(0))
+        simulator, _ = self._require_simulator()
+        self._end_recording()
+        self._episode = None
+        line = msgspec.json.decode(command.line, type=EpisodeLine)
+        plan = msgspec.json.decode(command.plan, type=episode_replay.EpisodePlan)
+        said_busy_at = time.perf_counter()
+
+        def say_busy() -> None:
+            nonlocal said_busy_at
+            if time.perf_counter() - said_busy_at > BUSY_INTERVAL_S:
+                said_busy_at = time.perf_counter()
+                self._connection.sendall(frame(Busy()))
+
+        path = Path(command.path)
+        found = episode_replay.replay_episode(path, simulator, plan, line, say_busy)
+        first = found.where
+        where = None if first is None else (first.attempt, first.step)
+        return ReplayReply(found.result, where)
 
     def _end_recording(self) -> None:
         """What follows is not of the attempt that was recorded."""

@@ -8,9 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from pathlib import Path
 
 import msgspec
 
+from reference_record.formats.bundle import open_bundle
+from reference_record.formats.mcap_reader import McapReader
 from reference_record.recording import AttemptEvent, Turn
 from reference_record.replay_verdict import Divergence, Result
 from reference_record.score import TOLERANCE
@@ -32,6 +35,46 @@ class EpisodeReplay:
     error: str | None = None
 
 
+class EpisodePlan(msgspec.Struct, frozen=True):
+    """An episode of a manifest, as the simulator plays it."""
+
+    task: str
+    seed: int
+    split: str
+    max_steps: int
+    success_rule: str
+    score_is_success: bool
+
+    def begin(self, simulator: Simulator) -> Episode:
+        """At step 0."""
+        return Episode(
+            simulator,
+            self.task,
+            self.seed,
+            split=self.split,
+            max_steps=self.max_steps,
+            success_rule=self.success_rule,
+            score_is_success=self.score_is_success,
+        )
+
+
+def replay_episode(
+    path: Path,
+    simulator: Simulator,
+    plan: EpisodePlan,
+    line: EpisodeLine,
+    before_turn: Callable[[], object] = lambda: None,
+) -> EpisodeReplay:
+    """Simulate one recording of a verified record again. before_turn: is called."""
+    bundle = open_bundle(path)
+    assert line.recording is not None
+    name = line.recording.path
+    with bundle.open(name) as file:
+        messages = McapReader(name, file, bundle.sizes[name]).messages()
+        replayer = Replayer(simulator, lambda: plan.begin(simulator), line)
+        return replayer.play(messages, before_turn)
+
+
 class Replayer:
     """Plays the messages of one recording. begin: makes the episode at step 0."""
 
@@ -45,7 +88,11 @@ class Replayer:
         self._attempt = 0
         self._where: Divergence | None = None
 
-    def play(self, messages: Iterable[tuple[str, memoryview]]) -> EpisodeReplay:
+    def play(
+        self,
+        messages: Iterable[tuple[str, memoryview]],
+        before_turn: Callable[[], object] = lambda: None,
+    ) -> EpisodeReplay:
         """Whatever the simulator raises is a divergence: it did not when recorded."""
         try:
             for topic, data in messages:
@@ -54,6 +101,7 @@ class Replayer:
                     if event.event == "started":
                         self._start(event)
                 elif topic == "/turn":
+                    before_turn()
                     self._execute(_TURN.decode(data))
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             self._mark()

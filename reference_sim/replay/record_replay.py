@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import multiprocessing
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from functools import partial
@@ -14,17 +14,19 @@ from typing import Any
 import msgspec
 
 from reference_record.broken import UnusableRecord
-from reference_record.formats.bundle import Bundle, open_bundle
-from reference_record.formats.mcap_reader import McapReader
+from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES, MANIFEST
 from reference_record.formats.strict_json import read_json
 from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
-from reference_sim.episode import Episode
 from reference_sim.interface import Simulator
-from reference_sim.replay.episode_replay import EpisodeReplay, Replayer
+from reference_sim.replay.episode_replay import (
+    EpisodePlan,
+    EpisodeReplay,
+    replay_episode,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +35,19 @@ class ReplayedBenchmark:
 
     manifest: dict[str, Any]
     config: benchmark_registry.SimulatorConfig
+
+    def plan_of(self, index: int) -> EpisodePlan:
+        """The episode at a place of the manifest; its seed is no secret."""
+        manifest = self.manifest
+        planned = manifest["episodes"][index]
+        return EpisodePlan(
+            planned["task"],
+            planned["seed"],
+            planned["split"],
+            manifest["max_steps"],
+            manifest["success_rule"],
+            planned["task"] in self.config.success_scored_tasks,
+        )
 
 
 class _Limits(msgspec.Struct):
@@ -97,20 +112,7 @@ def replay_record(
     report: called with each episode when it is done. Raises UnusableRecord when an
     episode that is wanted cannot be simulated, or none can.
     """
-    lines = [line for line in _lines(open_bundle(path)) if line.recording is not None]
-    planned = benchmark.manifest["episodes"]
-    lines = [line for line in lines if "seed" in planned[line.index]]
-    if only is not None:
-        absent = sorted(set(only) - {line.index for line in lines})
-        if absent:
-            raise UnusableRecord(
-                f"the record has no episode {absent[0]} that can be simulated"
-            )
-        lines = [line for line in lines if line.index in set(only)]
-    if not lines:
-        raise UnusableRecord(
-            "no episode can be simulated: their seeds are the secret of the host"
-        )
+    lines = replayable_lines(path, benchmark, only)
     found: dict[int, EpisodeReplay] = {}
     work = partial(_replay_one, path, benchmark)
     context = multiprocessing.get_context("spawn")
@@ -124,8 +126,32 @@ def replay_record(
     return replay_of(results, engine_fingerprint())
 
 
-def _lines(bundle: Bundle) -> Iterator[EpisodeLine]:
-    return read_lines(bundle.blocks(EPISODES))
+def replayable_lines(
+    path: Path, benchmark: ReplayedBenchmark, only: Sequence[int] | None = None
+) -> list[EpisodeLine]:
+    """The episodes of a verified record that can be simulated, or `only` those.
+
+    Raises UnusableRecord when one that is wanted cannot be, or none can.
+    """
+    bundle = open_bundle(path)
+    planned = benchmark.manifest["episodes"]
+    lines = [
+        line
+        for line in read_lines(bundle.blocks(EPISODES))
+        if line.recording is not None and "seed" in planned[line.index]
+    ]
+    if only is not None:
+        absent = sorted(set(only) - {line.index for line in lines})
+        if absent:
+            raise UnusableRecord(
+                f"the record has no episode {absent[0]} that can be simulated"
+            )
+        lines = [line for line in lines if line.index in set(only)]
+    if not lines:
+        raise UnusableRecord(
+            "no episode can be simulated: their seeds are the secret of the host"
+        )
+    return lines
 
 
 _SIMULATORS: dict[str, Simulator] = {}  # of this process, one
@@ -134,27 +160,8 @@ _SIMULATORS: dict[str, Simulator] = {}  # of this process, one
 def _replay_one(
     path: Path, benchmark: ReplayedBenchmark, line: EpisodeLine
 ) -> EpisodeReplay:
-    simulator = _simulator(benchmark)
-    manifest = benchmark.manifest
-    planned = manifest["episodes"][line.index]
-
-    def begin() -> Episode:
-        return Episode(
-            simulator,
-            planned["task"],
-            planned["seed"],
-            split=planned["split"],
-            max_steps=manifest["max_steps"],
-            success_rule=manifest["success_rule"],
-            score_is_success=planned["task"] in benchmark.config.success_scored_tasks,
-        )
-
-    bundle = open_bundle(path)
-    assert line.recording is not None
-    name = line.recording.path
-    with bundle.open(name) as file:
-        messages = McapReader(name, file, bundle.sizes[name]).messages()
-        return Replayer(simulator, begin, line).play(messages)
+    plan = benchmark.plan_of(line.index)
+    return replay_episode(path, _simulator(benchmark), plan, line)
 
 
 def _simulator(benchmark: ReplayedBenchmark) -> Simulator:

@@ -92,6 +92,7 @@ def load() -> dict[str, Mutant]:
         players,
         push,
         record,
+        record_import,
         restarts,
         sealed_seeds,
         sessions,

@@ -48,6 +48,7 @@ OPTIONAL_PROFILES = {"ebench", "flageval"}
 SEPARATE_PROFILES = {
     *OPTIONAL_PROFILES,
     *("board", "compare", "events", "limits", "public_board", "push", "record"),
+    "record_import",
 }
 
 
@@ -170,7 +171,14 @@ def _all_rows(mutant: Mutant, profiles: set[str]) -> list[str]:
     if len(profiles) == 1 and profiles <= SEPARATE_PROFILES:
         return ["--profile", *profiles]
     # Killing, restarting, calling policies and following take most of the kit's time.
-    left_out = {"crash", "events", "limits", "push", "record"} - profiles
+    left_out = {
+        "crash",
+        "events",
+        "limits",
+        "push",
+        "record",
+        "record_import",
+    } - profiles
     selection = ["--profile", ",".join(p for p in PROFILES if p not in left_out)]
     if not any(id_.startswith("MODEL-") for id_ in mutant.kills):
         areas = {id_.partition("-")[0] + "-" for id_ in load_ledger()}

@@ -82,13 +82,14 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"storage", "system", "views"},
     "push": {"allowed_networks", "generated", "http", "rules", "runs"}
     | {"storage", "system"},
-    "http": {"generated", "reference_record", "rules", "runs", "settings", "storage"}
-    | {"system", "views"},
+    "http": {"generated", "records", "reference_record", "rules", "runs", "settings"}
+    | {"storage", "system", "views"},
     "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
 }
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
     ("http", "storage"): {"StoreFailed"},
+    ("http", "records"): {"RecordImports"},
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
     | {"codec", "decode", "pointer", "validate"}

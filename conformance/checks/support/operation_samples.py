@@ -10,7 +10,7 @@ from typing import Any
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
 from conformance.client.run_client import RunClient, WorkerClient, adopt_run
-from conformance.exchanges.answer import Answer
+from conformance.exchanges.answer import Answer, file_of
 
 OperationSample = tuple[str, dict[str, Any]]
 READ_OPERATIONS = frozenset(
@@ -25,6 +25,9 @@ READ_OPERATIONS = frozenset(
         "stream_events",
         "fetch_record",
         "fetch_recording",
+        "list_imports",
+        "get_import",
+        "fetch_imported_record",
     }
 )
 
@@ -81,6 +84,27 @@ def record_samples(run: RunClient) -> Iterator[OperationSample]:
     worker.play()
     yield "fetch_record", {"run_id": completed.id}
     yield "fetch_recording", {"run_id": completed.id, "episode_id": "e0000"}
+    if context.offers("record_import"):
+        yield from import_samples(completed)
+
+
+def import_samples(completed: RunClient) -> Iterator[OperationSample]:
+    """Give the operations on a record that is handed in."""
+    context = completed.context
+    fetched = completed.call("fetch_record")
+    how: dict[str, Any] = {
+        "content": file_of(fetched),
+        "headers": {"Content-Type": "application/zip"},
+    }
+    made = context.require(
+        lambda: context.call("import_record", **how), 202, "import_record"
+    )
+    import_id = {"import_id": str(made["import_id"])}
+    yield "import_record", how
+    yield "list_imports", {"params": {"limit": 1}}
+    yield "get_import", import_id
+    yield "fetch_imported_record", import_id
+    yield "delete_import", import_id
 
 
 def run_read_samples() -> Iterator[OperationSample]:

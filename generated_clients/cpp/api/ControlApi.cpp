@@ -13,6 +13,20 @@ Comparison ControlApi::compareRuns(std::string const& baseline, std::string cons
     return m_connection->send(request).get<Comparison>();
 }
 
+void ControlApi::deleteImport(std::string const& importId, std::optional<std::string> const& proctorVersion) {
+    Request request{"DELETE", "/v1/records/{import_id}"};
+    request.path_parameter("import_id", importId);
+    request.header("Proctor-Version", proctorVersion);
+    m_connection->send(request);
+}
+
+RecordImport ControlApi::getImport(std::string const& importId, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/records/{import_id}"};
+    request.path_parameter("import_id", importId);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<RecordImport>();
+}
+
 Service ControlApi::describeService(std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1"};
     request.header("Proctor-Version", proctorVersion);
@@ -71,6 +85,21 @@ Score ControlApi::getScore(std::string const& runId, std::optional<std::string> 
     request.path_parameter("run_id", runId);
     request.header("Proctor-Version", proctorVersion);
     return m_connection->send(request).get<Score>();
+}
+
+RecordImport ControlApi::importRecord(std::string const& body, std::optional<std::string> const& proctorVersion) {
+    Request request{"POST", "/v1/records"};
+    request.header("Proctor-Version", proctorVersion);
+    request.body = nlohmann::json(body).dump();
+    return m_connection->send(request).get<RecordImport>();
+}
+
+RecordImportList ControlApi::listImports(std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/records"};
+    request.query_parameter("cursor", cursor);
+    request.query_parameter("limit", limit);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<RecordImportList>();
 }
 
 BenchmarkList ControlApi::listBenchmarks(std::optional<std::string> const& proctorVersion) {

@@ -20,6 +20,8 @@
 #include "../model/Problem.h"
 #include "../model/PublishEntry.h"
 #include "../model/Ranking.h"
+#include "../model/RecordImport.h"
+#include "../model/RecordImportList.h"
 #include "../model/Run.h"
 #include "../model/RunList.h"
 #include "../model/Score.h"
@@ -37,6 +39,12 @@ public:
 
     /// Runs beside a baseline, episode by episode
     Comparison compareRuns(std::string const& baseline, std::string const& runs, std::optional<double> const& tolerance = {}, std::optional<std::string> const& proctorVersion = {});
+
+    /// Remove a record that was handed in
+    void deleteImport(std::string const& importId, std::optional<std::string> const& proctorVersion = {});
+
+    /// What is known here of a record that was handed in
+    RecordImport getImport(std::string const& importId, std::optional<std::string> const& proctorVersion = {});
 
     /// What this server is, speaks and allows
     Service describeService(std::optional<std::string> const& proctorVersion = {});
@@ -61,6 +69,12 @@ public:
 
     /// The score, or its bounds while episodes are missing
     Score getScore(std::string const& runId, std::optional<std::string> const& proctorVersion = {});
+
+    /// Hand in a record of any host, to be verified and replayed here
+    RecordImport importRecord(std::string const& body, std::optional<std::string> const& proctorVersion = {});
+
+    /// The records that the account handed in, newest first
+    RecordImportList listImports(std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
     /// The benchmarks offered here
     BenchmarkList listBenchmarks(std::optional<std::string> const& proctorVersion = {});

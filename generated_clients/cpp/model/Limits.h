@@ -28,6 +28,9 @@ struct Limits {
     std::optional<std::int32_t> max_open_runs{}; // Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
     std::optional<std::int64_t> max_idempotency_keys{}; // Most Idempotency-Keys that one account may use; for the profile `limits`.
     std::optional<std::int64_t> max_stored_bytes{}; // Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
+    std::optional<std::int64_t> max_record_bytes{}; // Longest archive that `import_record` reads; for the profile `record_import`.
+    std::optional<std::int32_t> max_waiting_imports{}; // Most imports of one account that are not `finished`; for the profile `record_import`.
+    std::optional<std::int64_t> max_imported_bytes{}; // Most bytes that the archives of one account may have together; for the profile `record_import`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("max_body_bytes", self.max_body_bytes);
@@ -45,6 +48,9 @@ struct Limits {
         visitor.optional("max_open_runs", self.max_open_runs);
         visitor.optional("max_idempotency_keys", self.max_idempotency_keys);
         visitor.optional("max_stored_bytes", self.max_stored_bytes);
+        visitor.optional("max_record_bytes", self.max_record_bytes);
+        visitor.optional("max_waiting_imports", self.max_waiting_imports);
+        visitor.optional("max_imported_bytes", self.max_imported_bytes);
     }
 };
 

@@ -14,7 +14,7 @@ namespace proctor {
 struct ProblemItem {
     using IsMessage = void;
 
-    std::string pointer{}; // JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`.
+    std::string pointer{}; // JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record.
     std::string detail{};
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {

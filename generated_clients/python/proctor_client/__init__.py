@@ -55,6 +55,7 @@ __all__ = [
     "ImageChoice",
     "ImageSize",
     "ImageSpace",
+    "ImportedPolicy",
     "InclusionProof",
     "Interval",
     "KeyList",
@@ -83,6 +84,10 @@ __all__ = [
     "RankInterval",
     "RankedEntry",
     "Ranking",
+    "RecordImport",
+    "RecordImportList",
+    "RecordReplay",
+    "ReplayDivergence",
     "ResetPolicy",
     "Run",
     "RunList",
@@ -155,6 +160,7 @@ from proctor_client.models.image import Image as Image
 from proctor_client.models.image_choice import ImageChoice as ImageChoice
 from proctor_client.models.image_size import ImageSize as ImageSize
 from proctor_client.models.image_space import ImageSpace as ImageSpace
+from proctor_client.models.imported_policy import ImportedPolicy as ImportedPolicy
 from proctor_client.models.inclusion_proof import InclusionProof as InclusionProof
 from proctor_client.models.interval import Interval as Interval
 from proctor_client.models.key_list import KeyList as KeyList
@@ -183,6 +189,10 @@ from proctor_client.models.publish_entry import PublishEntry as PublishEntry
 from proctor_client.models.rank_interval import RankInterval as RankInterval
 from proctor_client.models.ranked_entry import RankedEntry as RankedEntry
 from proctor_client.models.ranking import Ranking as Ranking
+from proctor_client.models.record_import import RecordImport as RecordImport
+from proctor_client.models.record_import_list import RecordImportList as RecordImportList
+from proctor_client.models.record_replay import RecordReplay as RecordReplay
+from proctor_client.models.replay_divergence import ReplayDivergence as ReplayDivergence
 from proctor_client.models.reset_policy import ResetPolicy as ResetPolicy
 from proctor_client.models.run import Run as Run
 from proctor_client.models.run_list import RunList as RunList

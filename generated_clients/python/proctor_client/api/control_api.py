@@ -6,7 +6,7 @@ from pydantic import validate_call, Field, StrictFloat, StrictStr, StrictInt
 from typing import Any, Dict, List, Optional, Tuple, Union
 from typing_extensions import Annotated
 
-from pydantic import Field, field_validator
+from pydantic import Field, StrictStr, field_validator
 from typing import Optional, Union
 from typing_extensions import Annotated
 from proctor_client.models.benchmark import Benchmark
@@ -23,6 +23,8 @@ from proctor_client.models.inclusion_proof import InclusionProof
 from proctor_client.models.key_list import KeyList
 from proctor_client.models.publish_entry import PublishEntry
 from proctor_client.models.ranking import Ranking
+from proctor_client.models.record_import import RecordImport
+from proctor_client.models.record_import_list import RecordImportList
 from proctor_client.models.run import Run
 from proctor_client.models.run_list import RunList
 from proctor_client.models.score import Score
@@ -242,6 +244,187 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='GET',
             resource_path='/v1/comparisons',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def delete_import(
+        self,
+        import_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> None:
+        """Remove a record that was handed in
+
+        What was read of it and its replay are forgotten. Offered with the profile `record_import`.
+
+        :param import_id: (required)
+        :type import_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._delete_import_serialize(
+            import_id=import_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '204': None,
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def delete_import_with_http_info(
+        self,
+        import_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[None]:
+        """Remove a record that was handed in
+
+        What was read of it and its replay are forgotten. Offered with the profile `record_import`.
+
+        :param import_id: (required)
+        :type import_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._delete_import_serialize(
+            import_id=import_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '204': None,
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _delete_import_serialize(
+        self,
+        import_id,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        if import_id is not None:
+            _path_params['import_id'] = import_id
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='DELETE',
+            resource_path='/v1/records/{import_id}',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,
@@ -1165,6 +1348,188 @@ class ControlApi:
 
 
     @validate_call
+    def get_import(
+        self,
+        import_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> RecordImport:
+        """What is known here of a record that was handed in
+
+        Offered with the profile `record_import`.
+
+        :param import_id: (required)
+        :type import_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_import_serialize(
+            import_id=import_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "RecordImport",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def get_import_with_http_info(
+        self,
+        import_id: Annotated[str, Field(strict=True)],
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[RecordImport]:
+        """What is known here of a record that was handed in
+
+        Offered with the profile `record_import`.
+
+        :param import_id: (required)
+        :type import_id: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._get_import_serialize(
+            import_id=import_id,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "RecordImport",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _get_import_serialize(
+        self,
+        import_id,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        if import_id is not None:
+            _path_params['import_id'] = import_id
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/records/{import_id}',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
     def get_ranking(
         self,
         benchmark_id: Annotated[str, Field(strict=True)],
@@ -1754,6 +2119,201 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='GET',
             resource_path='/v1/runs/{run_id}/score',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def import_record(
+        self,
+        body: StrictStr,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> RecordImport:
+        """Hand in a record of any host, to be verified and replayed here
+
+        The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+
+        :param body: (required)
+        :type body: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._import_record_serialize(
+            body=body,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '202': "RecordImport",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def import_record_with_http_info(
+        self,
+        body: StrictStr,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[RecordImport]:
+        """Hand in a record of any host, to be verified and replayed here
+
+        The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+
+        :param body: (required)
+        :type body: str
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._import_record_serialize(
+            body=body,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '202': "RecordImport",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _import_record_serialize(
+        self,
+        body,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+        if body is not None:
+            _body_params = body
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+        # set the HTTP header `Content-Type`
+        if _content_type:
+            _header_params['Content-Type'] = _content_type
+        else:
+            _default_content_type = (
+                self.api_client.select_header_content_type(
+                    [
+                        'application/zip'
+                    ]
+                )
+            )
+            if _default_content_type is not None:
+                _header_params['Content-Type'] = _default_content_type
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='POST',
+            resource_path='/v1/records',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,
@@ -2536,6 +3096,203 @@ class ControlApi:
         return self.api_client.param_serialize(
             method='GET',
             resource_path='/v1/history',
+            path_params=_path_params,
+            query_params=_query_params,
+            header_params=_header_params,
+            body=_body_params,
+            post_params=_form_params,
+            files=_files,
+            auth_settings=_auth_settings,
+            collection_formats=_collection_formats,
+            _host=_host,
+            _request_auth=_request_auth
+        )
+
+
+
+
+    @validate_call
+    def list_imports(
+        self,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> RecordImportList:
+        """The records that the account handed in, newest first
+
+        Offered with the profile `record_import`.
+
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_imports_serialize(
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "RecordImportList",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        ).data
+
+
+    @validate_call
+    def list_imports_with_http_info(
+        self,
+        cursor: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`next_cursor` of the page before; opaque to the caller.")] = None,
+        limit: Annotated[Optional[Annotated[int, Field(le=1000, strict=True, ge=1)]], Field(description="Most items wanted on a page; 100 when absent.")] = None,
+        proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
+        _request_timeout: Union[
+            None,
+            Annotated[StrictFloat, Field(gt=0)],
+            Tuple[
+                Annotated[StrictFloat, Field(gt=0)],
+                Annotated[StrictFloat, Field(gt=0)]
+            ]
+        ] = None,
+        _request_auth: Optional[Dict[StrictStr, Any]] = None,
+        _content_type: Optional[StrictStr] = None,
+        _headers: Optional[Dict[StrictStr, Any]] = None,
+        _host_index: Annotated[StrictInt, Field(ge=0, le=0)] = 0,
+    ) -> ApiResponse[RecordImportList]:
+        """The records that the account handed in, newest first
+
+        Offered with the profile `record_import`.
+
+        :param cursor: `next_cursor` of the page before; opaque to the caller.
+        :type cursor: str
+        :param limit: Most items wanted on a page; 100 when absent.
+        :type limit: int
+        :param proctor_version: The protocol version the caller was written for.
+        :type proctor_version: str
+        :param _request_timeout: seconds for the whole request, or a pair for connecting
+                                 and reading.
+        :param _request_auth, _content_type, _headers: instead of the usual ones.
+        :return: Returns the result object.
+        """ # noqa: E501
+
+        _param = self._list_imports_serialize(
+            cursor=cursor,
+            limit=limit,
+            proctor_version=proctor_version,
+            _request_auth=_request_auth,
+            _content_type=_content_type,
+            _headers=_headers,
+            _host_index=_host_index
+        )
+
+        _response_types_map: Dict[str, Optional[str]] = {
+            '200': "RecordImportList",
+            '4XX': "Problem",
+            '5XX': "Problem",
+        }
+        response_data = self.api_client.call_api(
+            *_param,
+            _request_timeout=_request_timeout
+        )
+        response_data.read()
+        return self.api_client.response_deserialize(
+            response_data=response_data,
+            response_types_map=_response_types_map,
+        )
+
+
+    def _list_imports_serialize(
+        self,
+        cursor,
+        limit,
+        proctor_version,
+        _request_auth,
+        _content_type,
+        _headers,
+        _host_index,
+    ) -> RequestSerialized:
+
+        _host = None
+
+        _collection_formats: Dict[str, str] = {
+        }
+
+        _path_params: Dict[str, str] = {}
+        _query_params: List[Tuple[str, str]] = []
+        _header_params: Dict[str, Optional[str]] = _headers or {}
+        _form_params: List[Tuple[str, str]] = []
+        _files: Dict[
+            str, Union[str, bytes, List[str], List[bytes], List[Tuple[str, bytes]]]
+        ] = {}
+        _body_params: Optional[bytes] = None
+
+        # process the path parameters
+        # process the query parameters
+        if cursor is not None:
+
+            _query_params.append(('cursor', cursor))
+
+        if limit is not None:
+
+            _query_params.append(('limit', limit))
+
+        # process the header parameters
+        if proctor_version is not None:
+            _header_params['Proctor-Version'] = proctor_version
+        # process the form parameters
+        # process the body parameter
+
+
+        # set the HTTP header `Accept`
+        if 'Accept' not in _header_params:
+            _header_params['Accept'] = self.api_client.select_header_accept(
+                [
+                    'application/json',
+                    'application/problem+json'
+                ]
+            )
+
+
+        # authentication setting
+        _auth_settings: List[str] = [
+            'bearer'
+        ]
+
+        return self.api_client.param_serialize(
+            method='GET',
+            resource_path='/v1/records',
             path_params=_path_params,
             query_params=_query_params,
             header_params=_header_params,

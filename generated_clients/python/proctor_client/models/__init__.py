@@ -39,6 +39,7 @@ from proctor_client.models.image import Image
 from proctor_client.models.image_choice import ImageChoice
 from proctor_client.models.image_size import ImageSize
 from proctor_client.models.image_space import ImageSpace
+from proctor_client.models.imported_policy import ImportedPolicy
 from proctor_client.models.inclusion_proof import InclusionProof
 from proctor_client.models.interval import Interval
 from proctor_client.models.key_list import KeyList
@@ -67,6 +68,10 @@ from proctor_client.models.publish_entry import PublishEntry
 from proctor_client.models.rank_interval import RankInterval
 from proctor_client.models.ranked_entry import RankedEntry
 from proctor_client.models.ranking import Ranking
+from proctor_client.models.record_import import RecordImport
+from proctor_client.models.record_import_list import RecordImportList
+from proctor_client.models.record_replay import RecordReplay
+from proctor_client.models.replay_divergence import ReplayDivergence
 from proctor_client.models.reset_policy import ResetPolicy
 from proctor_client.models.run import Run
 from proctor_client.models.run_list import RunList

@@ -34,8 +34,11 @@ class Limits(BaseModel):
     max_open_runs: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.")
     max_idempotency_keys: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most Idempotency-Keys that one account may use; for the profile `limits`.")
     max_stored_bytes: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.")
+    max_record_bytes: Optional[Annotated[int, Field(strict=True, ge=65536)]] = Field(default=None, description="Longest archive that `import_record` reads; for the profile `record_import`.")
+    max_waiting_imports: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most imports of one account that are not `finished`; for the profile `record_import`.")
+    max_imported_bytes: Optional[Annotated[int, Field(strict=True, ge=65536)]] = Field(default=None, description="Most bytes that the archives of one account may have together; for the profile `record_import`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max", "max_header_bytes", "header_timeout_s", "body_timeout_s", "heartbeat_s_max", "unused_s_max", "max_control_body_bytes", "max_open_runs", "max_idempotency_keys", "max_stored_bytes"]
+    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max", "max_header_bytes", "header_timeout_s", "body_timeout_s", "heartbeat_s_max", "unused_s_max", "max_control_body_bytes", "max_open_runs", "max_idempotency_keys", "max_stored_bytes", "max_record_bytes", "max_waiting_imports", "max_imported_bytes"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -109,7 +112,10 @@ class Limits(BaseModel):
             "max_control_body_bytes": obj.get("max_control_body_bytes"),
             "max_open_runs": obj.get("max_open_runs"),
             "max_idempotency_keys": obj.get("max_idempotency_keys"),
-            "max_stored_bytes": obj.get("max_stored_bytes")
+            "max_stored_bytes": obj.get("max_stored_bytes"),
+            "max_record_bytes": obj.get("max_record_bytes"),
+            "max_waiting_imports": obj.get("max_waiting_imports"),
+            "max_imported_bytes": obj.get("max_imported_bytes")
         })
         # store additional fields in additional_properties
         for _key in obj.keys():

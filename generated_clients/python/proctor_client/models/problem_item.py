@@ -18,7 +18,7 @@ class ProblemItem(BaseModel):
     """
     ProblemItem
     """ # noqa: E501
-    pointer: StrictStr = Field(description="JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`.")
+    pointer: StrictStr = Field(description="JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record.")
     detail: StrictStr
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["pointer", "detail"]

@@ -16,6 +16,15 @@ pub enum CompareRunsError {
     UnknownValue(serde_json::Value),
 }
 
+/// struct for typed errors of method [`delete_import`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum DeleteImportError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
 /// struct for typed errors of method [`describe_service`]
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
@@ -61,6 +70,15 @@ pub enum GetEntryError {
     UnknownValue(serde_json::Value),
 }
 
+/// struct for typed errors of method [`get_import`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum GetImportError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
 /// struct for typed errors of method [`get_ranking`]
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
@@ -83,6 +101,15 @@ pub enum GetRunError {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum GetScoreError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`import_record`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ImportRecordError {
     Status4XX(models::Problem),
     Status5XX(models::Problem),
     UnknownValue(serde_json::Value),
@@ -119,6 +146,15 @@ pub enum ListEpisodesError {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum ListHistoryError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
+/// struct for typed errors of method [`list_imports`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum ListImportsError {
     Status4XX(models::Problem),
     Status5XX(models::Problem),
     UnknownValue(serde_json::Value),
@@ -254,6 +290,40 @@ pub async fn compare_runs(configuration: &configuration::Configuration, baseline
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<CompareRunsError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// What was read of it and its replay are forgotten. Offered with the profile `record_import`.
+pub async fn delete_import(configuration: &configuration::Configuration, import_id: &str, proctor_version: Option<&str>) -> Result<(), Error<DeleteImportError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_import_id = import_id;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/records/{import_id}", configuration.base_path, import_id=crate::apis::urlencode(p_path_import_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::DELETE, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+
+    if !status.is_client_error() && !status.is_server_error() {
+        Ok(())
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<DeleteImportError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }
@@ -478,6 +548,51 @@ pub async fn get_entry(configuration: &configuration::Configuration, entry_id: &
     }
 }
 
+/// Offered with the profile `record_import`.
+pub async fn get_import(configuration: &configuration::Configuration, import_id: &str, proctor_version: Option<&str>) -> Result<models::RecordImport, Error<GetImportError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_import_id = import_id;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/records/{import_id}", configuration.base_path, import_id=crate::apis::urlencode(p_path_import_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::RecordImport`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::RecordImport`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<GetImportError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
 /// One ranking for every caller; private entries do not enter. board.md has the arithmetic.
 pub async fn get_ranking(configuration: &configuration::Configuration, benchmark_id: &str, manifest_sha256: Option<&str>, cursor: Option<&str>, limit: Option<i32>, proctor_version: Option<&str>) -> Result<models::Ranking, Error<GetRankingError>> {
     // add a prefix to parameters to efficiently prevent name collisions
@@ -627,6 +742,52 @@ pub async fn get_score(configuration: &configuration::Configuration, run_id: &st
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<GetScoreError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+pub async fn import_record(configuration: &configuration::Configuration, body: &str, proctor_version: Option<&str>) -> Result<models::RecordImport, Error<ImportRecordError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_body_body = body;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/records", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::POST, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+    req_builder = req_builder.json(&p_body_body);
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::RecordImport`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::RecordImport`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<ImportRecordError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }
@@ -830,6 +991,58 @@ pub async fn list_history(configuration: &configuration::Configuration, cursor: 
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<ListHistoryError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+/// Offered with the profile `record_import`.
+pub async fn list_imports(configuration: &configuration::Configuration, cursor: Option<&str>, limit: Option<i32>, proctor_version: Option<&str>) -> Result<models::RecordImportList, Error<ListImportsError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_query_cursor = cursor;
+    let p_query_limit = limit;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/records", configuration.base_path);
+    let mut req_builder = configuration.client.request(reqwest::Method::GET, &uri_str);
+
+    if let Some(ref param_value) = p_query_cursor {
+        req_builder = req_builder.query(&[("cursor", &param_value.to_string())]);
+    }
+    if let Some(ref param_value) = p_query_limit {
+        req_builder = req_builder.query(&[("limit", &param_value.to_string())]);
+    }
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+    let content_type = resp
+        .headers()
+        .get("content-type")
+        .and_then(|v| v.to_str().ok())
+        .unwrap_or("application/octet-stream");
+    let content_type = super::ContentType::from(content_type);
+
+    if !status.is_client_error() && !status.is_server_error() {
+        let content = resp.text().await?;
+        match content_type {
+            ContentType::Json => serde_json::from_str(&content).map_err(Error::from),
+            ContentType::Text => return Err(Error::from(serde_json::Error::custom("Received `text/plain` content type response that cannot be converted to `models::RecordImportList`"))),
+            ContentType::Unsupported(unknown_type) => return Err(Error::from(serde_json::Error::custom(format!("Received `{unknown_type}` content type response that cannot be converted to `models::RecordImportList`")))),
+        }
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<ListImportsError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }

@@ -48,6 +48,15 @@ pub struct Limits {
     /// Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
     #[serde(rename = "max_stored_bytes", skip_serializing_if = "Option::is_none")]
     pub max_stored_bytes: Option<i64>,
+    /// Longest archive that `import_record` reads; for the profile `record_import`.
+    #[serde(rename = "max_record_bytes", skip_serializing_if = "Option::is_none")]
+    pub max_record_bytes: Option<i64>,
+    /// Most imports of one account that are not `finished`; for the profile `record_import`.
+    #[serde(rename = "max_waiting_imports", skip_serializing_if = "Option::is_none")]
+    pub max_waiting_imports: Option<i32>,
+    /// Most bytes that the archives of one account may have together; for the profile `record_import`.
+    #[serde(rename = "max_imported_bytes", skip_serializing_if = "Option::is_none")]
+    pub max_imported_bytes: Option<i64>,
 }
 
 impl Limits {
@@ -68,6 +77,9 @@ impl Limits {
             max_open_runs: None,
             max_idempotency_keys: None,
             max_stored_bytes: None,
+            max_record_bytes: None,
+            max_waiting_imports: None,
+            max_imported_bytes: None,
         }
     }
 }

@@ -81,6 +81,16 @@ import {
     RankingToJSON,
 } from '../models/Ranking';
 import {
+    type RecordImport,
+    RecordImportFromJSON,
+    RecordImportToJSON,
+} from '../models/RecordImport';
+import {
+    type RecordImportList,
+    RecordImportListFromJSON,
+    RecordImportListToJSON,
+} from '../models/RecordImportList';
+import {
     type Run,
     RunFromJSON,
     RunToJSON,
@@ -124,6 +134,17 @@ export interface CompareRunsRequest {
      * The largest difference that `release` lets pass; 0.05 when absent.
      */
     tolerance?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface DeleteImportRequest {
+    /**
+     *
+     */
+    importId: string;
     /**
      * The protocol version the caller was written for.
      */
@@ -175,6 +196,17 @@ export interface GetEntryRequest {
      *
      */
     entryId: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface GetImportRequest {
+    /**
+     *
+     */
+    importId: string;
     /**
      * The protocol version the caller was written for.
      */
@@ -234,6 +266,17 @@ export interface GetScoreRequest {
     proctorVersion?: string;
 }
 
+export interface ImportRecordRequest {
+    /**
+     *
+     */
+    body: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
 export interface ListBenchmarksRequest {
     /**
      * The protocol version the caller was written for.
@@ -280,6 +323,21 @@ export interface ListEpisodesRequest {
 }
 
 export interface ListHistoryRequest {
+    /**
+     * `next_cursor` of the page before; opaque to the caller.
+     */
+    cursor?: string;
+    /**
+     * Most items wanted on a page; 100 when absent.
+     */
+    limit?: number;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
+export interface ListImportsRequest {
     /**
      * `next_cursor` of the page before; opaque to the caller.
      */
@@ -493,6 +551,64 @@ export class ControlApi extends runtime.BaseAPI {
     async compareRuns(requestParameters: CompareRunsRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Comparison> {
         const response = await this.compareRunsRaw(requestParameters, initOverrides);
         return await response.value();
+    }
+
+    /**
+     * Creates request options for deleteImport without sending the request
+     */
+    async deleteImportRequestOpts(requestParameters: DeleteImportRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['importId'] == null) {
+            throw new runtime.RequiredError(
+                'importId',
+                'Required parameter "importId" was null or undefined when calling deleteImport().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/records/{import_id}`;
+        urlPath = urlPath.replace('{import_id}', encodeURIComponent(String(requestParameters['importId'])));
+
+        return {
+            path: urlPath,
+            method: 'DELETE',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * What was read of it and its replay are forgotten. Offered with the profile `record_import`.
+     * Remove a record that was handed in
+     */
+    async deleteImportRaw(requestParameters: DeleteImportRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<void>> {
+        const requestOptions = await this.deleteImportRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.VoidApiResponse(response);
+    }
+
+    /**
+     * What was read of it and its replay are forgotten. Offered with the profile `record_import`.
+     * Remove a record that was handed in
+     */
+    async deleteImport(requestParameters: DeleteImportRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<void> {
+        await this.deleteImportRaw(requestParameters, initOverrides);
     }
 
     /**
@@ -773,6 +889,65 @@ export class ControlApi extends runtime.BaseAPI {
     }
 
     /**
+     * Creates request options for getImport without sending the request
+     */
+    async getImportRequestOpts(requestParameters: GetImportRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['importId'] == null) {
+            throw new runtime.RequiredError(
+                'importId',
+                'Required parameter "importId" was null or undefined when calling getImport().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/records/{import_id}`;
+        urlPath = urlPath.replace('{import_id}', encodeURIComponent(String(requestParameters['importId'])));
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Offered with the profile `record_import`.
+     * What is known here of a record that was handed in
+     */
+    async getImportRaw(requestParameters: GetImportRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<RecordImport>> {
+        const requestOptions = await this.getImportRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RecordImportFromJSON(jsonValue));
+    }
+
+    /**
+     * Offered with the profile `record_import`.
+     * What is known here of a record that was handed in
+     */
+    async getImport(requestParameters: GetImportRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<RecordImport> {
+        const response = await this.getImportRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
      * Creates request options for getRanking without sending the request
      */
     async getRankingRequestOpts(requestParameters: GetRankingRequest): Promise<runtime.RequestOpts> {
@@ -962,6 +1137,67 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async getScore(requestParameters: GetScoreRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<Score> {
         const response = await this.getScoreRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for importRecord without sending the request
+     */
+    async importRecordRequestOpts(requestParameters: ImportRecordRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['body'] == null) {
+            throw new runtime.RequiredError(
+                'body',
+                'Required parameter "body" was null or undefined when calling importRecord().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        headerParameters['Content-Type'] = 'application/zip';
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/records`;
+
+        return {
+            path: urlPath,
+            method: 'POST',
+            headers: headerParameters,
+            query: queryParameters,
+            body: requestParameters['body'] as any,
+        };
+    }
+
+    /**
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+     * Hand in a record of any host, to be verified and replayed here
+     */
+    async importRecordRaw(requestParameters: ImportRecordRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<RecordImport>> {
+        const requestOptions = await this.importRecordRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RecordImportFromJSON(jsonValue));
+    }
+
+    /**
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+     * Hand in a record of any host, to be verified and replayed here
+     */
+    async importRecord(requestParameters: ImportRecordRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<RecordImport> {
+        const response = await this.importRecordRaw(requestParameters, initOverrides);
         return await response.value();
     }
 
@@ -1198,6 +1434,65 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async listHistory(requestParameters: ListHistoryRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<HistoryPage> {
         const response = await this.listHistoryRaw(requestParameters, initOverrides);
+        return await response.value();
+    }
+
+    /**
+     * Creates request options for listImports without sending the request
+     */
+    async listImportsRequestOpts(requestParameters: ListImportsRequest): Promise<runtime.RequestOpts> {
+        const queryParameters: any = {};
+
+        if (requestParameters['cursor'] != null) {
+            queryParameters['cursor'] = requestParameters['cursor'];
+        }
+
+        if (requestParameters['limit'] != null) {
+            queryParameters['limit'] = requestParameters['limit'];
+        }
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/records`;
+
+        return {
+            path: urlPath,
+            method: 'GET',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Offered with the profile `record_import`.
+     * The records that the account handed in, newest first
+     */
+    async listImportsRaw(requestParameters: ListImportsRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<RecordImportList>> {
+        const requestOptions = await this.listImportsRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.JSONApiResponse(response, (jsonValue) => RecordImportListFromJSON(jsonValue));
+    }
+
+    /**
+     * Offered with the profile `record_import`.
+     * The records that the account handed in, newest first
+     */
+    async listImports(requestParameters: ListImportsRequest = {}, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<RecordImportList> {
+        const response = await this.listImportsRaw(requestParameters, initOverrides);
         return await response.value();
     }
 

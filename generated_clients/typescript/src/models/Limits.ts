@@ -72,6 +72,18 @@ export interface Limits {
      * Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
      */
     max_stored_bytes?: number;
+    /**
+     * Longest archive that `import_record` reads; for the profile `record_import`.
+     */
+    max_record_bytes?: number;
+    /**
+     * Most imports of one account that are not `finished`; for the profile `record_import`.
+     */
+    max_waiting_imports?: number;
+    /**
+     * Most bytes that the archives of one account may have together; for the profile `record_import`.
+     */
+    max_imported_bytes?: number;
 }
 
 /**
@@ -113,6 +125,9 @@ export function LimitsFromJSONTyped(json: any, ignoreDiscriminator: boolean): Li
         'max_open_runs': json['max_open_runs'] == null ? undefined : json['max_open_runs'],
         'max_idempotency_keys': json['max_idempotency_keys'] == null ? undefined : json['max_idempotency_keys'],
         'max_stored_bytes': json['max_stored_bytes'] == null ? undefined : json['max_stored_bytes'],
+        'max_record_bytes': json['max_record_bytes'] == null ? undefined : json['max_record_bytes'],
+        'max_waiting_imports': json['max_waiting_imports'] == null ? undefined : json['max_waiting_imports'],
+        'max_imported_bytes': json['max_imported_bytes'] == null ? undefined : json['max_imported_bytes'],
     };
 }
 
@@ -143,5 +158,8 @@ export function LimitsToJSONTyped(value?: Limits | null, ignoreDiscriminator: bo
         'max_open_runs': value['max_open_runs'],
         'max_idempotency_keys': value['max_idempotency_keys'],
         'max_stored_bytes': value['max_stored_bytes'],
+        'max_record_bytes': value['max_record_bytes'],
+        'max_waiting_imports': value['max_waiting_imports'],
+        'max_imported_bytes': value['max_imported_bytes'],
     };
 }

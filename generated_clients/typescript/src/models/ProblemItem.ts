@@ -13,7 +13,7 @@ import { mapValues } from '../runtime';
 export interface ProblemItem {
     [key: string]: any | any;
     /**
-     * JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`.
+     * JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record.
      */
     pointer: string;
     /**

@@ -34,6 +34,8 @@ import proctor.client.model.KeyList;
 import proctor.client.model.Problem;
 import proctor.client.model.PublishEntry;
 import proctor.client.model.Ranking;
+import proctor.client.model.RecordImport;
+import proctor.client.model.RecordImportList;
 import proctor.client.model.Run;
 import proctor.client.model.RunList;
 import proctor.client.model.Score;
@@ -251,6 +253,146 @@ public class ControlApi {
         okhttp3.Call localVarCall = compareRunsValidateBeforeCall(baseline, runs, tolerance, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<Comparison>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for deleteImport
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 204 </td><td> It is gone. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call deleteImportCall(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/records/{import_id}"
+            .replace("{" + "import_id" + "}", localVarApiClient.escapeString(importId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "DELETE", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call deleteImportValidateBeforeCall(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'importId' is set
+        if (importId == null) {
+            throw new ApiException("Missing the required parameter 'importId' when calling deleteImport(Async)");
+        }
+
+        return deleteImportCall(importId, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Remove a record that was handed in
+     * What was read of it and its replay are forgotten. Offered with the profile &#x60;record_import&#x60;.
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 204 </td><td> It is gone. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public void deleteImport(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        deleteImportWithHttpInfo(importId, proctorVersion);
+    }
+
+    /**
+     * Remove a record that was handed in
+     * What was read of it and its replay are forgotten. Offered with the profile &#x60;record_import&#x60;.
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;Void&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 204 </td><td> It is gone. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<Void> deleteImportWithHttpInfo(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = deleteImportValidateBeforeCall(importId, proctorVersion, null);
+        return localVarApiClient.execute(localVarCall);
+    }
+
+    /**
+     * Remove a record that was handed in (asynchronously)
+     * What was read of it and its replay are forgotten. Offered with the profile &#x60;record_import&#x60;.
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 204 </td><td> It is gone. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call deleteImportAsync(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion, final ApiCallback<Void> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = deleteImportValidateBeforeCall(importId, proctorVersion, _callback);
+        localVarApiClient.executeAsync(localVarCall, _callback);
         return localVarCall;
     }
     /**
@@ -969,6 +1111,151 @@ public class ControlApi {
         return localVarCall;
     }
     /**
+     * Build call for getImport
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The import. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getImportCall(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/records/{import_id}"
+            .replace("{" + "import_id" + "}", localVarApiClient.escapeString(importId.toString()));
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call getImportValidateBeforeCall(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'importId' is set
+        if (importId == null) {
+            throw new ApiException("Missing the required parameter 'importId' when calling getImport(Async)");
+        }
+
+        return getImportCall(importId, proctorVersion, _callback);
+
+    }
+
+    /**
+     * What is known here of a record that was handed in
+     * Offered with the profile &#x60;record_import&#x60;.
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return RecordImport
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The import. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public RecordImport getImport(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<RecordImport> localVarResp = getImportWithHttpInfo(importId, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * What is known here of a record that was handed in
+     * Offered with the profile &#x60;record_import&#x60;.
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;RecordImport&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The import. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<RecordImport> getImportWithHttpInfo(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = getImportValidateBeforeCall(importId, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<RecordImport>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * What is known here of a record that was handed in (asynchronously)
+     * Offered with the profile &#x60;record_import&#x60;.
+     * @param importId  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> The import. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call getImportAsync(@javax.annotation.Nonnull String importId, @javax.annotation.Nullable String proctorVersion, final ApiCallback<RecordImport> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = getImportValidateBeforeCall(importId, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<RecordImport>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
      * Build call for getRanking
      * @param benchmarkId  (required)
      * @param manifestSha256 Which manifest; that of &#x60;get_benchmark&#x60; when absent. (optional)
@@ -1446,6 +1733,151 @@ public class ControlApi {
 
         okhttp3.Call localVarCall = getScoreValidateBeforeCall(runId, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<Score>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for importRecord
+     * @param body  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 202 </td><td> The record is whole, and waits to be replayed. </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call importRecordCall(@javax.annotation.Nonnull String body, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = body;
+
+        // create path and map variables
+        String localVarPath = "/v1/records";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+            "application/zip"
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "POST", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call importRecordValidateBeforeCall(@javax.annotation.Nonnull String body, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        // verify the required parameter 'body' is set
+        if (body == null) {
+            throw new ApiException("Missing the required parameter 'body' when calling importRecord(Async)");
+        }
+
+        return importRecordCall(body, proctorVersion, _callback);
+
+    }
+
+    /**
+     * Hand in a record of any host, to be verified and replayed here
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
+     * @param body  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return RecordImport
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 202 </td><td> The record is whole, and waits to be replayed. </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public RecordImport importRecord(@javax.annotation.Nonnull String body, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<RecordImport> localVarResp = importRecordWithHttpInfo(body, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * Hand in a record of any host, to be verified and replayed here
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
+     * @param body  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;RecordImport&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 202 </td><td> The record is whole, and waits to be replayed. </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<RecordImport> importRecordWithHttpInfo(@javax.annotation.Nonnull String body, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = importRecordValidateBeforeCall(body, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<RecordImport>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * Hand in a record of any host, to be verified and replayed here (asynchronously)
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
+     * @param body  (required)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 202 </td><td> The record is whole, and waits to be replayed. </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call importRecordAsync(@javax.annotation.Nonnull String body, @javax.annotation.Nullable String proctorVersion, final ApiCallback<RecordImport> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = importRecordValidateBeforeCall(body, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<RecordImport>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
         return localVarCall;
     }
@@ -2052,6 +2484,157 @@ public class ControlApi {
 
         okhttp3.Call localVarCall = listHistoryValidateBeforeCall(cursor, limit, proctorVersion, _callback);
         Type localVarReturnType = new TypeToken<HistoryPage>(){}.getType();
+        localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
+        return localVarCall;
+    }
+    /**
+     * Build call for listImports
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback Callback for upload/download progress
+     * @return Call to execute
+     * @throws ApiException If fail to serialize the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listImportsCall(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        String basePath = null;
+        // Operation Servers
+        String[] localBasePaths = new String[] {  };
+
+        // Determine Base Path to Use
+        if (localCustomBaseUrl != null){
+            basePath = localCustomBaseUrl;
+        } else if ( localBasePaths.length > 0 ) {
+            basePath = localBasePaths[localHostIndex];
+        } else {
+            basePath = null;
+        }
+
+        Object localVarPostBody = null;
+
+        // create path and map variables
+        String localVarPath = "/v1/records";
+
+        List<Pair> localVarQueryParams = new ArrayList<Pair>();
+        List<Pair> localVarCollectionQueryParams = new ArrayList<Pair>();
+        Map<String, String> localVarHeaderParams = new HashMap<String, String>();
+        Map<String, String> localVarCookieParams = new HashMap<String, String>();
+        Map<String, Object> localVarFormParams = new HashMap<String, Object>();
+
+        if (cursor != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("cursor", cursor));
+        }
+
+        if (limit != null) {
+            localVarQueryParams.addAll(localVarApiClient.parameterToPair("limit", limit));
+        }
+
+        final String[] localVarAccepts = {
+            "application/json",
+            "application/problem+json"
+        };
+        final String localVarAccept = localVarApiClient.selectHeaderAccept(localVarAccepts);
+        if (localVarAccept != null) {
+            localVarHeaderParams.put("Accept", localVarAccept);
+        }
+
+        final String[] localVarContentTypes = {
+        };
+        final String localVarContentType = localVarApiClient.selectHeaderContentType(localVarContentTypes);
+        if (localVarContentType != null) {
+            localVarHeaderParams.put("Content-Type", localVarContentType);
+        }
+
+        if (proctorVersion != null) {
+            localVarHeaderParams.put("Proctor-Version", localVarApiClient.parameterToString(proctorVersion));
+        }
+
+
+        String[] localVarAuthNames = new String[] { "bearer" };
+        return localVarApiClient.buildCall(basePath, localVarPath, "GET", localVarQueryParams, localVarCollectionQueryParams, localVarPostBody, localVarHeaderParams, localVarCookieParams, localVarFormParams, localVarAuthNames, _callback);
+    }
+
+    @SuppressWarnings("rawtypes")
+    private okhttp3.Call listImportsValidateBeforeCall(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback _callback) throws ApiException {
+        return listImportsCall(cursor, limit, proctorVersion, _callback);
+
+    }
+
+    /**
+     * The records that the account handed in, newest first
+     * Offered with the profile &#x60;record_import&#x60;.
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return RecordImportList
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public RecordImportList listImports(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        ApiResponse<RecordImportList> localVarResp = listImportsWithHttpInfo(cursor, limit, proctorVersion);
+        return localVarResp.getData();
+    }
+
+    /**
+     * The records that the account handed in, newest first
+     * Offered with the profile &#x60;record_import&#x60;.
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @return ApiResponse&lt;RecordImportList&gt;
+     * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public ApiResponse<RecordImportList> listImportsWithHttpInfo(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion) throws ApiException {
+        okhttp3.Call localVarCall = listImportsValidateBeforeCall(cursor, limit, proctorVersion, null);
+        Type localVarReturnType = new TypeToken<RecordImportList>(){}.getType();
+        return localVarApiClient.execute(localVarCall, localVarReturnType);
+    }
+
+    /**
+     * The records that the account handed in, newest first (asynchronously)
+     * Offered with the profile &#x60;record_import&#x60;.
+     * @param cursor &#x60;next_cursor&#x60; of the page before; opaque to the caller. (optional)
+     * @param limit Most items wanted on a page; 100 when absent. (optional)
+     * @param proctorVersion The protocol version the caller was written for. (optional)
+     * @param _callback The callback to be executed when the API call finishes
+     * @return The request call
+     * @throws ApiException If fail to process the API call, e.g. serializing the request body object
+     * @http.response.details
+     <table border="1">
+       <caption>Response Details</caption>
+        <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
+        <tr><td> 200 </td><td> One page. </td><td>  * Proctor-Version -  <br>  </td></tr>
+        <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+        <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
+     </table>
+     */
+    public okhttp3.Call listImportsAsync(@javax.annotation.Nullable String cursor, @javax.annotation.Nullable Integer limit, @javax.annotation.Nullable String proctorVersion, final ApiCallback<RecordImportList> _callback) throws ApiException {
+
+        okhttp3.Call localVarCall = listImportsValidateBeforeCall(cursor, limit, proctorVersion, _callback);
+        Type localVarReturnType = new TypeToken<RecordImportList>(){}.getType();
         localVarApiClient.executeAsync(localVarCall, localVarReturnType, _callback);
         return localVarCall;
     }
@@ -3134,7 +3717,7 @@ public class ControlApi {
      <table border="1">
        <caption>Response Details</caption>
         <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
-        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
         <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
         <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
      </table>
@@ -3218,7 +3801,7 @@ public class ControlApi {
      <table border="1">
        <caption>Response Details</caption>
         <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
-        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
         <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
         <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
      </table>
@@ -3240,7 +3823,7 @@ public class ControlApi {
      <table border="1">
        <caption>Response Details</caption>
         <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
-        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
         <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
         <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
      </table>
@@ -3264,7 +3847,7 @@ public class ControlApi {
      <table border="1">
        <caption>Response Details</caption>
         <tr><td> Status Code </td><td> Description </td><td> Response Headers </td></tr>
-        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - Where the run is read. <br>  </td></tr>
+        <tr><td> 201 </td><td> The run exists (or existed already under this Idempotency-Key). </td><td>  * Proctor-Version -  <br>  * Location - The import. <br>  </td></tr>
         <tr><td> 4XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
         <tr><td> 5XX </td><td> Refused; &#x60;code&#x60; says why (see x-problems). </td><td>  * Proctor-Version -  <br>  * Retry-After -  <br>  </td></tr>
      </table>

@@ -63,6 +63,15 @@ public class Limits {
   @SerializedName("max_stored_bytes")
   private Long maxStoredBytes;
 
+  @SerializedName("max_record_bytes")
+  private Long maxRecordBytes;
+
+  @SerializedName("max_waiting_imports")
+  private Integer maxWaitingImports;
+
+  @SerializedName("max_imported_bytes")
+  private Long maxImportedBytes;
+
   /** Longest request body that is read. */
   public Long getMaxBodyBytes() {
     return maxBodyBytes;
@@ -269,6 +278,48 @@ public class Limits {
 
   public void setMaxStoredBytes(Long maxStoredBytes) {
     this.maxStoredBytes = maxStoredBytes;
+  }
+
+  /** Longest archive that &#x60;import_record&#x60; reads; for the profile &#x60;record_import&#x60;. */
+  public Long getMaxRecordBytes() {
+    return maxRecordBytes;
+  }
+
+  public Limits maxRecordBytes(Long maxRecordBytes) {
+    this.maxRecordBytes = maxRecordBytes;
+    return this;
+  }
+
+  public void setMaxRecordBytes(Long maxRecordBytes) {
+    this.maxRecordBytes = maxRecordBytes;
+  }
+
+  /** Most imports of one account that are not &#x60;finished&#x60;; for the profile &#x60;record_import&#x60;. */
+  public Integer getMaxWaitingImports() {
+    return maxWaitingImports;
+  }
+
+  public Limits maxWaitingImports(Integer maxWaitingImports) {
+    this.maxWaitingImports = maxWaitingImports;
+    return this;
+  }
+
+  public void setMaxWaitingImports(Integer maxWaitingImports) {
+    this.maxWaitingImports = maxWaitingImports;
+  }
+
+  /** Most bytes that the archives of one account may have together; for the profile &#x60;record_import&#x60;. */
+  public Long getMaxImportedBytes() {
+    return maxImportedBytes;
+  }
+
+  public Limits maxImportedBytes(Long maxImportedBytes) {
+    this.maxImportedBytes = maxImportedBytes;
+    return this;
+  }
+
+  public void setMaxImportedBytes(Long maxImportedBytes) {
+    this.maxImportedBytes = maxImportedBytes;
   }
 
   public static Limits fromJson(String text) {

@@ -20,7 +20,7 @@ public class ProblemItem {
   @javax.annotation.Nonnull
   private String detail;
 
-  /** JSON pointer into the body, to the faulty member or a part of it; or &#x60;query:name&#x60;, &#x60;header:name&#x60;, &#x60;path:name&#x60;. */
+  /** JSON pointer into the body, to the faulty member or a part of it; or &#x60;query:name&#x60;, &#x60;header:name&#x60;, &#x60;path:name&#x60;; or &#x60;record:name&#x60;, with the name of a file in a record. */
   public String getPointer() {
     return pointer;
   }

@@ -1,0 +1,294 @@
+"""Records that are handed in: the profile `record_import` (REC-112 to REC-123).
+
+The kit fetches a record of its own run, and changes it where a rule is about records
+that are broken, or signed by a stranger.
+"""
+
+import hashlib
+from typing import Any
+
+from conformance.checks.profiles.test_record import play_everything
+from conformance.client.check_context import CheckContext
+from conformance.client.raw_connection import open_raw_connection
+from conformance.profiles.changed_records import (
+    KEY,
+    broken_archives,
+    pack,
+    signed_again,
+    with_changed_turn,
+    without_verdicts,
+)
+from conformance.profiles.record_files import (
+    STATEMENT,
+    RecordFiles,
+    fetched_record,
+    keyid_of,
+    verdicts_of,
+)
+from conformance.profiles.record_imports import (
+    ZIP,
+    accepted,
+    finished,
+    listed_ids,
+    send_record,
+)
+from conformance.runner.private_server import open_private_server
+from conformance.runner.requirement import background, requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
+
+READ_TIMEOUT_S = 10.0
+COUNTS = ("result", "episodes", "exact", "outcome", "diverged")
+
+
+def played_record(context: CheckContext) -> RecordFiles:
+    """Play two episodes of two turns, and fetch the record."""
+    if not context.offers("record"):
+        raise NotApplicable("the server signs no records: the profile `record`")
+    run = context.submit("score", "score")
+    worker = run.worker()
+    worker.attach()
+    for first in (0.25, 0.5):
+        worker.predict(context.action(score=first), context.action(score=0.125))
+        worker.predict(context.action(score=0.75), context.action(score=first, end=1))
+    run.until("completed")
+    return fetched_record(run.call("fetch_record"))
+
+
+@requirement("REC-112")
+def test_rec_112_a_whole_record_is_taken_in(context: CheckContext) -> None:
+    """A record with a fault, several attempts and an abandoned episode is handed in.
+
+    Expect 202, a Location that can be read, and what its statement says.
+    """
+    record = play_everything(context).record()
+    answer = send_record(context, record.data)
+    one = expect.ok(answer, 202)
+    again = context.http_client.request("GET", answer.headers.get("location", ""))
+    expect.equal(expect.ok(again)["import_id"], one["import_id"], "id at Location")
+    said = record.predicate
+    shown = {
+        "run_id": said["run"]["run_id"],
+        "benchmark_id": said["benchmark"]["benchmark_id"],
+        "benchmark_version": said["benchmark"]["version"],
+        "manifest_sha256": said["manifest_sha256"],
+        "score": said["score"]["score"],
+        "episodes": len(record.lines),
+        "keyid": said["host"]["keyid"],
+        "size_bytes": len(record.data),
+        "archive_sha256": hashlib.sha256(record.data).hexdigest(),
+        "statement_sha256": hashlib.sha256(record.files[STATEMENT]).hexdigest(),
+    }
+    for name, value in shown.items():
+        expect.equal(one[name], value, name)
+    expect.equal(one["policy"]["name"], said["policy"]["name"], "policy.name")
+
+
+@requirement("REC-113")
+def test_rec_113_a_broken_record_is_refused(context: CheckContext) -> None:
+    """Archives that break one rule each are handed in, and the good one at last.
+
+    Expect the rule and the file in each refusal, and an import of the good one alone.
+    """
+    record = played_record(context)
+    before = listed_ids(context)
+    for what, (archive, file, rule) in broken_archives(record).items():
+        refused = send_record(context, archive)
+        expect.refused(refused, "record_broken")
+        problem = refused.json
+        expect.equal(problem.get("requirement"), rule, f"requirement, {what}")
+        pointers = [error["pointer"] for error in problem.get("errors", [])]
+        expect.equal(pointers, [f"record:{file}"], f"pointers of `errors`, {what}")
+    good = accepted(context, pack(without_verdicts(record.files)))
+    made = [one for one in listed_ids(context) if one not in before]
+    expect.equal(made, [good["import_id"]], "imports that were made")
+
+
+@requirement("REC-114")
+def test_rec_114_imports_of_others_do_not_exist(context: CheckContext) -> None:
+    """An account reads, fetches, deletes and lists what another one handed in.
+
+    Expect `not_found` each time, as of an id that never was; its owner reads it.
+    """
+    one = accepted(context, played_record(context).data)["import_id"]
+    other = context.second_account
+    for operation in ("get_import", "fetch_imported_record", "delete_import"):
+        for id_ in (one, "imp_never"):
+            refused = context.call(operation, import_id=id_, http_client=other)
+            expect.refused(refused, "not_found")
+    seen = listed_ids(context, http_client=other)
+    expect.true(one not in seen, "no import of another account", seen)
+    expect.ok(context.call("get_import", import_id=one))
+
+
+@requirement("REC-115")
+def test_rec_115_an_honest_record_is_replayed(context: CheckContext) -> None:
+    """Records of this server with a fault, several attempts and an abandoned episode,
+    and of every kind of turn, are handed in.
+
+    Expect every episode to be simulated again with the recorded result.
+    """
+    for record in (play_everything(context).record(), played_record(context)):
+        one = finished(context, accepted(context, record.data)["import_id"])
+        expect.equal(one["level"], "replayed", f"level ({one['reason']})")
+        replay, total = one["replay"], len(record.lines)
+        expect.equal(replay["episodes"], total, "number of episodes in the replay")
+        expect.equal(one["episodes_replayed"], total, "episodes_replayed")
+        expect.equal(replay["diverged"], 0, "number of episodes that diverged")
+        expect.equal(replay["exact"] + replay["outcome"], total, "episodes alike")
+
+
+@requirement("REC-116")
+def test_rec_116_a_false_record_is_found(context: CheckContext) -> None:
+    """The last action of a recording is changed, and the record signed again.
+
+    Expect the replay to diverge there: the second episode, behind its last step.
+    """
+    record = played_record(context)
+
+    def change(turn: dict[str, Any]) -> None:
+        turn["actions"][-1]["score"] = [0.0625]
+
+    last = record.recording(1).turns[-1]["seq"]
+    archive = pack(with_changed_turn(record, 1, last, change))
+    one = finished(context, accepted(context, archive)["import_id"])
+    expect.equal(one["level"], "diverged", f"level ({one['reason']})")
+    replay = one["replay"]
+    expect.equal(replay["result"], "diverged", "result")
+    expect.equal(replay["diverged"], 1, "number of episodes that diverged")
+    where = replay["first_divergence"]
+    place = {name: where[name] for name in ("episode_index", "attempt", "step")}
+    expected = {"episode_index": 1, "attempt": 1, "step": 4}
+    expect.equal(place, expected, "first_divergence")
+
+
+@requirement("REC-117")
+def test_rec_117_a_stranger_has_no_name(context: CheckContext) -> None:
+    """A record of this server, and the same one signed by a key of nobody, which has
+    the name of this server in it.
+
+    Expect a signer of the first one alone, and levels that fit as long as there is no
+    replay.
+    """
+    record = played_record(context)
+    own = accepted(context, record.data)
+    expect.true(own["signer"] is not None, "a signer of a record of this server", own)
+    foreign = accepted(context, pack(signed_again(record, {})))
+    keyid = keyid_of(KEY.public_key().public_bytes_raw())
+    expect.equal(foreign["keyid"], keyid, "keyid")
+    for one, level in ((own, "signed"), (foreign, "reported")):
+        if "replay" not in one:
+            expect.equal(one["level"], level, "level before the replay")
+    again = finished(context, foreign["import_id"])
+    expect.equal(again["signer"], None, "signer of a record by a key of nobody")
+
+
+@requirement("REC-118")
+def test_rec_118_it_is_sent_with_a_verdict(context: CheckContext) -> None:
+    """An import that is finished is fetched.
+
+    Expect the files that were handed in, and a verdict by a key of `list_keys`.
+    """
+    record = played_record(context)
+    one = finished(context, accepted(context, record.data)["import_id"])
+    answer = context.call("fetch_imported_record", import_id=one["import_id"])
+    sent = fetched_record(answer)
+    expect.true(
+        without_verdicts(sent.files) == without_verdicts(record.files),
+        "the files that were handed in",
+        list(sent.files),
+    )
+    keys = {key["keyid"] for key in expect.ok(context.call("list_keys"))["keys"]}
+    digest = hashlib.sha256(record.files[STATEMENT]).hexdigest()
+    said = [
+        verdict["predicate"]["replay"]
+        for verdict in verdicts_of(sent)
+        if verdict["predicate"]["verifier"]["keyid"] in keys
+        and verdict["subject"][0]["digest"]["sha256"] == digest
+    ]
+    shown = [{name: replay[name] for name in COUNTS} for replay in said]
+    expected = {name: one["replay"][name] for name in COUNTS}
+    expect.true(expected in shown, f"a verdict that says {expected}", shown)
+
+
+@requirement("REC-119")
+def test_rec_119_the_same_bytes_are_one_import(context: CheckContext) -> None:
+    """A record is handed in twice, and another one. Expect one import of the first."""
+    record = played_record(context)
+    first, again = (accepted(context, record.data)["import_id"] for _ in range(2))
+    expect.equal(again, first, "import_id of the same bytes")
+    other = accepted(context, pack(signed_again(record, {})))["import_id"]
+    expect.true(other != first, "another import of other bytes", other)
+
+
+@requirement("REC-120")
+def test_rec_120_the_list_has_what_was_not_deleted(context: CheckContext) -> None:
+    """Three records are handed in, and the second one is deleted.
+
+    Expect them newest first, and the second one in no answer any more.
+    """
+    record = played_record(context)
+
+    def rename(number: int) -> Any:
+        return lambda predicate: predicate["policy"].update(name=f"policy {number}")
+
+    ids = [
+        accepted(context, pack(signed_again(record, {}, rename(n))))["import_id"]
+        for n in range(3)
+    ]
+    seen = [one for one in listed_ids(context) if one in ids]
+    expect.equal(seen, ids[::-1], "imports, newest first")
+    expect.ok(context.call("delete_import", import_id=ids[1]), 204)
+    for operation in ("get_import", "fetch_imported_record", "delete_import"):
+        refused = context.call(operation, import_id=ids[1])
+        expect.refused(refused, "not_found")
+    seen = [one for one in listed_ids(context) if one in ids]
+    expect.equal(seen, [ids[2], ids[0]], "imports after one was deleted")
+
+
+@requirement("REC-121")
+def test_rec_121_too_long_a_record_is_not_awaited(context: CheckContext) -> None:
+    """The headers of a record that is longer than the limit are sent, and no body; and
+    those of one that is as long as announced, with its body.
+
+    Expect 413 at once, and 422 for the second, which is no record.
+    """
+    limit = context.limits.get("max_record_bytes")
+    if limit is None:
+        raise NotApplicable("`limits.max_record_bytes` is not announced")
+    token = context.shared.settings.token
+    for length, body, status in ((limit + 1, b"", 413), (2, b"{}", 422)):
+        lines = (
+            f"Authorization: Bearer {token}",
+            f"Content-Type: {ZIP['Content-Type']}",
+            f"Content-Length: {length}",
+            "Connection: close",
+        )
+        with open_raw_connection(context.http_client.base_url) as connection:
+            request = connection.head("POST", "/v1/records", *lines) + b"\r\n"
+            ending = connection.send_until_end(request + body, READ_TIMEOUT_S)
+        expect.equal(ending.status, status, f"status with Content-Length {length}")
+
+
+@background
+@requirement("REC-123")
+def test_rec_123_imports_outlive_a_crash(context: CheckContext) -> None:
+    """Records are handed in, and the server is killed at once and restarted.
+
+    Expect both imports, replayed, and their archives.
+    """
+    if context.shared.settings.restart_cmd is not None:
+        text = "requires --start-cmd: --restart-cmd disturbs other checks"
+        raise SetUpFailed(text, allowed=True)
+    with open_private_server(context) as server:
+        record = played_record(server.context)
+        archives = [record.data, pack(signed_again(record, {}))]
+        ids = [accepted(server.context, one)["import_id"] for one in archives]
+        server.kill9()
+        server.restart()
+        for id_, archive in zip(ids, archives, strict=True):
+            one = finished(server.context, id_)
+            expect.equal(one["level"], "replayed", f"level ({one['reason']})")
+            digest = hashlib.sha256(archive).hexdigest()
+            expect.equal(one["archive_sha256"], digest, "archive_sha256")
+            fetched_record(server.context.call("fetch_imported_record", import_id=id_))

@@ -1,0 +1,224 @@
+"""The use cases of records that are handed in: receive, show, send, delete.
+
+A record is verified before it is answered, so that nothing of a broken one stays; then
+it waits for its replay. All methods raise Refused, and StoreFailed.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import secrets
+import time
+from collections import Counter
+from collections.abc import AsyncIterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import msgspec
+
+from reference_record.broken import BrokenRecord
+from reference_record.export import Record, with_verdict
+from reference_record.formats.bundle import open_bundle
+from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_name
+from reference_record.replay_verdict import ReplaySummary
+from reference_server.records.import_files import Draft, ImportFiles
+from reference_server.records.import_replays import ImportReplays
+from reference_server.rules.record_imports import (
+    ImportUsage,
+    RecordImport,
+    Trust,
+    refuse_import,
+    trust_of,
+)
+from reference_server.rules.refusal import Refused
+from reference_server.storage.import_store import ImportStore
+from reference_sim.process.pool import SimulatorPool
+
+
+class HostKeys(Protocol):
+    """The keys of this server; `RunRecords` has them."""
+
+    @property
+    def host_name(self) -> str:
+        """What this server calls itself."""
+
+    async def key_names(self) -> Mapping[str, str]:
+        """keyid → whose key it is, of all that are known here."""
+
+    async def sign_verdict(
+        self, replay: ReplaySummary, statement_sha256: str
+    ) -> bytes: ...
+
+
+@dataclass(frozen=True, slots=True)
+class ImportSettings:
+    """folder: None for one that is removed at the end. most: of one account."""
+
+    folder: Path | None
+    most: ImportUsage
+    record_bytes_max: int
+    replay_s_max: float
+
+
+class RecordImports:
+    """The records that accounts of this server have handed in."""
+
+    def __init__(
+        self,
+        store: ImportStore,
+        pool: SimulatorPool,
+        keys: HostKeys,
+        settings: ImportSettings,
+    ) -> None:
+        self._store, self._keys, self._settings = store, keys, settings
+        self._files = ImportFiles(settings.folder)
+        self._replays = ImportReplays(
+            store, pool, self._files.path, keys.sign_verdict, settings.replay_s_max
+        )
+        self._receiving = Counter[str]()  # of each account
+        # What is counted and what is stored of an account does not change in between.
+        self._adding = asyncio.Lock()
+
+    async def open(self) -> None:
+        """Go on after a restart. Raises OSError and StoreFailed."""
+        self._files.open(await self._store.ids())
+        self._replays.open()
+
+    async def close(self) -> None:
+        await self._replays.close()
+        self._files.close()
+
+    async def receive(
+        self, account: str, declared_bytes: int, parts: AsyncIterator[bytes]
+    ) -> RecordImport:
+        """REC-112: the import of a body; of one that the account has, the same.
+
+        declared_bytes: what is known of the size before the body is read.
+        """
+        if declared_bytes > self._settings.record_bytes_max:  # REC-121
+            raise too_long(self._settings.record_bytes_max)
+        await self._check_quota(account, declared_bytes)
+        import_id = f"imp_{secrets.token_hex(12)}"
+        self._receiving[account] += 1
+        is_kept = False
+        try:
+            bounded = _bounded(parts, self._settings.record_bytes_max)
+            draft = await self._files.receive(import_id, bounded)
+            same = await self._store.find_archive(account, draft.sha256)
+            if same is not None:  # REC-119
+                return same
+            one = await self._examine(account, import_id, draft)
+            found = await self._add(one, draft)
+            is_kept = found.import_id == import_id
+        except OSError as error:
+            raise Refused("unavailable", "The record could not be stored.") from error
+        finally:
+            self._receiving[account] -= 1
+            if not is_kept:
+                with suppress(OSError):
+                    self._files.remove(import_id)
+        self._replays.wake()
+        return found
+
+    async def _check_quota(
+        self, account: str, size_bytes: int, receiving: int | None = None
+    ) -> None:
+        """REC-122. receiving: bodies of the account that are not stored yet."""
+        has = await self._store.usage(account)
+        others = self._receiving[account] if receiving is None else receiving
+        has = has._replace(waiting=has.waiting + others)
+        refused = refuse_import(has, self._settings.most, size_bytes)
+        if refused is not None:
+            raise Refused.from_verdict(refused)
+
+    async def _examine(
+        self, account: str, import_id: str, draft: Draft
+    ) -> RecordImport:
+        try:
+            facts = await self._files.examine(draft)
+        except BrokenRecord as broken:  # REC-113
+            raise Refused(
+                "record_broken",
+                f"{broken.file}: {broken.detail}.",
+                errors=[(f"record:{broken.file}", broken.detail)],
+                requirement=broken.rule,
+            ) from broken
+        return RecordImport(
+            number=0,
+            import_id=import_id,
+            account=account,
+            archive_sha256=draft.sha256,
+            size_bytes=draft.size_bytes,
+            imported_at_wall=time.time(),
+            **msgspec.structs.asdict(facts),
+        )
+
+    async def _add(self, one: RecordImport, draft: Draft) -> RecordImport:
+        async with self._adding:
+            same = await self._store.find_archive(one.account, one.archive_sha256)
+            if same is not None:  # handed in twice at the same time
+                return same
+            await self._check_quota(one.account, one.size_bytes, receiving=0)
+            await self._files.keep(one.import_id, draft)
+            await self._store.add(one)
+        return one
+
+    async def find(self, account: str | None, import_id: str) -> RecordImport:
+        """REC-114: of another account it does not exist."""
+        found = await self._store.find(account, import_id)
+        if found is None:
+            raise Refused("not_found", f"There is no import {import_id}.")
+        return found
+
+    async def page(
+        self, account: str | None, before: int | None, limit: int
+    ) -> list[RecordImport]:
+        """REC-120: those below a number, newest first."""
+        return await self._store.page(account, before, limit)
+
+    async def delete(self, account: str, import_id: str) -> None:
+        """REC-120: the row first: without it a file is removed at the next start."""
+        one = await self.find(account, import_id)
+        await self._store.delete(one.import_id)
+        await self._replays.stop(one.import_id)
+        await asyncio.to_thread(self._files.remove, one.import_id)
+
+    async def trust(self, one: RecordImport) -> Trust:
+        return trust_of(one, await self._keys.key_names(), self._keys.host_name)
+
+    def episodes_replayed(self, one: RecordImport) -> int:
+        return self._replays.episodes_replayed(one)
+
+    async def archive(self, account: str | None, import_id: str) -> Record:
+        """REC-118: the files that were handed in, with this server's verdict."""
+        one = await self.find(account, import_id)
+        try:
+            return await asyncio.to_thread(_record_of, self._files.path(import_id), one)
+        except OSError as error:
+            raise Refused("not_found", "Its archive is not there any more.") from error
+
+
+def too_long(most: int) -> Refused:
+    """REC-121."""
+    text = f"The record has more than {most} bytes, see limits.max_record_bytes."
+    return Refused("body_too_large", text, requirement="REC-121")
+
+
+async def _bounded(parts: AsyncIterator[bytes], most: int) -> AsyncIterator[bytes]:
+    size = 0
+    async for part in parts:
+        size += len(part)
+        if size > most:
+            raise too_long(most)
+        yield part
+
+
+def _record_of(path: Path, one: RecordImport) -> Record:
+    bundle, verdict = open_bundle(path), one.verdict
+    name = f"replayed-{one.import_id.removeprefix('imp_')}"
+    verdicts = sum(map(is_verdict, bundle.sizes))
+    has_room = verdicts < VERDICTS_MAX or verdict_name(name) in bundle.sizes
+    with_ours = name, verdict if has_room else None
+    return Record(with_verdict(bundle, *with_ours), one.statement_sha256)

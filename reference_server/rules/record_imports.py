@@ -1,0 +1,122 @@
+"""Records that were handed in: what is known of one, and how many an account may have.
+
+Plain data and what follows from it. Files, simulators and the database are elsewhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, NamedTuple, TypeAlias
+
+from reference_server.rules.lifecycle import Refuse
+
+ImportState: TypeAlias = Literal["waiting", "replaying", "finished"]
+TrustLevel: TypeAlias = Literal["reported", "signed", "replayed", "diverged"]
+
+
+@dataclass(frozen=True, slots=True)
+class Divergence:
+    """Where a replay was first in another state; step from 1, 0 for the start."""
+
+    episode_index: int
+    attempt: int
+    step: int
+
+
+@dataclass(frozen=True, slots=True)
+class Replay:
+    """How many episodes were simulated again, and how they came out."""
+
+    result: Literal["exact", "outcome", "diverged"]
+    episodes: int
+    exact: int
+    outcome: int
+    diverged: int
+    first_divergence: Divergence | None
+
+
+@dataclass(frozen=True, slots=True)
+class RecordImport:
+    """A record in which nothing is wrong; `keyid` to `episodes` are of its statement.
+
+    number: grows with every import. score: None if an episode has no result.
+    verdict: of this server on its replay, signed. reason: why there is no replay.
+    """
+
+    number: int
+    import_id: str
+    account: str
+    archive_sha256: str
+    size_bytes: int
+    statement_sha256: str
+    keyid: str
+    run_id: str
+    benchmark_id: str
+    benchmark_version: str
+    manifest_sha256: str
+    policy_name: str
+    policy_version: str | None
+    score: float | None
+    episodes: int
+    imported_at_wall: float
+    state: ImportState = "waiting"
+    replay: Replay | None = None
+    verdict: bytes | None = None
+    reason: str | None = None
+    finished_at_wall: float | None = None
+
+
+class Trust(NamedTuple):
+    """signer: whose key it is, None for one that is not known. text: as REC-031."""
+
+    level: TrustLevel
+    signer: str | None
+    text: str
+
+
+def trust_of(one: RecordImport, names: Mapping[str, str], host: str) -> Trust:
+    """REC-115, REC-116, REC-117: the level, by the keys that this server knows.
+
+    names: keyid → whose key it is. host: what this server calls itself.
+    """
+    signer = names.get(one.keyid)
+    said = [] if signer is None else [f"signed by {signer}"]
+    replay = one.replay
+    if replay is None:
+        level: TrustLevel = "reported" if signer is None else "signed"
+        return Trust(level, signer, ", ".join(said) or level)
+    if replay.result == "diverged":
+        text = f"diverged when replayed by {host}"
+        if where := replay.first_divergence:
+            text += f" at episode {where.episode_index}, attempt {where.attempt}, "
+            text += f"step {where.step}"
+        return Trust("diverged", signer, ", ".join([*said, text]))
+    counted = f"{replay.result}, {replay.episodes} of {one.episodes} episodes"
+    text = f"replayed by {host} ({counted})"
+    return Trust("replayed", signer, ", ".join([*said, text]))
+
+
+class ImportUsage(NamedTuple):
+    """Of one account: imports that are not finished, bytes of all its archives."""
+
+    waiting: int
+    stored_bytes: int
+
+
+def refuse_import(
+    has: ImportUsage, most: ImportUsage, size_bytes: int
+) -> Refuse | None:
+    """REC-122: whether the account may hand in another record of this size."""
+    if has.waiting >= most.waiting:
+        text = (
+            f"The account has {has.waiting} imports that are not finished, its maximum."
+        )
+        return Refuse("quota_exceeded", text, "REC-122")
+    if has.stored_bytes + size_bytes > most.stored_bytes:
+        text = (
+            f"The records of the account would take {has.stored_bytes + size_bytes} "
+            f"bytes, and may take {most.stored_bytes}: delete one."
+        )
+        return Refuse("quota_exceeded", text, "REC-122")
+    return None

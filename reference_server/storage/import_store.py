@@ -1,0 +1,129 @@
+"""Imports of records in the database: rows of one table, by account.
+
+The archives are files, and not known here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, fields
+from typing import Any
+
+import msgspec
+import sqlalchemy as sa
+
+from reference_server.rules.record_imports import ImportUsage, RecordImport, Replay
+from reference_server.storage.store import TABLES, Store
+
+_imports = sa.Table(
+    "record_imports",
+    TABLES,
+    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
+    sa.Column("import_id", sa.String(64), unique=True, nullable=False),
+    sa.Column("account", sa.String(200), nullable=False),
+    sa.Column("archive_sha256", sa.String(64), nullable=False),
+    sa.Column("size_bytes", sa.BigInteger, nullable=False),
+    sa.Column("statement_sha256", sa.String(64), nullable=False),
+    sa.Column("keyid", sa.Text, nullable=False),
+    sa.Column("run_id", sa.Text, nullable=False),
+    sa.Column("benchmark_id", sa.Text, nullable=False),
+    sa.Column("benchmark_version", sa.Text, nullable=False),
+    sa.Column("manifest_sha256", sa.String(64), nullable=False),
+    sa.Column("policy_name", sa.Text, nullable=False),
+    sa.Column("policy_version", sa.Text),
+    sa.Column("score", sa.Float),
+    sa.Column("episodes", sa.Integer, nullable=False),
+    sa.Column("imported_at_wall", sa.Float, nullable=False),
+    sa.Column("state", sa.String(16), nullable=False),
+    sa.Column("replay", sa.LargeBinary),
+    sa.Column("verdict", sa.LargeBinary),
+    sa.Column("reason", sa.Text),
+    sa.Column("finished_at_wall", sa.Float),
+    # One account does not have the same bytes twice (REC-119).
+    sa.Index("archives_of_account", "account", "archive_sha256", unique=True),
+)
+_COLUMNS = [_imports.c[one.name] for one in fields(RecordImport)]
+_IS_UNFINISHED = _imports.c.state != "finished"
+
+
+class ImportStore:
+    """All imports. Raises StoreFailed, as the store does."""
+
+    def __init__(self, store: Store) -> None:
+        self._store = store
+
+    async def add(self, one: RecordImport) -> None:
+        """Store a new one; it gets its number from the database."""
+        row = _row_of(one)
+        del row["number"]
+        async with self._store.write() as connection:
+            await connection.execute(_imports.insert().values(row))
+
+    async def update(self, one: RecordImport) -> None:
+        """Store what changes of one; nothing if it was deleted."""
+        where = _imports.c.import_id == one.import_id
+        async with self._store.write() as connection:
+            await connection.execute(
+                _imports.update().where(where).values(_row_of(one))
+            )
+
+    async def delete(self, import_id: str) -> None:
+        async with self._store.write() as connection:
+            where = _imports.c.import_id == import_id
+            await connection.execute(_imports.delete().where(where))
+
+    async def find(self, account: str | None, import_id: str) -> RecordImport | None:
+        """One of the account; of any if that is None (AUTH-008)."""
+        query = sa.select(*_COLUMNS).where(_imports.c.import_id == import_id)
+        return await self._first(_of_account(query, account))
+
+    async def find_archive(self, account: str, sha256: str) -> RecordImport | None:
+        query = sa.select(*_COLUMNS).where(_imports.c.archive_sha256 == sha256)
+        return await self._first(_of_account(query, account))
+
+    async def oldest_unfinished(self) -> RecordImport | None:
+        query = sa.select(*_COLUMNS).where(_IS_UNFINISHED)
+        return await self._first(query.order_by(_imports.c.number))
+
+    async def page(
+        self, account: str | None, before: int | None, limit: int
+    ) -> list[RecordImport]:
+        """Those below a number, newest first."""
+        query = _of_account(sa.select(*_COLUMNS), account)
+        if before is not None:
+            query = query.where(_imports.c.number < before)
+        return await self._all(query.order_by(_imports.c.number.desc()).limit(limit))
+
+    async def ids(self) -> set[str]:
+        query = sa.select(_imports.c.import_id)
+        return await self._store.read(lambda c: set(c.scalars(query)))
+
+    async def usage(self, account: str) -> ImportUsage:
+        query = sa.select(
+            sa.func.count().filter(_IS_UNFINISHED),
+            sa.func.coalesce(sa.func.sum(_imports.c.size_bytes), 0),
+        ).where(_imports.c.account == account)
+        waiting, size = await self._store.read(lambda c: c.execute(query).one())
+        return ImportUsage(int(waiting), int(size))
+
+    async def _first(self, query: sa.Select[Any]) -> RecordImport | None:
+        return next(iter(await self._all(query.limit(1))), None)
+
+    async def _all(self, query: sa.Select[Any]) -> list[RecordImport]:
+        rows = await self._store.read(lambda c: c.execute(query).mappings().all())
+        return [_import_of(dict(row)) for row in rows]
+
+
+def _of_account(query: sa.Select[Any], account: str | None) -> sa.Select[Any]:
+    return query if account is None else query.where(_imports.c.account == account)
+
+
+def _row_of(one: RecordImport) -> dict[str, Any]:
+    row = {field.name: getattr(one, field.name) for field in fields(one)}
+    row["replay"] = one.replay and msgspec.json.encode(asdict(one.replay))
+    return row
+
+
+def _import_of(row: dict[str, Any]) -> RecordImport:
+    replay = row.pop("replay")
+    found = None if replay is None else msgspec.json.decode(replay, type=Replay)
+    return RecordImport(**row, replay=found)
