@@ -28,7 +28,7 @@ from reference_record.pages.recorded_episode import (
     first_divergence,
     plot_data,
 )
-from reference_record.pages.run_page import Document, TurnTimes
+from reference_record.pages.run_page import Document, PolicyTimes
 from reference_record.recording import Turn
 
 LEVEL_REPORTED: Final = (
@@ -92,7 +92,7 @@ def summary_html(
 ) -> str:
     """The part of a run's page that changes while it is played."""
     return render_page(
-        "summary", links, run=run, score=score, table=table, left_s=left_s,
+        "parts/summary", links, run=run, score=score, table=table, left_s=left_s,
         latest=latest,
     )  # fmt: skip
 
@@ -106,7 +106,7 @@ def run_html(
     *,
     level: str = LEVEL_REPORTED,
     live: str = "",
-    turn_times: TurnTimes | None = None,
+    turn_times: PolicyTimes | None = None,
     others: Sequence[Document] = (),
     csrf: str = "",
 ) -> str:

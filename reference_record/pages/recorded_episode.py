@@ -19,7 +19,7 @@ import msgspec
 from reference_record.broken import BrokenRecord
 from reference_record.formats.mcap_reader import McapReader
 from reference_record.formats.strict_json import UNREADABLE
-from reference_record.pages.run_page import TurnTimes
+from reference_record.pages.run_page import PolicyTimes
 from reference_record.recording import CAMERA, AttemptEvent, EpisodeResult, Fault, Turn
 
 # Beyond this, a plot would have more points than a screen has.
@@ -75,9 +75,9 @@ class RecordedEpisode:
     def steps(self) -> int:
         return sum(turn.steps for turn in self.turns)
 
-    def times(self, control_rate_hz: float | None) -> TurnTimes:
+    def times(self, control_rate_hz: float | None) -> PolicyTimes:
         """How long the policy took; `late` needs the control rate."""
-        times = TurnTimes([turn.think_ms for turn in self.turns])
+        times = PolicyTimes([turn.think_ms for turn in self.turns])
         if not control_rate_hz or control_rate_hz <= 0:
             return times
         for before, turn in zip(self.turns, self.turns[1:], strict=False):
@@ -227,29 +227,31 @@ def _short(value: float) -> float | None:
 
 
 @dataclass(frozen=True, slots=True)
-class Divergence:
+class FirstDifference:
     """step: the first one, from 1, that was not the same in both; 0: the start."""
 
     step: int
     what: str
 
 
-def first_divergence(one: RecordedEpisode, other: RecordedEpisode) -> Divergence | None:
+def first_divergence(
+    one: RecordedEpisode, other: RecordedEpisode
+) -> FirstDifference | None:
     """Where two plays of an episode part; None while they are the same."""
     if one.first_digest != other.first_digest:
-        return Divergence(0, "The simulator began in another state.")
+        return FirstDifference(0, "The simulator began in another state.")
     pairs = zip(_actions(one), _actions(other), strict=False)
     for step, (a, b) in enumerate(pairs, start=1):
         if a != b:
-            return Divergence(step, "Another action was executed.")
+            return FirstDifference(step, "Another action was executed.")
     if one.steps != other.steps:
-        return Divergence(
+        return FirstDifference(
             min(one.steps, other.steps) + 1, "One ended, the other went on."
         )
     last = (one.turns[-1:], other.turns[-1:])
     digests = [turn.state_digest for turns in last for turn in turns]
     if len(set(digests)) > 1:
-        return Divergence(one.steps, "The same actions led to another state.")
+        return FirstDifference(one.steps, "The same actions led to another state.")
     return None
 
 

@@ -23,7 +23,7 @@ PACE_EPISODES: Final = 50
 
 
 @dataclass(slots=True)
-class Cell:
+class TaskCell:
     """Episodes of one task in one split: all, those with a result, successes."""
 
     total: int = 0
@@ -44,7 +44,7 @@ class TaskTable:
     """Rows: task, its cell of each split, and that of all."""
 
     splits: list[str]
-    rows: list[tuple[str, list[Cell | None], Cell]]
+    rows: list[tuple[str, list[TaskCell | None], TaskCell]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +58,7 @@ class Quantiles:
 
 
 @dataclass(slots=True)
-class TurnTimes:
+class PolicyTimes:
     """How long the policy took for turns, and whether a robot had to wait for it.
 
     think_ms: of each turn. late: turns whose actions came after those before them had
@@ -69,7 +69,7 @@ class TurnTimes:
     late: int = 0
     followed: int = 0
 
-    def add(self, other: TurnTimes) -> None:
+    def add(self, other: PolicyTimes) -> None:
         self.think_ms += other.think_ms
         self.late += other.late
         self.followed += other.followed
@@ -92,9 +92,9 @@ def failures_first(episodes: Iterable[Document]) -> list[Document]:
 
 
 def task_table(episodes: Iterable[Document]) -> TaskTable:
-    cells: dict[tuple[str, str], Cell] = {}
+    cells: dict[tuple[str, str], TaskCell] = {}
     for episode in episodes:
-        cell = cells.setdefault((episode["task"], episode["split"]), Cell())
+        cell = cells.setdefault((episode["task"], episode["split"]), TaskCell())
         cell.total += 1
         if result := episode.get("result"):
             cell.scored += 1
@@ -104,7 +104,7 @@ def task_table(episodes: Iterable[Document]) -> TaskTable:
     for task in dict.fromkeys(task for task, _ in cells):
         row = [cells.get((task, split)) for split in splits]
         known = [cell for cell in row if cell is not None]
-        whole = Cell(
+        whole = TaskCell(
             sum(cell.total for cell in known),
             sum(cell.scored for cell in known),
             sum(cell.successes for cell in known),
@@ -115,11 +115,11 @@ def task_table(episodes: Iterable[Document]) -> TaskTable:
 
 def task_table_of_score(score: Document) -> TaskTable:
     """The same without the splits, from the score alone."""
-    rows: list[tuple[str, list[Cell | None], Cell]] = []
+    rows: list[tuple[str, list[TaskCell | None], TaskCell]] = []
     for task, group in score["by_task"].items():
         counts = group["counts"]
         scored = counts["total"] - counts["unscored"]
-        rows.append((task, [], Cell(counts["total"], scored, counts["success"])))
+        rows.append((task, [], TaskCell(counts["total"], scored, counts["success"])))
     return TaskTable([], rows)
 
 

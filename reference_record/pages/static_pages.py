@@ -16,7 +16,7 @@ from reference_record.pages.comparison_page import pair_episodes
 from reference_record.pages.page_contents import Side, Window, played_view
 from reference_record.pages.page_templates import ASSETS, read_asset, render_page
 from reference_record.pages.recorded_episode import RecordedEpisode
-from reference_record.pages.run_page import Document, TurnTimes, failures_first
+from reference_record.pages.run_page import Document, PolicyTimes, failures_first
 
 ROWS_MAX = 1000
 VIDEO = "{index:05d}.mp4"
@@ -39,7 +39,7 @@ class ReportedRun:
     level: str
     read: Callable[[Document], RecordedEpisode | None]
     videos: Path | None = None
-    times: TurnTimes = field(default_factory=TurnTimes)
+    times: PolicyTimes = field(default_factory=PolicyTimes)
 
     @property
     def run_id(self) -> str:
@@ -89,7 +89,7 @@ class FileLinks:
         return f"{self._compared(baseline, run_id)}/{episode['index']:05d}.html"
 
 
-class Report:
+class StaticReport:
     """Writes pages of some runs into a folder. Raises OSError, BrokenRecord."""
 
     def __init__(self, folder: Path, runs: Sequence[ReportedRun]) -> None:

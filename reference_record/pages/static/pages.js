@@ -57,9 +57,10 @@ class Player {
     parent.append(heading);
     const axis = {stroke: colour("--soft"), grid: {stroke: colour("--line"), width: 1},
       ticks: {stroke: colour("--line")}};
-    const made = new uPlot({
+    const made = new uPlot({  // a score is from 0 to 1
       width: Math.max(260, parent.clientWidth), height: 170,
-      scales: {x: {time: false, range: () => [0, Math.max(1, this.data.total)]}},
+      scales: {x: {time: false, range: () => [0, Math.max(1, this.data.total)]},
+        ...(title === "score" && {y: {range: [-0.05, 1.05]}})},
       axes: [{...axis}, {...axis, size: 62}],
       legend: {live: false, show: labels.length > 1},
       cursor: {drag: {x: false, y: false}},
@@ -87,8 +88,8 @@ class Player {
       ctx.stroke();
       ctx.restore();
     };
-    if (this.divergence !== undefined) line(this.divergence, colour("--mark"), [6, 5]);
     if (this.step !== undefined) line(this.step, colour("--text"), []);
+    if (this.divergence !== undefined) line(this.divergence, colour("--mark"), [6, 5]);
   }
 
   show(step) {
