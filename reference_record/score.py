@@ -36,8 +36,8 @@ def compute_score(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
         "score_low": low,
         "score_high": low + unscored / total,
         **group,
-        "success_interval": _wilson(group["success_rate"], total - unscored),
-        "mean_interval": _wilson(group["mean"], total - unscored),
+        "success_interval": wilson_interval(group["success_rate"], total - unscored),
+        "mean_interval": wilson_interval(group["mean"], total - unscored),
         "by_task": _by(episodes, lambda episode: episode.task),
         "by_split": _by(episodes, lambda episode: episode.split),
     }
@@ -82,7 +82,8 @@ def _shown(value: Any) -> str:
     return f"{value}"[:SHOWN_CHARS]
 
 
-def _wilson(rate: float | None, n: int) -> dict[str, float]:
+def wilson_interval(rate: float | None, n: int) -> dict[str, float]:
+    """95 % interval, `low` and `high`, of a rate that was seen in n episodes."""
     if rate is None:
         return {"low": 0.0, "high": 1.0}
     z2 = _Z * _Z

@@ -24,8 +24,8 @@ from reference_record.formats.names import (
     printable_name,
     recording_name,
 )
+from reference_record.formats.recording_check import check_recording
 from reference_record.formats.strict_json import read_json
-from reference_record.recording_check import check_recording
 from reference_record.replay_verdict import ReplayVerdict, read_verdict
 from reference_record.score import compute_score, first_difference
 from reference_record.statement import (

@@ -225,6 +225,8 @@ def _startup_message(settings: Settings, port: int, secret: str | None) -> str:
             "certify:",
             f"  make conformance URL={url} TOKEN={secret}",
         ]
+    if settings.pages == "on":
+        lines.append(f"pages: {url}/pages")
     lines.append(f"benchmarks: {', '.join(benchmark_registry.benchmark_ids())}")
     if settings.enabled_profiles:
         lines.append(f"profiles: {', '.join(settings.enabled_profiles)}")

@@ -14,7 +14,7 @@ from typing import Any
 
 from starlette.requests import Request
 from starlette.responses import Response
-from starlette.routing import Route, Router
+from starlette.routing import BaseRoute, Route, Router
 from starlette.types import ASGIApp, Lifespan, Message, Receive, Scope, Send
 
 from reference_record.formats.merkle_tree import leaf_hash
@@ -24,6 +24,7 @@ from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import ACCOUNT, Operation, perform
 from reference_server.http.event_streams import SharedStreams
 from reference_server.http.handlers import Handlers
+from reference_server.http.pages.page_routes import Pages
 from reference_server.http.problems import problem_response
 from reference_server.http.tokens.token_file import TokenFile
 from reference_server.profiles.operation_tables import profile_tables
@@ -165,15 +166,18 @@ def _router(handlers: Handlers, tokens: Tokens, lifespan: Lifespan[Any]) -> Rout
     table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
-    return Router(
-        routes=[
-            Route(path, _Endpoint(operations, tokens, settings.max_body_bytes, hosts))
-            for path, operations in table.items()
-        ],
-        default=_not_found,
-        redirect_slashes=False,
-        lifespan=lifespan,
-    )
+    routes: list[BaseRoute] = [
+        Route(path, _Endpoint(operations, tokens, settings.max_body_bytes, hosts))
+        for path, operations in table.items()
+    ]
+    if settings.pages == "off":
+        return Router(routes, False, _not_found, lifespan=lifespan)
+    # Behind the operations: no turn looks at their routes.
+    pages = Pages(hosts, settings.public_url)
+    default = pages.lead_from_root(_not_found)
+    router = Router(routes + pages.routes(), False, default, lifespan=lifespan)
+    pages.use_api(router)
+    return router
 
 
 def _recordings_of(settings: Settings) -> Recordings | None:

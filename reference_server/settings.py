@@ -117,6 +117,10 @@ class Settings(BaseSettings):
         "answered and not executed. answer_chunks: a repetition if it is a list of "
         "steps that are not all equal.",
     )
+    pages: Literal["off", "on"] = Field(
+        "on",
+        description="Whether the server has pages for people, under /pages.",
+    )
     recordings: Literal["off", "actions", "pictures"] = Field(
         "actions",
         description="What is recorded of episodes. actions: what was executed, with "

@@ -45,6 +45,7 @@ COMMANDS = {
     "export": "save the signed record of a completed run in a file",
     "verify": "check a record: signature, every episode, the score (no server needed)",
     "upload": "hand a record in at a server, which verifies it and replays it",
+    "report": "write pages about runs, as files that any browser opens",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
     "admin": "manage the tokens of a server on this machine (own flags)",
@@ -138,6 +139,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_run_id(made["export"], "id of the run")
     _add_record_options(made["export"], made["verify"])
     _add_upload_options(made["upload"])
+    _add_report_options(made["report"])
     _add_submission_options(made["submit"])
     made["submit"].add_argument(
         "--push", metavar="URL",
@@ -217,10 +219,7 @@ def _add_record_options(
     )
     export.add_argument("--force", action="store_true", help="replace the file")
     verify.add_argument("file", metavar="FILE", help="the record, or its directory")
-    verify.add_argument(
-        "--key", action="append", metavar="[NAME=]SHA256:…",
-        help="a key that you know to be of the host, or of who replayed; repeatable",
-    )  # fmt: skip
+    _add_key(verify)
     verify.add_argument(
         "--server", metavar="URL", help="host whose published keys are accepted"
     )
@@ -238,6 +237,30 @@ def _add_upload_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--timeout", type=_seconds, metavar="S", help="maximum wait (default: none)"
     )
+
+
+def _add_report_options(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "runs", nargs="+", metavar="RUN|FILE", help="ids of runs, or their records"
+    )
+    parser.add_argument(
+        "--output", "-o", metavar="DIR", required=True, help="folder to write"
+    )
+    parser.add_argument(
+        "--force", action="store_true", help="write into a folder that has files"
+    )
+    parser.add_argument(
+        "--videos", metavar="DIR",
+        help="folder with a video of each episode, named by its index: 00042.mp4",
+    )  # fmt: skip
+    _add_key(parser)
+
+
+def _add_key(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--key", action="append", metavar="[NAME=]SHA256:…",
+        help="a key that you know to be of the host, or of who replayed; repeatable",
+    )  # fmt: skip
 
 
 def _add_results_options(parser: argparse.ArgumentParser) -> None:

@@ -26,6 +26,14 @@ from reference_client.command.output import Printer
 from reference_client.errors import ProctorError
 from reference_client.protocol.local_token import find_token
 
+
+def _report(args: argparse.Namespace, printer: Printer) -> int:
+    # The templates take longer to import than most commands take.
+    from reference_client.command import report_pages
+
+    return report_pages.report(args, printer)
+
+
 COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "submit": control.submit,
     "run": running.run,
@@ -38,6 +46,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "export": records.export,
     "verify": records.check,
     "upload": uploads.upload,
+    "report": _report,
 }
 # Command → module to start, modules that it needs, and the extra that installs them.
 PROGRAMS = {

@@ -43,19 +43,19 @@ def export(args: argparse.Namespace, printer: Printer) -> int:
     path = Path(args.output or f"run-{run_id}{SUFFIX}")
     if path.exists() and not args.force:
         raise UsageError(f"{path} exists; --force replaces it")
-    with _connect(args.url, args.token, args, printer) as (connection, retry_policy):
+    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
         with _usable(path):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
-        keys = _names_of_host(connection, retry_policy)
+        keys = names_of_host(connection, retry_policy)
     return _verify(path, keys, printer)
 
 
 def check(args: argparse.Namespace, printer: Printer) -> int:
     """`proctor verify`."""
-    keys = _keys_of(args.key or [])
+    keys = keys_of(args.key or [])
     if args.server is not None:
-        with _connect(args.server, None, args, printer) as connected:
-            keys = {**_names_of_host(*connected), **keys}
+        with connect(args.server, None, args, printer) as connected:
+            keys = {**names_of_host(*connected), **keys}
     return _verify(Path(args.file), keys, printer)
 
 
@@ -170,7 +170,7 @@ def _as_json(report: Report) -> dict[str, Any]:
     }
 
 
-def _keys_of(texts: list[str]) -> dict[str, str]:
+def keys_of(texts: list[str]) -> dict[str, str]:
     """keyid → name, of what was given as --key."""
     keys = {}
     for text in texts:
@@ -184,14 +184,14 @@ def _keys_of(texts: list[str]) -> dict[str, str]:
     return keys
 
 
-def _names_of_host(connection: Connection, retry_policy: RetryPolicy) -> dict[str, str]:
+def names_of_host(connection: Connection, retry_policy: RetryPolicy) -> dict[str, str]:
     """keyid → the host, by the keys that it publishes."""
     host = connection.url.partition("://")[2]
     return dict.fromkeys(fetch_keys(connection, retry_policy), host)
 
 
 @contextmanager
-def _connect(
+def connect(
     url: str, token: str | None, args: argparse.Namespace, printer: Printer
 ) -> Iterator[tuple[Connection, RetryPolicy]]:
     with Connection(url, token, requests=1) as connection:

@@ -28,15 +28,16 @@ def fetch_record(
 ) -> Iterator[bytes]:
     """The record of a run, block by block. Raises ProctorError."""
     url = f"{connection.url}/v1/runs/{quote(run_id, safe='')}/record"
-    response = retry_policy.call(lambda: _request(connection, "GET", url, {}))
-    try:
-        yield from response.stream(BLOCK_BYTES)
-    except NO_ANSWER_ERRORS as error:
-        raise ProctorError(
-            BAD_ANSWER, f"{connection.url} did not send the whole record: {error}"
-        ) from error
-    finally:
-        response.release_conn()
+    return _read(connection, retry_policy, url, "record")
+
+
+def fetch_recording(
+    connection: Connection, retry_policy: RetryPolicy, run_id: str, episode_id: str
+) -> bytes:
+    """The recording of an episode that has its result. Raises ProctorError."""
+    path = f"{quote(run_id, safe='')}/episodes/{quote(episode_id, safe='')}/recording"
+    url = f"{connection.url}/v1/runs/{path}"
+    return b"".join(_read(connection, retry_policy, url, "recording"))
 
 
 def fetch_keys(connection: Connection, retry_policy: RetryPolicy) -> Mapping[str, str]:
@@ -80,6 +81,20 @@ def read_import(
     return retry_policy.call(
         lambda: connection.control.get_import(import_id, _request_timeout=TIMEOUTS_S)
     )
+
+
+def _read(
+    connection: Connection, retry_policy: RetryPolicy, url: str, what: str
+) -> Iterator[bytes]:
+    response = retry_policy.call(lambda: _request(connection, "GET", url, {}))
+    try:
+        yield from response.stream(BLOCK_BYTES)
+    except NO_ANSWER_ERRORS as error:
+        raise ProctorError(
+            BAD_ANSWER, f"{connection.url} did not send the whole {what}: {error}"
+        ) from error
+    finally:
+        response.release_conn()
 
 
 def _request(

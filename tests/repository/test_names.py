@@ -24,6 +24,7 @@ GENERATED = (
     "docs/*/kill-matrix.md",
     "generated_clients/*",
     "reference_client/generated/*",
+    "reference_record/pages/static/vendor/*",  # of third parties
     "reference_server/generated/*",
     "requirements/*.txt",
 )

@@ -100,6 +100,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "profiles": ("ebench", "flageval,ebench"),
         "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),
         "ebench_prefixes": ("/a", "/a,/b/c"),
+        "pages": ("off", "off"),
         "recordings": ("off", "pictures"),
         "record_promise": ("exact", "exact"),
         "ebench_equal_steps": ("answer", "answer_chunks"),

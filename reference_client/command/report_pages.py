@@ -1,0 +1,152 @@
+"""The command report: pages about runs as files that open without a server.
+
+A run is named by its id, and read from a server, or by the file of its record, which is
+verified first. The pages are those of a server.
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+from collections.abc import Mapping
+from pathlib import Path
+
+from proctor_client import Benchmark
+from pydantic import BaseModel
+
+from reference_client.command import control
+from reference_client.command.exit_codes import DONE, UsageError
+from reference_client.command.output import Printer
+from reference_client.command.records import connect, keys_of, names_of_host
+from reference_client.errors import ProctorError
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.record_client import fetch_recording
+from reference_client.protocol.retry_policy import RetryPolicy
+from reference_record.broken import BrokenRecord
+from reference_record.formats.bundle import open_bundle
+from reference_record.pages.record_documents import read_reported_run
+from reference_record.pages.recorded_episode import (
+    RecordedEpisode,
+    read_recorded_episode,
+)
+from reference_record.pages.run_page import Document
+from reference_record.pages.static_pages import ReportedRun, StaticReport
+
+BROKEN = 1
+# In one report: each is compared with each.
+RUNS_MAX = 20
+
+
+def report(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor report RUN|FILE… -o DIR`."""
+    folder = _folder(args)
+    videos = None if args.videos is None else Path(args.videos)
+    if videos is not None and not videos.is_dir():
+        raise UsageError(f"{videos} is no folder")
+    if len(args.runs) > RUNS_MAX:
+        raise UsageError(f"at most {RUNS_MAX} runs fit into a report")
+    files = [name for name in args.runs if _is_file(name)]
+    try:
+        if len(files) == len(args.runs):
+            runs = [_of_file(name, keys_of(args.key or []), videos) for name in files]
+            return _write(folder, runs, printer)
+        with connect(args.url, args.token, args, printer) as connected:
+            return _write(folder, _all(args, connected, videos), printer)
+    except BrokenRecord as broken:
+        printer.say(f"proctor: do not trust it: {broken}")
+        return BROKEN
+
+
+def _folder(args: argparse.Namespace) -> Path:
+    folder = Path(args.output)
+    if folder.exists() and not folder.is_dir():
+        raise UsageError(f"{folder} is no folder")
+    if folder.is_dir() and any(folder.iterdir()) and not args.force:
+        raise UsageError(f"{folder} is not empty; --force writes into it")
+    return folder
+
+
+def _is_file(name: str) -> bool:
+    """A record, and not the id of a run."""
+    return "/" in name or "." in name or Path(name).exists()
+
+
+def _write(folder: Path, runs: list[ReportedRun], printer: Printer) -> int:
+    if len({one.run_id for one in runs}) < len(runs):
+        raise UsageError("a run is named twice")
+    try:
+        pages = StaticReport(folder, runs).write()
+    except OSError as error:
+        raise UsageError(f"{folder}: {error.strerror or error}") from error
+    index = folder / "index.html"
+    printer.answer({"index": str(index), "pages": pages}, f"{index}  ({pages} pages)")
+    return DONE
+
+
+def _all(
+    args: argparse.Namespace,
+    connected: tuple[Connection, RetryPolicy],
+    videos: Path | None,
+) -> list[ReportedRun]:
+    keys = names_of_host(*connected) | keys_of(args.key or [])
+    return [
+        _of_file(name, keys, videos)
+        if _is_file(name)
+        else _of_server(name, *connected, videos)
+        for name in args.runs
+    ]
+
+
+def _of_file(name: str, keys: Mapping[str, str], videos: Path | None) -> ReportedRun:
+    try:
+        return read_reported_run(open_bundle(Path(name)), keys, videos)
+    except OSError as error:
+        raise UsageError(f"{name}: {error.strerror or error}") from error
+
+
+def _of_server(
+    run_id: str, connection: Connection, retry_policy: RetryPolicy, videos: Path | None
+) -> ReportedRun:
+    control.check_run_id(run_id)
+    client = ControlClient(connection.control, retry_policy)
+    run = client.read(run_id)
+    score, episodes = client.score(run_id), client.episodes(run_id)
+
+    def read(episode: Document) -> RecordedEpisode | None:
+        try:
+            data = fetch_recording(
+                connection, retry_policy, run_id, episode["episode_id"]
+            )
+        except ProctorError as error:
+            if error.code != "not_found":
+                raise
+            return None
+        name = episode["episode_id"]
+        return read_recorded_episode(io.BytesIO(data), len(data), name)
+
+    return ReportedRun(
+        run=_document(run),
+        score=_document(score),
+        episodes=[_document(episode) for episode in episodes],
+        benchmark=_benchmark(client, run.benchmark_id),
+        level=f"Level: reported by {connection.url}.",
+        read=read,
+        videos=videos,
+    )
+
+
+def _benchmark(client: ControlClient, benchmark_id: str) -> Document | None:
+    """None if the server no longer offers it."""
+    try:
+        found: Benchmark = client.benchmark(benchmark_id)
+    except ProctorError as error:
+        if error.code != "not_found":
+            raise
+        return None
+    return _document(found)
+
+
+def _document(model: BaseModel) -> dict[str, object]:
+    """As the server sent it: the models of the client hold texts and numbers."""
+    return model.model_dump(mode="json", by_alias=True, exclude_unset=True)

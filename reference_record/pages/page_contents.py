@@ -1,0 +1,309 @@
+"""Each page as HTML, from documents of the API and recordings.
+
+A server and a report give the same documents and differ in their links, and in how many
+rows a page has: a server selects rows, a report has them all and its script selects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+from reference_record.pages import run_page
+from reference_record.pages.comparison_page import (
+    KINDS,
+    Pair,
+    compare_pairs,
+    count_kinds,
+)
+from reference_record.pages.page_templates import (
+    Links,
+    duration,
+    moment,
+    render_page,
+)
+from reference_record.pages.recorded_episode import (
+    RecordedEpisode,
+    first_divergence,
+    plot_data,
+)
+from reference_record.pages.run_page import Document, PolicyTimes
+from reference_record.recording import Turn
+
+LEVEL_REPORTED: Final = (
+    "Level: reported by this server. A signed record is checked by proctor verify; "
+    "no level proves that the actions came from the policy that is named."
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """Rows of a list that one page shows.
+
+    pages: number and address of each page. whole: all rows are here, and the script of
+    the page selects some. selected: by which values a server has selected.
+    """
+
+    rows: Sequence[Any]
+    total: int
+    page: int = 1
+    pages: Sequence[tuple[int, str]] = ()
+    whole: bool = False
+    selected: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def text(self) -> str:
+        return f"{len(self.rows)} of {self.total}"
+
+
+@dataclass(frozen=True, slots=True)
+class PlayedView:
+    """A recorded episode with the addresses of its pictures and its video, if any.
+
+    cameras: name → (step, address) of its pictures.
+    """
+
+    turns: Sequence[Turn]
+    events: Sequence[tuple[int, str, str]]
+    data: Mapping[str, Any]
+    cameras: Mapping[str, Sequence[tuple[int, str]]]
+    video: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One of two plays of an episode that are shown side by side."""
+
+    run: Document
+    episode: Document
+    recorded: RecordedEpisode
+    played: PlayedView
+
+
+def summary_html(
+    links: Links,
+    run: Document,
+    score: Document,
+    table: run_page.TaskTable,
+    *,
+    left_s: float | None = None,
+    latest: Sequence[Document] = (),
+) -> str:
+    """The part of a run's page that changes while it is played."""
+    return render_page(
+        "parts/summary", links, run=run, score=score, table=table, left_s=left_s,
+        latest=latest,
+    )  # fmt: skip
+
+
+def run_html(
+    links: Links,
+    run: Document,
+    score: Document,
+    episodes: Sequence[Document],
+    window: Window,
+    *,
+    level: str = LEVEL_REPORTED,
+    live: str = "",
+    turn_times: PolicyTimes | None = None,
+    others: Sequence[Document] = (),
+    csrf: str = "",
+) -> str:
+    """The page of a run. live: where its changes are streamed; empty for none."""
+    table = run_page.task_table(episodes)
+    return render_page(
+        "run",
+        links,
+        csrf=csrf,
+        run=run,
+        score=score,
+        table=table,
+        left_s=run_page.seconds_left(run, episodes),
+        latest=(),
+        live=live,
+        level=level,
+        rows=window.rows,
+        shown_text=window.text,
+        page=window.page,
+        pages=window.pages,
+        is_whole=window.whole,
+        filters={
+            "outcome": run_page.ORDER,
+            "task": [task for task, _, _ in table.rows],
+            "split": table.splits,
+        },
+        selected={"outcome": "", "task": "", "split": "", **window.selected},
+        episode_times=run_page.think_seconds(episodes),
+        turn_times=turn_times,
+        totals=run_page.totals(episodes),
+        players=run_page.players(episodes),
+        facts=_run_facts(run),
+        commands=run_page.commands(run),
+        others=others,
+    )
+
+
+def _run_facts(run: Document) -> dict[str, Any]:
+    images = run.get("images")
+    select = run.get("select") or {}
+    server = run.get("policy_server") or {}
+    part = "; ".join(f"{name}: {', '.join(v)}" for name, v in select.items() if v)
+    return {
+        "Submitter": run["policy"].get("submitter"),
+        "Number of this run": _number_of_run(run),
+        "Part of the benchmark": part,
+        "Mode": run["mode"],
+        "Policy server": server.get("url"),
+        "Pictures": images and "{codec}, {width}×{height}".format_map(images),
+        "Lease": duration(run["idle_timeout_s"]) if run["idle_timeout_s"] else None,
+        "Manifest": run["manifest_sha256"],
+        "Created": moment(run["created_at"]),
+        "Last change": moment(run["updated_at"]),
+    }
+
+
+def _number_of_run(run: Document) -> str | None:
+    number = run.get("attempts_by_submitter")
+    return f"{number} of its account on this benchmark" if number else None
+
+
+def played_view(
+    recorded: RecordedEpisode,
+    addresses: Sequence[str] = (),
+    video: str = "",
+) -> PlayedView:
+    """addresses: of the pictures, in their order."""
+    cameras: dict[str, list[tuple[int, str]]] = {}
+    for picture, address in zip(recorded.pictures, addresses, strict=False):
+        cameras.setdefault(picture.camera, []).append((picture.step, address))
+    data = plot_data(recorded) | {"pictures": cameras}
+    return PlayedView(recorded.turns, recorded.events, data, cameras, video)
+
+
+def episode_html(
+    links: Links,
+    run: Document,
+    episode: Document,
+    recorded: RecordedEpisode | None,
+    played: PlayedView | None,
+    *,
+    control_rate_hz: float | None = None,
+    problem: str = "",
+    instruction: str | None = None,
+    before: str = "",
+    after: str = "",
+    csrf: str = "",
+) -> str:
+    """The page of an episode. problem: why there is no recording to show."""
+    return render_page(
+        "episode",
+        links,
+        csrf=csrf,
+        run=run,
+        episode=episode,
+        played=played,
+        times=(recorded or RecordedEpisode()).times(control_rate_hz),
+        why=_reason(episode),
+        facts=_episode_facts(episode, instruction),
+        problem=problem,
+        before=before,
+        after=after,
+    )
+
+
+def _reason(episode: Document) -> str:
+    """Why it ended so, in words."""
+    result = episode.get("result")
+    if not result:
+        return ""
+    if result["outcome"] == "abandoned":
+        return (
+            f"Abandoned: {result['attempt']} attempts ended without a result, which "
+            "are all that the benchmark allows."
+        )
+    if result["outcome"] == "success":
+        return "The goal held, by the success rule of the benchmark."
+    if result.get("truncated"):
+        return "The limit of steps was reached, and the goal did not hold."
+    if result.get("terminated"):
+        return "The simulator ended the episode, and the goal did not hold."
+    return "The goal did not hold."
+
+
+def _episode_facts(episode: Document, instruction: str | None) -> dict[str, Any]:
+    result = episode.get("result") or {}
+    player = result.get("player")
+    finished = result.get("finished_at")
+    return {
+        "Instruction": instruction,
+        "Task": episode["task"],
+        "Split": episode["split"],
+        "Seed": result.get("seed", "sealed, or not shown" if result else None),
+        "Index": episode["index"],
+        "Attempt": episode["attempt"],
+        "Faults": episode["faults"],
+        "Fault of the policy": episode.get("policy_fault"),
+        "Clipped actions": result.get("clipped_actions"),
+        "Return": result.get("total_reward"),
+        "Policy time": duration(result.get("think_s")) if result else None,
+        "Played by": run_page.player_text(player) if player else None,
+        "Finished": moment(finished) if finished else None,
+    }
+
+
+def comparison_html(
+    links: Links,
+    baseline: Document,
+    run: Document,
+    pairs: Sequence[Pair],
+    window: Window,
+    *,
+    numbers: Mapping[str, Any] | None = None,
+    csrf: str = "",
+) -> str:
+    """numbers: schema ComparedRun; computed from the pairs where there is none."""
+    return render_page(
+        "comparison",
+        links,
+        csrf=csrf,
+        baseline=baseline,
+        run=run,
+        numbers=numbers or compare_pairs(pairs),
+        kinds=KINDS,
+        counts=count_kinds(pairs),
+        pairs=window.rows,
+        selected=window.selected.get("kind", ""),
+        page=window.page,
+        pages=window.pages,
+        is_whole=window.whole,
+        hidden={"baseline": baseline["run_id"], "run": run["run_id"]}
+        if links.is_live
+        else {},
+    )
+
+
+def pair_html(
+    links: Links, sides: Sequence[Side], *, problem: str = "", csrf: str = ""
+) -> str:
+    """Two plays of one episode; problem: why one of them cannot be shown."""
+    baseline, other = sides
+    return render_page(
+        "pair",
+        links,
+        csrf=csrf,
+        baseline=baseline.run,
+        run=other.run,
+        episode=other.episode,
+        sides=sides,
+        divergence=first_divergence(baseline.recorded, other.recorded),
+        problem=problem,
+    )
+
+
+def signed_level(levels: Sequence[str]) -> str:
+    """What may be said of a score that was read from a record (REC-031)."""
+    return (
+        f"Level: {', '.join(levels)}. No level proves that the actions came from the "
+        "policy that is named: only evaluating it again shows that."
+    )

@@ -1,0 +1,150 @@
+"""The templates, and how numbers and texts of others are written in them.
+
+Every value is escaped. A link to elsewhere is one only if it is http or https.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Mapping
+from functools import cache
+from importlib.resources import files
+from typing import Any, Protocol
+from urllib.parse import urlsplit
+
+from jinja2 import Environment, PackageLoader
+
+# What a browser may load and do on these pages; a server sends it with each of them.
+CONTENT_SECURITY_POLICY = (
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
+    "media-src 'self'; connect-src 'self'; form-action 'self'; base-uri 'none'; "
+    "frame-ancestors 'none'"
+)
+ASSETS = {
+    "pages.css": "text/css; charset=utf-8",
+    "pages.js": "text/javascript; charset=utf-8",
+    "vendor/NOTICE.txt": "text/plain; charset=utf-8",
+    "vendor/htmx.min.js": "text/javascript; charset=utf-8",
+    "vendor/htmx-sse.min.js": "text/javascript; charset=utf-8",
+    "vendor/uPlot.iife.min.js": "text/javascript; charset=utf-8",
+    "vendor/uPlot.min.css": "text/css; charset=utf-8",
+}
+EMPTY = "–"
+
+
+class Links(Protocol):
+    """Where pages lie. An empty text: there is no such page here."""
+
+    @property
+    def is_live(self) -> bool: ...
+    def index(self) -> str: ...
+    def runs(self) -> str: ...
+    def asset(self, name: str) -> str: ...
+    def benchmark(self, benchmark_id: str) -> str: ...
+    def run(self, run_id: str) -> str: ...
+    def record(self, run_id: str) -> str: ...
+    def episode(self, run_id: str, episode: Mapping[str, Any]) -> str: ...
+    def comparison(self, baseline: str, run_id: str) -> str: ...
+    def pair(self, baseline: str, run_id: str, episode: Mapping[str, Any]) -> str: ...
+
+
+def render_page(template: str, links: Links, *, csrf: str = "", **values: Any) -> str:
+    """A whole page, or a part of one, as HTML.
+
+    csrf: of the reader's session, for its forms; empty for a reader without one.
+    """
+    text = _environment().get_template(f"{template}.html.j2")
+    return text.render(links=links, csrf=csrf, **values)
+
+
+@cache
+def read_asset(name: str) -> bytes:
+    """A script or a style that the pages load; a name of ASSETS."""
+    assert name in ASSETS
+    return files(__package__).joinpath("static", name).read_bytes()
+
+
+@cache
+def asset_version(name: str) -> str:
+    """Changes with the content, so that a browser may keep what it has for good."""
+    return hashlib.sha256(read_asset(name)).hexdigest()[:12]
+
+
+@cache
+def _environment() -> Environment:
+    environment = Environment(
+        loader=PackageLoader(__package__, "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        auto_reload=False,
+    )
+    environment.filters |= {
+        "percent": percent,
+        "score": score_text,
+        "duration": duration,
+        "milliseconds": milliseconds,
+        "interval": interval,
+        "web_link": web_link,
+        "moment": moment,
+        "numbers": numbers,
+    }
+    return environment
+
+
+def percent(value: float | None) -> str:
+    return EMPTY if value is None else f"{100 * value:.1f} %"
+
+
+def score_text(value: float | None) -> str:
+    return EMPTY if value is None else f"{value:.3f}"
+
+
+def interval(value: Mapping[str, float]) -> str:
+    """Of a rate, in percent."""
+    return f"{100 * value['low']:.1f}–{100 * value['high']:.1f} %"
+
+
+def milliseconds(value: float | None) -> str:
+    if value is None:
+        return EMPTY
+    return f"{value:.2f} ms" if value < 10 else f"{value:.0f} ms"
+
+
+def duration(seconds: float | None) -> str:
+    """The two largest units."""
+    if seconds is None or not math.isfinite(seconds):
+        return EMPTY
+    if seconds < 60:
+        return f"{seconds:.0f} s"
+    minutes = int(seconds) // 60
+    if minutes < 60:
+        return f"{minutes} min {int(seconds) % 60} s"
+    if minutes < 24 * 60:
+        return f"{minutes // 60} h {minutes % 60} min"
+    return f"{minutes // 1440} d {minutes // 60 % 24} h"
+
+
+def moment(text: str) -> str:
+    """RFC 3339 in UTC as people read it: without milliseconds."""
+    return f"{text[:10]} {text[11:19]} UTC"
+
+
+def numbers(values: list[float] | None) -> str:
+    """Some numbers, the first of many."""
+    if not values:
+        return EMPTY
+    shown = ", ".join(f"{value:g}" for value in values[:8])
+    return shown + (", …" if len(values) > 8 else "")
+
+
+def web_link(text: str | None) -> str:
+    """The address if a browser may follow it, else an empty text."""
+    if not text or any(ord(letter) <= 32 for letter in text):
+        return ""
+    try:
+        parts = urlsplit(text)
+    except ValueError:
+        return ""
+    return text if parts.scheme in ("http", "https") and parts.hostname else ""

@@ -1,0 +1,220 @@
+"""What the pages need of a record, in the shape of the API's documents.
+
+A record has fewer facts than a server: what it does not say stays absent. Its author
+chose its texts, so each is checked for its type before a template sees it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, TypeVar
+
+import msgspec
+from msgspec import Struct
+
+from reference_record.formats.bundle import Bundle
+from reference_record.formats.names import EPISODES, MANIFEST
+from reference_record.pages.page_contents import signed_level
+from reference_record.pages.recorded_episode import (
+    RecordedEpisode,
+    read_recorded_episode,
+)
+from reference_record.pages.run_page import Document
+from reference_record.pages.static_pages import ReportedRun
+from reference_record.statement import EpisodeLine, Evaluation, read_lines
+from reference_record.verification import verify
+
+T = TypeVar("T")
+
+
+class _Space(Struct):
+    size: int
+    unit: str
+    rotation: str
+    frame: str
+    relative: bool
+    out_of_range: str
+    gripper_open: float | None = None
+    minimum: list[float] | None = None
+    maximum: list[float] | None = None
+    description: str = ""
+
+
+class _Image(Struct):
+    description: str
+
+
+class _Tensor(Struct):
+    dtype: str
+    shape: list[int]
+    description: str
+
+
+class _Observation(Struct):
+    state: dict[str, _Space]
+    images: dict[str, _Image]
+    tensors: dict[str, _Tensor]
+
+
+class _Size(Struct):
+    width: int
+    height: int
+
+
+class _SimulatorName(Struct):
+    name: str
+    version: str
+
+
+class _Manifest(Struct):
+    """The members of a manifest that the page of a benchmark shows."""
+
+    benchmark_id: str
+    version: str
+    title: str
+    description: str
+    episodes_total: int
+    tasks: list[str]
+    splits: list[str]
+    control_rate_hz: float
+    max_steps: int
+    max_chunk: int
+    max_attempts: int
+    max_faults: int
+    success_rule: str
+    action_space: dict[str, _Space]
+    observation_space: _Observation
+    image_sizes: list[_Size]
+    image_codecs: list[str]
+    simulator: _SimulatorName
+    sealed_splits: list[str] | None = None
+    seeds_sha256: str | None = None
+
+
+class _Player(Struct):
+    name: str
+    version: str | None = None
+    client: str | None = None
+
+
+class _Seed(Struct):
+    seed: int | None = None
+
+
+class _Seeds(Struct):
+    episodes: list[_Seed]
+
+
+def read_reported_run(
+    bundle: Bundle, trusted: Mapping[str, str], videos: Path | None = None
+) -> ReportedRun:
+    """A record that was verified, as a report shows it; raises BrokenRecord.
+
+    trusted: keyid → whose key it is. videos: as ReportedRun has it.
+    """
+    report = verify(bundle, trusted)
+    said = report.evaluation
+    manifest = bundle.read(MANIFEST)
+    seeds = _convert(manifest, _Seeds)
+    episodes = [
+        _episode(line, None if seeds is None else seeds.episodes[line.index].seed)
+        for line in read_lines(bundle.blocks(EPISODES))
+    ]
+    recordings = {
+        line.index: line.recording.path
+        for line in read_lines(bundle.blocks(EPISODES))
+        if line.recording is not None
+    }
+
+    def read(episode: Document) -> RecordedEpisode | None:
+        name = recordings.get(episode["index"])
+        if name is None:
+            return None
+        with bundle.open(name) as file:
+            recorded = read_recorded_episode(file, bundle.sizes[name], name)
+        _complete(episode, recorded)
+        return recorded
+
+    benchmark = _convert(manifest, _Manifest)
+    return ReportedRun(
+        run=_run(said, episodes),
+        score=said.score,
+        episodes=episodes,
+        benchmark=None
+        if benchmark is None
+        else msgspec.to_builtins(benchmark)
+        | {"manifest_sha256": said.manifest_sha256, "unavailable_reason": None},
+        level=signed_level(report.levels),
+        read=read,
+        videos=videos,
+    )
+
+
+def _convert(data: bytes, kind: type[T]) -> T | None:
+    try:
+        return msgspec.json.decode(data, type=kind)
+    except (msgspec.MsgspecError, RecursionError):
+        return None
+
+
+def _run(said: Evaluation, episodes: list[dict[str, Any]]) -> dict[str, Any]:
+    scored = sum("result" in one for one in episodes)
+    return {
+        "run_id": said.run.run_id,
+        "state": "completed",
+        "reason": None,
+        "benchmark_id": said.benchmark.benchmark_id,
+        "benchmark_version": said.benchmark.version,
+        "manifest_sha256": said.manifest_sha256,
+        "policy": {"name": said.policy.name, "version": said.policy.version,
+                   "homepage": None},
+        "mode": said.run.mode,
+        "images": None,
+        "idle_timeout_s": None,
+        "attempts_by_submitter": said.attempts_by_submitter,
+        "queue_position": None,
+        "live_workers": 0,
+        "progress": {"episodes_total": len(episodes), "episodes_scored": scored},
+        "created_at": said.started_at,
+        "updated_at": said.finished_at,
+    }  # fmt: skip
+
+
+def _episode(line: EpisodeLine, seed: int | None) -> dict[str, Any]:
+    episode: dict[str, Any] = {
+        "episode_id": line.episode_id,
+        "index": line.index,
+        "task": line.task,
+        "split": line.split,
+        "status": "scored" if line.outcome else "pending",
+        "attempt": line.attempts,
+        "faults": 0,
+    }
+    if line.outcome is None:
+        return episode
+    result: dict[str, Any] = {
+        "outcome": line.outcome,
+        "score": line.score,
+        "steps": line.steps,
+        "attempt": line.attempts,
+    }
+    if seed is not None:
+        result["seed"] = seed
+    try:
+        player = msgspec.convert(line.player, _Player)
+        result["player"] = msgspec.to_builtins(player)
+    except msgspec.ValidationError:
+        pass  # none, or none that can be shown
+    return episode | {"result": result}
+
+
+def _complete(episode: Document, recorded: RecordedEpisode) -> None:
+    """What only the recording says, put into the documents that are ours."""
+    assert isinstance(episode, dict)
+    faults = [event for event in recorded.events if event[1] == "simulator fault"]
+    episode["faults"] = len(faults)
+    result = episode["result"]
+    result["think_s"] = sum(turn.think_ms for turn in recorded.turns) / 1000
+    result["total_reward"] = sum(sum(turn.rewards) for turn in recorded.turns)
+    result["finished_at"] = recorded.result.at if recorded.result else None

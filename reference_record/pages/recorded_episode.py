@@ -1,0 +1,259 @@
+"""A recording as the page of its episode shows it: the last attempt, step by step.
+
+Recordings come from elsewhere: they are read within the bounds of `McapReader`, and
+what is kept of one is bounded here. State is not recorded, only digests of it.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, BinaryIO, Final
+
+import msgspec
+
+from reference_record.broken import BrokenRecord
+from reference_record.formats.mcap_reader import McapReader
+from reference_record.formats.strict_json import UNREADABLE
+from reference_record.pages.run_page import PolicyTimes
+from reference_record.recording import CAMERA, AttemptEvent, EpisodeResult, Fault, Turn
+
+# Beyond this, a plot would have more points than a screen has.
+POINTS_MAX: Final = 4000
+SERIES_MAX: Final = 64
+EVENTS_MAX: Final = 200
+PICTURES_MAX: Final = 2000
+PICTURE_BYTES_MAX: Final = 64 * 2**20
+DIGITS: Final = 5
+_FORMATS: Final = {"jpeg": "jpg", "png": "png", "webp": "webp"}
+_CAMERA_NAME: Final = re.compile(r"[A-Za-z0-9_.-]{1,64}")
+
+_TURN = msgspec.json.Decoder(Turn)
+_ATTEMPT = msgspec.json.Decoder(AttemptEvent)
+_FAULT = msgspec.json.Decoder(Fault)
+_RESULT = msgspec.json.Decoder(EpisodeResult)
+
+
+class _CameraMessage(msgspec.Struct):
+    """As JSON has it: the data is a text."""
+
+    data: str
+    format: str
+
+
+_PICTURE = msgspec.json.Decoder(_CameraMessage)
+
+
+@dataclass(frozen=True, slots=True)
+class CameraPicture:
+    """What a camera showed after `step` steps; extension: of a file that has it."""
+
+    camera: str
+    step: int
+    data: bytes
+    extension: str
+
+
+@dataclass(slots=True)
+class RecordedEpisode:
+    """turns: of the last attempt. events: (attempt, what happened, why) of all.
+
+    late: of the turns, those that came after the actions before had been executed.
+    """
+
+    turns: list[Turn] = field(default_factory=list)
+    events: list[tuple[int, str, str]] = field(default_factory=list)
+    first_digest: str | None = None
+    result: EpisodeResult | None = None
+    pictures: list[CameraPicture] = field(default_factory=list)
+
+    @property
+    def steps(self) -> int:
+        return sum(turn.steps for turn in self.turns)
+
+    def times(self, control_rate_hz: float | None) -> PolicyTimes:
+        """How long the policy took; `late` needs the control rate."""
+        times = PolicyTimes([turn.think_ms for turn in self.turns])
+        if not control_rate_hz or control_rate_hz <= 0:
+            return times
+        for before, turn in zip(self.turns, self.turns[1:], strict=False):
+            times.followed += 1
+            times.late += turn.think_ms > 1000 * before.steps / control_rate_hz
+        return times
+
+
+def read_recorded_episode(
+    file: BinaryIO, size: int, name: str, *, pictures: bool = True
+) -> RecordedEpisode:
+    """Raises BrokenRecord; `name` is what the error calls the file."""
+    episode = RecordedEpisode()
+    reader = _Reader(episode, pictures=pictures)
+    try:
+        for topic, data in McapReader(name, file, size).messages():
+            reader.add(topic, data)
+    except UNREADABLE as error:
+        detail = f"a message cannot be read: {error}"
+        raise BrokenRecord(name, "REC-012", detail) from error
+    return episode
+
+
+class _Reader:
+    def __init__(self, episode: RecordedEpisode, *, pictures: bool) -> None:
+        self._episode = episode
+        self._pictures = pictures
+        self._steps = 0
+        self._picture_bytes = 0
+
+    def add(self, topic: str, data: memoryview) -> None:
+        episode = self._episode
+        if topic == "/turn":
+            turn = _TURN.decode(data)
+            self._steps += turn.steps
+            episode.turns.append(turn)
+        elif topic == "/attempt":
+            self._add_attempt(_ATTEMPT.decode(data))
+        elif topic == "/fault":
+            fault = _FAULT.decode(data)
+            self._note(fault.attempt, fault.code.replace("_", " "), fault.detail)
+        elif topic == "/result":
+            episode.result = _RESULT.decode(data)
+        elif topic.startswith(CAMERA) and self._pictures:
+            self._add_picture(topic.removeprefix(CAMERA), _PICTURE.decode(data))
+
+    def _add_attempt(self, event: AttemptEvent) -> None:
+        self._note(event.attempt, event.event, event.reason or "")
+        if event.event == "started":
+            self._episode.turns.clear()
+            self._episode.pictures.clear()
+            self._steps = self._picture_bytes = 0
+            self._episode.first_digest = event.state_digest
+
+    def _note(self, attempt: int, what: str, why: str) -> None:
+        if len(self._episode.events) < EVENTS_MAX:
+            self._episode.events.append((attempt, what, why[:1000]))
+
+    def _add_picture(self, camera: str, message: _CameraMessage) -> None:
+        extension = _FORMATS.get(message.format)
+        known = extension and _CAMERA_NAME.fullmatch(camera)
+        self._picture_bytes += len(message.data)
+        full = len(self._episode.pictures) >= PICTURES_MAX
+        if not known or full or self._picture_bytes > PICTURE_BYTES_MAX:
+            return
+        try:
+            data = base64.b64decode(message.data, validate=True)
+        except (ValueError, binascii.Error):
+            return
+        picture = CameraPicture(camera, self._steps, data, str(extension))
+        self._episode.pictures.append(picture)
+
+
+def plot_data(episode: RecordedEpisode) -> dict[str, Any]:
+    """What the plots are drawn from, as JSON: columns by step and by turn.
+
+    steps: the numbers of the executed actions, from 1. actions: name → its columns.
+    Long episodes are thinned out: one step of every `stride` is drawn.
+    """
+    total = episode.steps
+    stride = max(1, math.ceil(total / POINTS_MAX))
+    steps: list[int] = []
+    rewards: list[float | None] = []
+    columns: dict[str, list[list[float | None]]] = {}
+    step = 0
+    for turn in episode.turns:
+        for action, reward in zip(turn.actions, turn.rewards, strict=False):
+            step += 1
+            if (step - 1) % stride:
+                continue
+            _add_action(columns, action, len(steps))
+            steps.append(step)
+            rewards.append(_short(reward))
+    for series in columns.values():
+        for column in series:
+            column.extend([None] * (len(steps) - len(column)))
+    return {
+        "total": total,
+        "stride": stride,
+        "steps": steps,
+        "rewards": rewards,
+        "actions": columns,
+        "turns": _turn_columns(episode.turns),
+    }
+
+
+def _add_action(
+    columns: dict[str, list[list[float | None]]],
+    action: Mapping[str, Sequence[float]],
+    at: int,
+) -> None:
+    drawn = sum(map(len, columns.values()))
+    for name, values in action.items():
+        if name not in columns:
+            room = min(len(values), SERIES_MAX - drawn)
+            if room <= 0:
+                continue
+            columns[name] = [[] for _ in range(room)]
+            drawn += room
+        for column, value in zip(columns[name], values, strict=False):
+            column.extend([None] * (at - len(column)))
+            column.append(_short(value))
+
+
+def _turn_columns(turns: Sequence[Turn]) -> dict[str, list[Any]]:
+    """Of the turns that are drawn: first and last step, times and score."""
+    stride = max(1, math.ceil(len(turns) / POINTS_MAX))
+    names = ("seq", "first", "last", "think_ms", "simulate_ms", "score")
+    found: dict[str, list[Any]] = {name: [] for name in names}
+    last = 0
+    for number, turn in enumerate(turns):
+        first, last = last + 1, last + turn.steps
+        if number % stride:
+            continue
+        found["seq"].append(turn.seq)
+        found["first"].append(first)
+        found["last"].append(last)
+        found["think_ms"].append(_short(turn.think_ms))
+        found["simulate_ms"].append(_short(turn.simulate_ms))
+        found["score"].append(_short(turn.score))
+    return found
+
+
+def _short(value: float) -> float | None:
+    """Five digits: a file is half as long, and a plot the same."""
+    return float(f"{value:.{DIGITS}g}") if math.isfinite(value) else None
+
+
+@dataclass(frozen=True, slots=True)
+class FirstDifference:
+    """step: the first one, from 1, that was not the same in both; 0: the start."""
+
+    step: int
+    what: str
+
+
+def first_divergence(
+    one: RecordedEpisode, other: RecordedEpisode
+) -> FirstDifference | None:
+    """Where two plays of an episode part; None while they are the same."""
+    if one.first_digest != other.first_digest:
+        return FirstDifference(0, "The simulator began in another state.")
+    pairs = zip(_actions(one), _actions(other), strict=False)
+    for step, (a, b) in enumerate(pairs, start=1):
+        if a != b:
+            return FirstDifference(step, "Another action was executed.")
+    if one.steps != other.steps:
+        return FirstDifference(
+            min(one.steps, other.steps) + 1, "One ended, the other went on."
+        )
+    last = (one.turns[-1:], other.turns[-1:])
+    digests = [turn.state_digest for turns in last for turn in turns]
+    if len(set(digests)) > 1:
+        return FirstDifference(one.steps, "The same actions led to another state.")
+    return None
+
+
+def _actions(episode: RecordedEpisode) -> list[Mapping[str, Sequence[float]]]:
+    return [action for turn in episode.turns for action in turn.actions]

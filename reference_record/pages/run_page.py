@@ -1,0 +1,196 @@
+"""What the page of a run shows, computed from documents of the API.
+
+Nothing here is scored anew: the score is what `get_score` answered. Counts of a cell of
+the table are counts of episodes as `list_episodes` lists them.
+"""
+
+from __future__ import annotations
+
+import math
+import shlex
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import Any, Final
+
+from reference_record.score import wilson_interval
+
+Document = Mapping[str, Any]
+# What needs attention stands first.
+ORDER: Final = ("failure", "abandoned", "in_progress", "pending", "success")
+# Of how many episodes the pace is taken.
+PACE_EPISODES: Final = 50
+
+
+@dataclass(slots=True)
+class TaskCell:
+    """Episodes of one task in one split: all, those with a result, successes."""
+
+    total: int = 0
+    scored: int = 0
+    successes: int = 0
+
+    @property
+    def rate(self) -> float | None:
+        return self.successes / self.scored if self.scored else None
+
+    @property
+    def interval(self) -> dict[str, float]:
+        return wilson_interval(self.rate, self.scored)
+
+
+@dataclass(frozen=True, slots=True)
+class TaskTable:
+    """Rows: task, its cell of each split, and that of all."""
+
+    splits: list[str]
+    rows: list[tuple[str, list[TaskCell | None], TaskCell]]
+
+
+@dataclass(frozen=True, slots=True)
+class Quantiles:
+    """Of `count` values."""
+
+    count: int
+    p50: float
+    p95: float
+    p99: float
+
+
+@dataclass(slots=True)
+class PolicyTimes:
+    """How long the policy took for turns, and whether a robot had to wait for it.
+
+    think_ms: of each turn. late: turns whose actions came after those before them had
+    been executed at the control rate. followed: turns that had others before them.
+    """
+
+    think_ms: list[float] = field(default_factory=list)
+    late: int = 0
+    followed: int = 0
+
+    def add(self, other: PolicyTimes) -> None:
+        self.think_ms += other.think_ms
+        self.late += other.late
+        self.followed += other.followed
+
+    @property
+    def quantiles(self) -> Quantiles | None:
+        return quantiles(self.think_ms)
+
+
+def status_of(episode: Document) -> str:
+    """Its outcome, or what it waits for."""
+    result = episode.get("result")
+    return str(result["outcome"] if result else episode["status"])
+
+
+def failures_first(episodes: Iterable[Document]) -> list[Document]:
+    """The episodes by status, and of one status in the order of the manifest."""
+    rank = {name: place for place, name in enumerate(ORDER)}
+    return sorted(episodes, key=lambda one: (rank.get(status_of(one), 0), one["index"]))
+
+
+def task_table(episodes: Iterable[Document]) -> TaskTable:
+    cells: dict[tuple[str, str], TaskCell] = {}
+    for episode in episodes:
+        cell = cells.setdefault((episode["task"], episode["split"]), TaskCell())
+        cell.total += 1
+        if result := episode.get("result"):
+            cell.scored += 1
+            cell.successes += result["outcome"] == "success"
+    splits = list(dict.fromkeys(split for _, split in cells))
+    rows = []
+    for task in dict.fromkeys(task for task, _ in cells):
+        row = [cells.get((task, split)) for split in splits]
+        known = [cell for cell in row if cell is not None]
+        whole = TaskCell(
+            sum(cell.total for cell in known),
+            sum(cell.scored for cell in known),
+            sum(cell.successes for cell in known),
+        )
+        rows.append((task, row, whole))
+    return TaskTable(splits, rows)
+
+
+def task_table_of_score(score: Document) -> TaskTable:
+    """The same without the splits, from the score alone."""
+    rows: list[tuple[str, list[TaskCell | None], TaskCell]] = []
+    for task, group in score["by_task"].items():
+        counts = group["counts"]
+        scored = counts["total"] - counts["unscored"]
+        rows.append((task, [], TaskCell(counts["total"], scored, counts["success"])))
+    return TaskTable([], rows)
+
+
+def quantiles(values: Sequence[float]) -> Quantiles | None:
+    """Nearest ranks; None without a value."""
+    if not values:
+        return None
+    ordered = sorted(values)
+    picked = [ordered[math.ceil(q * len(ordered)) - 1] for q in (0.5, 0.95, 0.99)]
+    return Quantiles(len(ordered), *picked)
+
+
+def think_seconds(episodes: Iterable[Document]) -> Quantiles | None:
+    """Time that the policy took in an episode, over those with a result."""
+    results = [one["result"] for one in episodes if one.get("result")]
+    return quantiles([one["think_s"] for one in results if "think_s" in one])
+
+
+def seconds_left(run: Document, episodes: Iterable[Document]) -> float | None:
+    """At the pace of the last episodes; None when the run does not go on."""
+    if run["state"] not in ("running", "stopping"):
+        return None
+    ends = sorted(
+        datetime.fromisoformat(one["result"]["finished_at"])
+        for one in episodes
+        if one.get("result")
+    )[-PACE_EPISODES:]
+    if len(ends) < 2:
+        return None
+    pace = (ends[-1] - ends[0]).total_seconds() / (len(ends) - 1)
+    progress = run["progress"]
+    left: int = progress["episodes_total"] - progress["episodes_scored"]
+    return pace * left
+
+
+def totals(episodes: Iterable[Document]) -> dict[str, int]:
+    """Attempts beyond the first, faults, clipped actions; over all episodes."""
+    found = {"more attempts": 0, "faults": 0, "clipped actions": 0}
+    for episode in episodes:
+        found["faults"] += episode["faults"]
+        found["more attempts"] += episode["attempt"] - 1
+        result = episode.get("result") or {}
+        found["clipped actions"] += result.get("clipped_actions") or 0
+    return found
+
+
+def players(episodes: Iterable[Document]) -> list[str]:
+    """Who played, as the clients said it."""
+    found: dict[str, None] = {}
+    for episode in episodes:
+        player = (episode.get("result") or {}).get("player")
+        if player:
+            found[player_text(player)] = None
+    return list(found)
+
+
+def player_text(player: Document) -> str:
+    """Name, version and client, as far as they are known."""
+    named = f"{player['name']} {player.get('version') or ''}".strip()
+    client = player.get("client")
+    return f"{named}, played with {client}" if client else named
+
+
+def commands(run: Document) -> list[tuple[str, str]]:
+    """How to do it again, and how to check the score: what it does, the command."""
+    name = shlex.quote(str(run["policy"]["name"]))
+    benchmark, run_id = map(shlex.quote, (run["benchmark_id"], run["run_id"]))
+    again = f"proctor run --policy POLICY --benchmark {benchmark} --name {name}"
+    for flag, names in (run.get("select") or {}).items():
+        option = {"tasks": "--tasks", "splits": "--split"}.get(flag)
+        if option and names:
+            again += f" {option} {shlex.quote(','.join(names))}"
+    check = f"proctor export {run_id} && proctor verify run-{run_id}.proctor"
+    return [("Evaluate a policy in the same way", again), ("Check the score", check)]

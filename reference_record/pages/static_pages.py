@@ -1,0 +1,243 @@
+"""The same pages as files that a browser opens without a server.
+
+Names of files are numbers: nothing that a record or a server says becomes a part of a
+path. The files are written into a new or empty folder.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from reference_record.pages import page_contents
+from reference_record.pages.comparison_page import pair_episodes
+from reference_record.pages.page_contents import Side, Window, played_view
+from reference_record.pages.page_templates import ASSETS, read_asset, render_page
+from reference_record.pages.recorded_episode import RecordedEpisode
+from reference_record.pages.run_page import Document, PolicyTimes, failures_first
+
+ROWS_MAX = 1000
+VIDEO = "{index:05d}.mp4"
+
+
+@dataclass(slots=True)
+class ReportedRun:
+    """One run of a report.
+
+    run, score, episodes, benchmark: documents of the API; benchmark None if it is not
+    known. level: what may be said of the score. read: gives the recording of an episode
+    with a result, None without one; raises BrokenRecord. videos: a folder with files
+    such as 00042.mp4, named by the index of their episode; None without one.
+    """
+
+    run: Document
+    score: Document
+    episodes: Sequence[Document]
+    benchmark: Document | None
+    level: str
+    read: Callable[[Document], RecordedEpisode | None]
+    videos: Path | None = None
+    times: PolicyTimes = field(default_factory=PolicyTimes)
+
+    @property
+    def run_id(self) -> str:
+        return str(self.run["run_id"])
+
+
+@dataclass(frozen=True, slots=True)
+class FileLinks:
+    """Links between files. root: from the page to the folder of the report."""
+
+    root: str
+    runs_by_id: Mapping[str, int]
+    benchmarks: Mapping[str, int]
+    is_live: bool = False
+
+    def index(self) -> str:
+        return f"{self.root}index.html"
+
+    def runs(self) -> str:
+        return ""
+
+    def record(self, run_id: str) -> str:
+        return ""
+
+    def asset(self, name: str) -> str:
+        return f"{self.root}static/{name}"
+
+    def benchmark(self, benchmark_id: str) -> str:
+        number = self.benchmarks.get(benchmark_id)
+        return f"{self.root}benchmarks/{number}.html" if number else ""
+
+    def run(self, run_id: str) -> str:
+        return f"{self.root}runs/{self.runs_by_id[run_id]}/index.html"
+
+    def episode(self, run_id: str, episode: Mapping[str, Any]) -> str:
+        number = self.runs_by_id[run_id]
+        return f"{self.root}runs/{number}/episodes/{episode['index']:05d}.html"
+
+    def _compared(self, baseline: str, run_id: str) -> str:
+        first, second = self.runs_by_id[baseline], self.runs_by_id[run_id]
+        return f"{self.root}comparisons/{first}-{second}"
+
+    def comparison(self, baseline: str, run_id: str) -> str:
+        return f"{self._compared(baseline, run_id)}/index.html"
+
+    def pair(self, baseline: str, run_id: str, episode: Mapping[str, Any]) -> str:
+        return f"{self._compared(baseline, run_id)}/{episode['index']:05d}.html"
+
+
+class StaticReport:
+    """Writes pages of some runs into a folder. Raises OSError, BrokenRecord."""
+
+    def __init__(self, folder: Path, runs: Sequence[ReportedRun]) -> None:
+        self._folder = folder
+        self._runs = runs
+        self._runs_by_id = {one.run_id: n for n, one in enumerate(runs, start=1)}
+        known = [one.benchmark for one in runs if one.benchmark is not None]
+        self._benchmarks = list({one["benchmark_id"]: one for one in known}.values())
+
+    def write(self) -> int:
+        """All pages; returns their number."""
+        for name in ASSETS:
+            target = self._folder / "static" / name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(read_asset(name))
+        return sum(1 for _ in self._write_pages())
+
+    def _write_pages(self) -> Iterator[str]:
+        for one in self._runs:
+            yield from self._write_episodes(one)
+            yield from self._write_run(one)
+        for baseline in self._runs:
+            for other in self._others(baseline):
+                yield from self._write_comparison(baseline, other)
+        for number, benchmark in enumerate(self._benchmarks, start=1):
+            yield self._save(
+                f"benchmarks/{number}.html",
+                render_page("benchmark", self._links("../"), benchmark=benchmark),
+            )
+        yield self._save(
+            "index.html",
+            render_page(
+                "index",
+                self._links(""),
+                title="Report",
+                runs=[one.run for one in self._runs],
+                benchmarks=self._benchmarks,
+            ),
+        )
+
+    def _links(self, root: str) -> FileLinks:
+        named = {b["benchmark_id"]: n for n, b in enumerate(self._benchmarks, start=1)}
+        return FileLinks(root, self._runs_by_id, named)
+
+    def _others(self, baseline: ReportedRun) -> list[ReportedRun]:
+        """The runs behind it that can be compared with it."""
+        at = self._runs_by_id[baseline.run_id]
+        sha256 = baseline.run["manifest_sha256"]
+        return [o for o in self._runs[at:] if o.run["manifest_sha256"] == sha256]
+
+    def _write_run(self, one: ReportedRun) -> Iterator[str]:
+        links, number = self._links("../../"), self._runs_by_id[one.run_id]
+        rows = failures_first(one.episodes)
+        starts = range(0, max(1, len(rows)), ROWS_MAX)
+        names = ["index.html", *(f"page-{n}.html" for n in range(2, len(starts) + 1))]
+        pages = list(enumerate(names, start=1))
+        compared = [
+            other.run
+            for other in self._runs[: number - 1]
+            if one in self._others(other)
+        ]
+        for (page, name), start in zip(pages, starts, strict=True):
+            part = rows[start : start + ROWS_MAX]
+            window = Window(part, len(rows), page, pages, whole=True)
+            text = page_contents.run_html(
+                links, one.run, one.score, one.episodes, window,
+                level=one.level, turn_times=one.times, others=compared,
+            )  # fmt: skip
+            yield self._save(f"runs/{number}/{name}", text)
+
+    def _write_episodes(self, one: ReportedRun) -> Iterator[str]:
+        links, number = self._links("../../../"), self._runs_by_id[one.run_id]
+        played = [episode for episode in one.episodes if episode.get("result")]
+        rate = one.benchmark["control_rate_hz"] if one.benchmark else None
+        for place, episode in enumerate(played):
+            recorded = one.read(episode)
+            if recorded is not None:
+                one.times.add(recorded.times(rate))
+            around = [
+                f"{other['index']:05d}.html" if other is not None else ""
+                for other in (
+                    played[place - 1] if place else None,
+                    played[place + 1] if place + 1 < len(played) else None,
+                )
+            ]
+            text = page_contents.episode_html(
+                links, one.run, episode, recorded,
+                None if recorded is None else self._view(one, episode, recorded, ""),
+                control_rate_hz=rate, before=around[0], after=around[1],
+                problem="" if recorded else "There is no recording of this episode.",
+            )  # fmt: skip
+            name = f"runs/{number}/episodes/{episode['index']:05d}.html"
+            yield self._save(name, text)
+
+    def _view(
+        self, one: ReportedRun, episode: Document, recorded: RecordedEpisode, base: str
+    ) -> page_contents.PlayedView:
+        """base: from the page to the folder of the run's episodes."""
+        folder = f"runs/{self._runs_by_id[one.run_id]}/episodes"
+        index, addresses = episode["index"], []
+        for number, picture in enumerate(recorded.pictures):
+            name = f"{index:05d}/{number:05d}.{picture.extension}"
+            target = self._folder / folder / name
+            if not target.exists():
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.write_bytes(picture.data)
+            addresses.append(base + name)
+        return played_view(recorded, addresses, self._video(one, index, folder, base))
+
+    def _video(self, one: ReportedRun, index: int, folder: str, base: str) -> str:
+        name = VIDEO.format(index=index)
+        if one.videos is None or not (one.videos / name).is_file():
+            return ""
+        target = self._folder / folder / name
+        if not target.exists():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes((one.videos / name).read_bytes())
+        return base + name
+
+    def _write_comparison(
+        self, baseline: ReportedRun, other: ReportedRun
+    ) -> Iterator[str]:
+        links = self._links("../../")
+        pairs = pair_episodes(baseline.episodes, other.episodes)
+        folder = links.comparison(baseline.run_id, other.run_id).removeprefix("../../")
+        text = page_contents.comparison_html(
+            links, baseline.run, other.run, pairs,
+            Window(pairs, len(pairs), whole=True),
+        )  # fmt: skip
+        yield self._save(folder, text)
+        for pair in pairs:
+            if pair.kind == "open":
+                continue
+            sides = []
+            for one, episode in ((baseline, pair.baseline), (other, pair.run)):
+                recorded = one.read(episode)
+                if recorded is None:
+                    break
+                base = f"../../runs/{self._runs_by_id[one.run_id]}/episodes/"
+                view = self._view(one, episode, recorded, base)
+                sides.append(Side(one.run, episode, recorded, view))
+            if len(sides) == 2:
+                name = links.pair(baseline.run_id, other.run_id, pair.run)
+                text = page_contents.pair_html(links, sides)
+                yield self._save(name.removeprefix("../../"), text)
+
+    def _save(self, name: str, text: str) -> str:
+        target = self._folder / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, "utf-8")
+        return name

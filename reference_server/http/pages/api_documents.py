@@ -1,0 +1,132 @@
+"""Calls of this server's own API, with the token of a reader, in this process.
+
+The request passes the same checks as one from the network, so a page shows exactly what
+the API would answer to that token, and a refusal is the API's own.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+from collections.abc import AsyncGenerator, AsyncIterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+from urllib.parse import quote, urlencode
+
+import msgspec
+from starlette.requests import Request
+from starlette.types import ASGIApp, Message, Scope
+
+# A recording that is longer is not shown, but may be downloaded.
+ANSWER_BYTES_MAX = 64 * 2**20
+_TOO_LARGE = "It is too large to be shown; it can be downloaded with the record."
+log = logging.getLogger("proctor.pages")
+
+
+class Problem(Exception):
+    """A refusal of the API: its status, code and text for people."""
+
+    def __init__(self, status: int, code: str, detail: str) -> None:
+        super().__init__(detail)
+        self.status, self.code, self.detail = status, code, detail
+
+
+@dataclass(frozen=True, slots=True)
+class ApiDocuments:
+    """The operations of the API, for one reader. token: the bearer token."""
+
+    app: ASGIApp
+    outer: Scope
+    token: str
+
+    @classmethod
+    def of(cls, app: ASGIApp, request: Request, token: str) -> ApiDocuments:
+        return cls(app, request.scope, token)
+
+    async def get(self, *path: str, **query: object) -> Any:
+        """The JSON of an answer. Raises Problem."""
+        return msgspec.json.decode(await self.read(*path, **query))
+
+    async def read(self, *path: str, **query: object) -> bytes:
+        """The bytes of an answer. Raises Problem."""
+        body = bytearray()
+        async with contextlib.aclosing(self.stream(*path, **query)) as parts:
+            async for part in parts:
+                body += part
+                if len(body) > ANSWER_BYTES_MAX:
+                    raise Problem(413, "too_large", _TOO_LARGE)
+        return bytes(body)
+
+    async def stream(self, *path: str, **query: object) -> AsyncGenerator[bytes, None]:
+        """The parts of an answer as they are sent. Raises Problem."""
+        async with _call(self.app, self._scope(path, query)) as messages:
+            status = (await anext(messages, {"status": 500}))["status"]
+            if status != 200:
+                raise await _problem(status, messages)
+            async for message in messages:
+                if part := message.get("body", b""):
+                    yield part
+
+    def _scope(self, path: tuple[str, ...], query: Mapping[str, object]) -> Scope:
+        whole = "/v1/" + "/".join(quote(part, safe="") for part in path)
+        host = [(b"host", value) for name, value in self.outer["headers"]
+                if name == b"host"]  # fmt: skip
+        return {
+            "type": "http",
+            "asgi": self.outer["asgi"],
+            "http_version": "1.1",
+            "method": "GET",
+            "scheme": self.outer["scheme"],
+            "path": whole,
+            "raw_path": whole.encode(),
+            "root_path": "",
+            "query_string": urlencode(query).encode(),
+            "headers": [*host, (b"authorization", f"Bearer {self.token}".encode())],
+            "client": self.outer.get("client"),
+            "server": self.outer.get("server"),
+        }
+
+
+@contextlib.asynccontextmanager
+async def _call(app: ASGIApp, scope: Scope) -> AsyncIterator[AsyncIterator[Message]]:
+    """The messages of the answer; the call is ended with the context."""
+    # One at a time: what is not read yet is not made.
+    queue: asyncio.Queue[Message | None] = asyncio.Queue(maxsize=1)
+    is_sent = False
+
+    async def receive() -> Message:
+        nonlocal is_sent
+        if not is_sent:
+            is_sent = True
+            return {"type": "http.request", "body": b"", "more_body": False}
+        await asyncio.Event().wait()  # the reader stays until the call is cancelled
+        raise AssertionError("an event that is never set")
+
+    async def run() -> None:
+        try:
+            await app(scope, receive, queue.put)
+        except Exception:
+            log.exception("a page could not be filled")
+        await queue.put(None)
+
+    async def messages() -> AsyncIterator[Message]:
+        while (message := await queue.get()) is not None:
+            yield message
+
+    task = asyncio.create_task(run())
+    try:
+        yield messages()
+    finally:
+        task.cancel()
+        with contextlib.suppress(asyncio.CancelledError, Exception):
+            await task
+
+
+async def _problem(status: int, messages: AsyncIterator[Message]) -> Problem:
+    body = b"".join([message.get("body", b"") async for message in messages])
+    try:
+        said = msgspec.json.decode(body)
+        return Problem(status, str(said["code"]), str(said["detail"]))
+    except (msgspec.DecodeError, KeyError, TypeError):
+        return Problem(status, "internal_error", "The server could not answer.")

@@ -1,0 +1,171 @@
+"""Changes of a run for the pages that show it, made once for all of them.
+
+One reader of the event stream feeds all pages of a run that have the same token. The
+part of the page that changed is rendered once, at most every PAUSE_S, and sent to each.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections import deque
+from collections.abc import AsyncGenerator, Callable
+from contextlib import aclosing, suppress
+from typing import Any
+
+import msgspec
+
+from reference_record.pages.page_contents import summary_html
+from reference_record.pages.page_templates import Links
+from reference_record.pages.run_page import seconds_left, task_table_of_score
+from reference_server.http.pages.api_documents import ApiDocuments, Problem
+
+log = logging.getLogger("proctor.pages")
+
+PAUSE_S = 1.0
+KEEPALIVE_S = 10.0
+# Of one account, or of accounts that share a token.
+READERS_MAX = 400
+LATEST = 10
+PACE = 50
+
+
+class LiveRuns:
+    """The runs that pages show now."""
+
+    def __init__(self, links: Links) -> None:
+        self._links = links
+        self._runs: dict[tuple[str, str], _LiveRun] = {}
+
+    async def updates(
+        self, api: ApiDocuments, run_id: str, is_allowed: Callable[[], bool]
+    ) -> AsyncGenerator[bytes, None]:
+        """Server-sent events, until the run can change no more or may not be read.
+
+        is_allowed: whether the reader is still signed in. Raises Problem at the start.
+        """
+        key = (api.token, run_id)
+        run = self._runs.get(key)
+        if run is None:
+            run = self._runs[key] = _LiveRun(self._links, run_id)
+        try:
+            run.enter(api)
+            yield b"retry: 2000\n\n"
+            async for part in run.changes():
+                if not is_allowed():
+                    return
+                yield part
+        finally:
+            run.leave()
+            if not run.readers:
+                self._runs.pop(key, None)
+
+    def is_full(self, token: str) -> bool:
+        """Whether this token has all the readers that it may have."""
+        counts = [run.readers for (one, _), run in self._runs.items() if one == token]
+        return sum(counts) >= READERS_MAX
+
+
+class _LiveRun:
+    """readers: how many pages wait for its changes."""
+
+    def __init__(self, links: Links, run_id: str) -> None:
+        self._links = links
+        self._run_id = run_id
+        self._latest: deque[dict[str, Any]] = deque(maxlen=PACE)
+        self._part = b""
+        self._changed = asyncio.Event()
+        self._task: asyncio.Task[None] | None = None
+        self._is_over = False  # the run can change no more
+        self.readers = 0
+
+    def enter(self, api: ApiDocuments) -> None:
+        self.readers += 1
+        if self._task is None:
+            self._task = asyncio.create_task(self._follow(api))
+
+    def leave(self) -> None:
+        self.readers -= 1
+        if not self.readers and self._task is not None:
+            self._task.cancel()
+
+    async def changes(self) -> AsyncGenerator[bytes, None]:
+        """What is there now, and each change; empty comments in between."""
+        sent = b""
+        assert self._task is not None
+        while True:
+            changed = self._changed
+            if self._part is not sent:
+                sent = self._part
+                yield sent
+            if self._task.done():
+                if self._is_over:
+                    yield b"event: end\ndata: \n\n"
+                return
+            try:
+                await asyncio.wait_for(changed.wait(), KEEPALIVE_S)
+            except TimeoutError:
+                yield b":\n\n"
+
+    async def _follow(self, api: ApiDocuments) -> None:
+        try:
+            stream = api.stream("runs", self._run_id, "events")
+            async with aclosing(_events(stream)) as events:
+                await self._render_changes(api, events)
+            self._is_over = True
+        except Problem as problem:
+            log.debug("pages of %s end: %s", self._run_id, problem)
+        except Exception:
+            log.exception("the pages of a run are not updated")
+        finally:
+            self._wake()
+
+    async def _render_changes(
+        self,
+        api: ApiDocuments,
+        events: AsyncGenerator[tuple[str, dict[str, Any]], None],
+    ) -> None:
+        """An event `run` ends each batch: then the page is made, and then a pause."""
+        async for kind, body in events:
+            if kind == "episode":
+                self._latest.append(body)
+            elif kind == "run":
+                await self._render(api, body)
+                await asyncio.sleep(PAUSE_S)
+
+    async def _render(self, api: ApiDocuments, run: dict[str, Any]) -> None:
+        score = await api.get("runs", self._run_id, "score")
+        latest = list(self._latest)
+        text = summary_html(
+            self._links,
+            run,
+            score,
+            task_table_of_score(score),
+            left_s=seconds_left(run, latest),
+            latest=latest[: -LATEST - 1 : -1],
+        )
+        lines = "".join(f"data: {line}\n" for line in text.splitlines() if line)
+        self._part = f"event: summary\n{lines}\n".encode()
+        self._wake()
+
+    def _wake(self) -> None:
+        """Every reader that waits goes on; later ones wait for the next change."""
+        self._changed.set()
+        self._changed = asyncio.Event()
+
+
+async def _events(
+    parts: AsyncGenerator[bytes, None],
+) -> AsyncGenerator[tuple[str, dict[str, Any]], None]:
+    """Kind and body of each event of a stream."""
+    rest = b""
+    async with aclosing(parts):
+        async for part in parts:
+            *blocks, rest = (rest + part).split(b"\n\n")
+            for block in blocks:
+                fields = dict(
+                    line.split(b": ", 1) for line in block.split(b"\n") if b": " in line
+                )
+                with suppress(KeyError, msgspec.DecodeError):
+                    body = msgspec.json.decode(fields[b"data"])
+                    yield fields[b"event"].decode(), body

@@ -1,0 +1,348 @@
+"""The pages of a server: one handler each, which fetches documents and renders them.
+
+Each runs with the token of the reader's session. What it cannot read is the API's own
+refusal, as a page: the runs of other accounts are not found.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import io
+import re
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from contextlib import aclosing
+from dataclasses import dataclass
+from typing import Any
+from urllib.parse import urlencode
+
+from starlette.requests import Request
+from starlette.responses import Response, StreamingResponse
+
+from reference_record.broken import BrokenRecord
+from reference_record.pages import page_contents
+from reference_record.pages.comparison_page import KINDS, pair_episodes
+from reference_record.pages.page_contents import Side, Window, played_view
+from reference_record.pages.page_templates import render_page
+from reference_record.pages.recorded_episode import (
+    RecordedEpisode,
+    read_recorded_episode,
+)
+from reference_record.pages.run_page import Document, failures_first, status_of
+from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.live_runs import LiveRuns
+from reference_server.http.pages.page_links import ServerLinks
+from reference_server.http.pages.page_sessions import PageSession
+
+ROWS = 100
+EPISODES_PER_CALL = 250
+RUNS_SEARCHED_MAX = 1000
+LATEST_RUNS = 20
+LISTS_KEPT = 4
+RECORDINGS_KEPT = 4
+_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
+_PAGE = re.compile(r"[1-9][0-9]{0,5}")
+LINKS = ServerLinks()
+
+
+@dataclass(frozen=True, slots=True)
+class PageCall:
+    """A request of a reader who is signed in."""
+
+    request: Request
+    session: PageSession
+    api: ApiDocuments
+
+    @property
+    def csrf(self) -> str:
+        return self.session.csrf
+
+    def path(self, name: str) -> str:
+        return _checked_id(self.request.path_params[name])
+
+    def query_id(self, name: str) -> str:
+        return _checked_id(self.request.query_params.get(name, ""))
+
+    def query(self, name: str) -> str:
+        return self.request.query_params.get(name, "")[:200]
+
+    @property
+    def page(self) -> int:
+        text = self.query("page") or "1"
+        if not _PAGE.fullmatch(text):
+            raise Problem(404, "not_found", "There is no such page.")
+        return int(text)
+
+
+class PageHandlers:
+    """Every page but the sign-in. Handlers raise Problem."""
+
+    def __init__(self) -> None:
+        self._live = LiveRuns(LINKS)
+        self._lists: OrderedDict[tuple[str, str, str], list[Document]] = OrderedDict()
+        self._recordings: OrderedDict[tuple[str, str, str], RecordedEpisode] = (
+            OrderedDict()
+        )
+
+    async def show_index(self, call: PageCall) -> str:
+        benchmarks = await call.api.get("benchmarks")
+        runs = await call.api.get("runs", limit=LATEST_RUNS)
+        return render_page(
+            "index", LINKS, csrf=call.csrf, title="Benchmarks and runs",
+            runs=runs["runs"], benchmarks=benchmarks["benchmarks"],
+        )  # fmt: skip
+
+    async def show_benchmark(self, call: PageCall) -> str:
+        found = await call.api.get("benchmarks", call.path("benchmark_id"))
+        return render_page("benchmark", LINKS, csrf=call.csrf, benchmark=found)
+
+    async def show_runs(self, call: PageCall) -> str:
+        """The runs that fit, and from where the next page goes on."""
+        selected = {name: call.query(name) for name in ("benchmark", "policy", "state")}
+        cursor = call.query("cursor")
+        found: list[Document] = []
+        searched = 0
+        while len(found) < ROWS and searched < RUNS_SEARCHED_MAX:
+            limits = {"limit": ROWS} | ({"cursor": cursor} if cursor else {})
+            page = await call.api.get("runs", **limits)
+            searched += len(page["runs"])
+            found += [run for run in page["runs"] if _fits(run, selected)]
+            cursor = page["next_cursor"]
+            if cursor is None:
+                break
+        following = f"?{urlencode(selected | {'cursor': cursor})}" if cursor else ""
+        return render_page(
+            "runs", LINKS, csrf=call.csrf, runs=found, selected=selected,
+            states=("queued", "ready", "running", "stopping", "stopped", "failed",
+                    "completed"),
+            searched=searched if any(selected.values()) else 0, following=following,
+        )  # fmt: skip
+
+    async def show_run(self, call: PageCall) -> str:
+        run_id = call.path("run_id")
+        run = await call.api.get("runs", run_id)
+        score = await call.api.get("runs", run_id, "score")
+        episodes = await self._episodes(call, run)
+        selected = {name: call.query(name) for name in ("outcome", "task", "split")}
+        fitting = [
+            one
+            for one in failures_first(episodes)
+            if selected["outcome"] in ("", status_of(one))
+            and selected["task"] in ("", one["task"])
+            and selected["split"] in ("", one["split"])
+        ]
+        window = _window(call, fitting, selected, "#episodes")
+        can_change = run["state"] not in ("completed", "failed")
+        runs = await call.api.get("runs", limit=ROWS)
+        others = [
+            one
+            for one in runs["runs"]
+            if one["manifest_sha256"] == run["manifest_sha256"]
+            and one["run_id"] != run_id
+            and one["progress"]["episodes_scored"]
+        ]
+        return page_contents.run_html(
+            LINKS, run, score, episodes, window, csrf=call.csrf, others=others,
+            live=LINKS.live(run_id) if can_change else "",
+        )  # fmt: skip
+
+    async def stream_run(self, call: PageCall, is_allowed: Any) -> Response:
+        """Changes of a run, for the page of it that is open."""
+        run_id = call.path("run_id")
+        await call.api.get("runs", run_id)  # refused before the stream begins
+        if self._live.is_full(call.session.token):
+            raise Problem(503, "unavailable", "Too many pages are open.")
+        return StreamingResponse(
+            self._live.updates(call.api, run_id, is_allowed),
+            media_type="text/event-stream",
+            headers={"X-Accel-Buffering": "no"},
+        )
+
+    async def fetch_record(self, call: PageCall) -> Response:
+        run_id = call.path("run_id")
+        parts = call.api.stream("runs", run_id, "record")
+        first = await anext(parts, b"")  # a refusal is a page
+
+        async def body() -> Any:
+            async with aclosing(parts):
+                yield first
+                async for part in parts:
+                    yield part
+
+        name = f'attachment; filename="run-{run_id}.proctor"'
+        return StreamingResponse(
+            body(),
+            media_type="application/zip",
+            headers={"Content-Disposition": name},
+        )
+
+    async def show_episode(self, call: PageCall) -> str:
+        run_id = call.path("run_id")
+        run = await call.api.get("runs", run_id)
+        episodes = await self._episodes(call, run)
+        place = _place(episodes, call.path("episode_id"))
+        episode = episodes[place]
+        recorded, problem = await self._recorded(call, run_id, episode)
+        rate = await _control_rate(call, run["benchmark_id"])
+        around = [
+            LINKS.episode(run_id, episodes[at]) if 0 <= at < len(episodes) else ""
+            for at in (place - 1, place + 1)
+        ]
+        view = None if recorded is None else self._view(run_id, episode, recorded)
+        return page_contents.episode_html(
+            LINKS, run, episode, recorded, view, control_rate_hz=rate,
+            problem=problem, before=around[0], after=around[1], csrf=call.csrf,
+        )  # fmt: skip
+
+    async def fetch_picture(self, call: PageCall) -> Response:
+        """What a camera showed, by its number in the recording."""
+        run_id, number = call.path("run_id"), call.path("number")
+        episode = {"episode_id": call.path("episode_id"), "result": True}
+        recorded, problem = await self._recorded(call, run_id, episode)
+        if recorded is None or not number.isdecimal():
+            raise Problem(404, "not_found", problem or "There is no such picture.")
+        pictures = recorded.pictures[int(number) : int(number) + 1]
+        if not pictures:
+            raise Problem(404, "not_found", "There is no such picture.")
+        kind = "jpeg" if pictures[0].extension == "jpg" else pictures[0].extension
+        return Response(pictures[0].data, media_type=f"image/{kind}")
+
+    async def show_comparison(self, call: PageCall) -> str:
+        ids = (call.query_id("baseline"), call.query_id("run"))
+        numbers = await call.api.get("comparisons", baseline=ids[0], runs=ids[1])
+        baseline, run = [await call.api.get("runs", one) for one in ids]
+        pairs = pair_episodes(
+            await self._episodes(call, baseline), await self._episodes(call, run)
+        )
+        kind = call.query("kind")
+        shown = [p for p in pairs if kind in ("", p.kind)] if kind in KINDS else pairs
+        chosen = {"baseline": ids[0], "run": ids[1], "kind": kind}
+        return page_contents.comparison_html(
+            LINKS, baseline, run, pairs, _window(call, shown, chosen),
+            numbers=numbers["runs"][0], csrf=call.csrf,
+        )  # fmt: skip
+
+    async def show_pair(self, call: PageCall) -> str:
+        sides, problems = [], []
+        for name in ("baseline", "run"):
+            run = await call.api.get("runs", call.query_id(name))
+            episodes = await self._episodes(call, run)
+            episode = episodes[_place(episodes, call.query_id("episode"))]
+            recorded, problem = await self._recorded(call, run["run_id"], episode)
+            recorded = recorded or RecordedEpisode()
+            view = self._view(run["run_id"], episode, recorded)
+            sides.append(Side(run, episode, recorded, view))
+            problems += [problem] if problem else []
+        return page_contents.pair_html(
+            LINKS, sides, problem=" ".join(problems), csrf=call.csrf
+        )
+
+    def _view(
+        self, run_id: str, episode: Document, recorded: RecordedEpisode
+    ) -> page_contents.PlayedView:
+        addresses = [
+            LINKS.picture(run_id, episode, number)
+            for number in range(len(recorded.pictures))
+        ]
+        return played_view(recorded, addresses)
+
+    async def _episodes(self, call: PageCall, run: Document) -> list[Document]:
+        """All episodes of a run. Those of a completed run are kept for a while.
+
+        The run was just read with the same token, so it may be shown.
+        """
+        key = (call.session.token, run["run_id"], run["updated_at"])
+        if (kept := self._lists.get(key)) is not None:
+            self._lists.move_to_end(key)
+            return kept
+        found: list[Document] = []
+        cursor: str | None = ""
+        while cursor is not None:
+            more = {"limit": EPISODES_PER_CALL} | ({"cursor": cursor} if cursor else {})
+            page = await call.api.get("runs", run["run_id"], "episodes", **more)
+            found += page["episodes"]
+            cursor = page["next_cursor"]
+            await asyncio.sleep(0)  # turns are played between two parts
+        if run["state"] == "completed":
+            _keep(self._lists, key, found, LISTS_KEPT)
+        return found
+
+    async def _recorded(
+        self, call: PageCall, run_id: str, episode: Mapping[str, Any]
+    ) -> tuple[RecordedEpisode | None, str]:
+        """The recording, or None and why there is none to show."""
+        if not episode.get("result"):
+            return None, "It is recorded, and shown here when it has a result."
+        episode_id = episode["episode_id"]
+        key = (call.session.token, run_id, episode_id)
+        if key in self._recordings:
+            await call.api.get("runs", run_id)  # still allowed
+            return self._recordings[key], ""
+        try:
+            path = ("runs", run_id, "episodes", episode_id, "recording")
+            data = await call.api.read(*path)
+            recorded = await asyncio.to_thread(
+                read_recorded_episode, io.BytesIO(data), len(data), episode_id
+            )
+        except Problem as problem:
+            return None, f"The recording cannot be shown: {problem.detail}"
+        except BrokenRecord as broken:
+            return None, f"The recording cannot be read: {broken.detail}"
+        _keep(self._recordings, key, recorded, RECORDINGS_KEPT)
+        return recorded, ""
+
+
+def _keep(cache: OrderedDict[Any, Any], key: Any, value: Any, most: int) -> None:
+    cache[key] = value
+    while len(cache) > most:
+        cache.popitem(last=False)
+
+
+def _checked_id(text: str) -> str:
+    if not _ID.fullmatch(text):
+        raise Problem(404, "not_found", "There is no such page.")
+    return text
+
+
+def _fits(run: Document, selected: Mapping[str, str]) -> bool:
+    return (
+        selected["benchmark"] in run["benchmark_id"]
+        and selected["policy"].lower() in run["policy"]["name"].lower()
+        and selected["state"] in ("", run["state"])
+    )
+
+
+def _window(
+    call: PageCall, rows: Sequence[Any], selected: Mapping[str, str], anchor: str = ""
+) -> Window:
+    pages = max(1, -(-len(rows) // ROWS))
+    if call.page > pages:
+        raise Problem(404, "not_found", "There is no such page.")
+    start = (call.page - 1) * ROWS
+    addresses = [
+        (number, f"?{urlencode({**selected, 'page': number})}{anchor}")
+        for number in _near(call.page, pages)
+    ]
+    part = rows[start : start + ROWS]
+    return Window(part, len(rows), call.page, addresses, selected=selected)
+
+
+def _near(page: int, pages: int) -> list[int]:
+    """The first and the last, and some around this one."""
+    near = {1, pages, *range(page - 3, page + 4)}
+    return sorted(number for number in near if 1 <= number <= pages)
+
+
+def _place(episodes: Sequence[Document], episode_id: str) -> int:
+    for place, one in enumerate(episodes):
+        if one["episode_id"] == episode_id:
+            return place
+    raise Problem(404, "not_found", "The run has no such episode.")
+
+
+async def _control_rate(call: PageCall, benchmark_id: str) -> float | None:
+    try:
+        found = await call.api.get("benchmarks", benchmark_id)
+    except Problem:  # no longer offered
+        return None
+    return float(found["control_rate_hz"])

@@ -1,0 +1,278 @@
+"""Routes of the pages, the sign-in, and the headers that each answer has.
+
+Answers are made for browsers: a refusal is a page, and one that needs a sign-in leads
+to it. Scripts and styles come from this server alone, and no other site may frame a
+page.
+"""
+
+from __future__ import annotations
+
+import logging
+import secrets
+from collections.abc import Awaitable, Callable
+from http import HTTPStatus
+from typing import Final
+from urllib.parse import parse_qsl, urlencode
+
+from starlette.datastructures import Headers
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, RedirectResponse, Response
+from starlette.routing import BaseRoute, Route
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from reference_record.pages.page_templates import (
+    ASSETS,
+    CONTENT_SECURITY_POLICY,
+    asset_version,
+    read_asset,
+    render_page,
+)
+from reference_server.http.allowed_hosts import AllowedHosts
+from reference_server.http.codec import read_body
+from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.page_handlers import LINKS, PageCall, PageHandlers
+from reference_server.http.pages.page_links import safe_next
+from reference_server.http.pages.page_sessions import (
+    LIFE_S,
+    LOGIN_COOKIE,
+    LOGIN_S,
+    PATH,
+    SESSION_COOKIE,
+    PageSession,
+    PageSessions,
+    is_from_other_site,
+    is_same,
+    login_secret,
+    set_cookie,
+)
+from reference_server.rules.refusal import Refused
+
+log = logging.getLogger("proctor.pages")
+
+FORM_BYTES_MAX: Final = 2**14
+FORM: Final = "application/x-www-form-urlencoded"
+HEADERS: Final = {
+    "Content-Security-Policy": CONTENT_SECURITY_POLICY,
+    "X-Frame-Options": "DENY",
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "same-origin",
+    "Cross-Origin-Opener-Policy": "same-origin",
+    "Cross-Origin-Resource-Policy": "same-origin",
+    "Cache-Control": "no-store",
+}
+_DEFECT = "The server has a defect. What it evaluates is not affected; try it again."
+_NOT_ACCEPTED = "This server does not accept the token."
+_STALE_FORM = "This form is too old, or it came from another site. Send it again."
+Show = Callable[[PageCall], Awaitable[str | Response]]
+Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+class Pages:
+    """The pages of a server, over its API.
+
+    public_url: where browsers reach it, if that is set: with https, cookies are secure.
+    """
+
+    def __init__(self, hosts: AllowedHosts, public_url: str) -> None:
+        self._hosts = hosts
+        self._is_https = public_url.startswith("https:")
+        self._sessions = PageSessions()
+        self._handlers = PageHandlers()
+        self._api: ASGIApp | None = None
+
+    def use_api(self, api: ASGIApp) -> None:
+        """The application with the operations; before the first request."""
+        self._api = api
+
+    def routes(self) -> list[BaseRoute]:
+        handlers = self._handlers
+        run = f"{PATH}/runs/{{run_id}}"
+        shown: dict[str, Show] = {
+            PATH: handlers.show_index,
+            f"{PATH}/runs": handlers.show_runs,
+            f"{PATH}/benchmarks/{{benchmark_id}}": handlers.show_benchmark,
+            f"{PATH}/compare": handlers.show_comparison,
+            f"{PATH}/compare/episode": handlers.show_pair,
+            run: handlers.show_run,
+            f"{run}/live": self._stream_run,
+            f"{run}/record": handlers.fetch_record,
+            f"{run}/episodes/{{episode_id}}": handlers.show_episode,
+            f"{run}/episodes/{{episode_id}}/pictures/{{number}}": (
+                handlers.fetch_picture
+            ),
+        }
+        return [
+            Route(f"{PATH}/static/{{name:path}}", self._answered(self._send_asset)),
+            Route(f"{PATH}/login", self._answered(self._show_login), methods=["GET"]),
+            Route(f"{PATH}/login", self._answered(self._sign_in), methods=["POST"]),
+            Route(f"{PATH}/logout", self._answered(self._sign_out), methods=["POST"]),
+            *(Route(path, self._signed_in(show)) for path, show in shown.items()),
+            Route(f"{PATH}/{{rest:path}}", self._answered(self._show_nothing)),
+        ]
+
+    def lead_from_root(self, not_found: ASGIApp) -> ASGIApp:
+        """For paths that nothing has: a browser at / is led here, all else refused."""
+
+        async def answer(scope: Scope, receive: Receive, send: Send) -> None:
+            is_root = scope["type"] == "http" and scope["path"] == "/"
+            accepted = Headers(scope=scope).get("accept", "") if is_root else ""
+            app = not_found
+            if "text/html" in accepted and scope["method"] == "GET":
+                app = RedirectResponse(PATH, HTTPStatus.SEE_OTHER)
+            await app(scope, receive, send)
+
+        return answer
+
+    # --- what holds for every page ---
+
+    def _answered(self, endpoint: Endpoint) -> Endpoint:
+        """The endpoint, with refusals as pages and the headers of all pages."""
+
+        async def answer(request: Request) -> Response:
+            try:
+                self._hosts.check(request.headers.get("host", ""))
+                response = await endpoint(request)
+            except Problem as problem:
+                response = _problem_page(problem.status, problem.detail)
+            except Refused as refused:
+                response = _problem_page(400, str(refused))
+            except Exception:
+                log.exception("a page could not be made")
+                response = _problem_page(500, _DEFECT)
+            for name, value in HEADERS.items():
+                response.headers.setdefault(name, value)
+            return response
+
+        return answer
+
+    def _signed_in(self, show: Show) -> Endpoint:
+        async def answer(request: Request) -> Response:
+            session = self._sessions.find(request)
+            if session is None:
+                return _to_login(request)
+            try:
+                shown = await show(self._call(request, session))
+            except Problem as problem:
+                if problem.status != HTTPStatus.UNAUTHORIZED:
+                    raise
+                self._sessions.end(request)  # the token was revoked
+                return _to_login(request)
+            return HTMLResponse(shown) if isinstance(shown, str) else shown
+
+        return self._answered(answer)
+
+    def _call(self, request: Request, session: PageSession) -> PageCall:
+        return PageCall(request, session, self._documents(request, session.token))
+
+    def _documents(self, request: Request, token: str) -> ApiDocuments:
+        assert self._api is not None, "use_api comes first"
+        return ApiDocuments.of(self._api, request, token)
+
+    def _is_secure(self, request: Request) -> bool:
+        return self._is_https or request.url.scheme == "https"
+
+    # --- pages without a session ---
+
+    async def _show_nothing(self, _request: Request) -> Response:
+        raise Problem(404, "not_found", "There is no such page.")
+
+    async def _send_asset(self, request: Request) -> Response:
+        name = request.path_params["name"]
+        if name not in ASSETS:
+            raise Problem(404, "not_found", "There is no such file.")
+        is_current = request.query_params.get("v") == asset_version(name)
+        kept = "max-age=31536000, immutable" if is_current else "max-age=60"
+        headers = {"Content-Type": ASSETS[name], "Cache-Control": f"public, {kept}"}
+        return Response(read_asset(name), headers=headers)
+
+    async def _show_login(self, request: Request) -> Response:
+        return self._login_page(request, request.query_params.get("next", ""))
+
+    def _login_page(self, request: Request, target: str, problem: str = "") -> Response:
+        secret = login_secret(request) or secrets.token_urlsafe(32)
+        text = render_page(
+            "login", LINKS, form_csrf=secret, next=safe_next(target), problem=problem
+        )
+        status = HTTPStatus.FORBIDDEN if problem else HTTPStatus.OK
+        response = HTMLResponse(text, status)
+        is_secure = self._is_secure(request)
+        set_cookie(response, LOGIN_COOKIE, secret, seconds=LOGIN_S, is_secure=is_secure)
+        return response
+
+    async def _sign_in(self, request: Request) -> Response:
+        form = await _read_form(request)
+        target = form.get("next", "")
+        is_ours = is_same(form.get("csrf", ""), login_secret(request))
+        if not is_ours or is_from_other_site(request):
+            return self._login_page(request, target, _STALE_FORM)
+        token = form.get("token", "").strip()
+        if not token.isascii() or not token.isprintable():
+            return self._login_page(request, target, _NOT_ACCEPTED)
+        try:
+            await self._documents(request, token).get("runs", limit=1)
+        except Problem as problem:
+            if problem.status not in (HTTPStatus.UNAUTHORIZED, HTTPStatus.FORBIDDEN):
+                raise
+            detail = f"{_NOT_ACCEPTED} {problem.detail}"
+            return self._login_page(request, target, detail)
+        self._sessions.end(request)
+        cookie, is_secure = self._sessions.begin(token), self._is_secure(request)
+        response = RedirectResponse(safe_next(target), HTTPStatus.SEE_OTHER)
+        seconds = int(LIFE_S)
+        set_cookie(
+            response, SESSION_COOKIE, cookie, seconds=seconds, is_secure=is_secure
+        )
+        response.delete_cookie(LOGIN_COOKIE, PATH)
+        return response
+
+    async def _sign_out(self, request: Request) -> Response:
+        session = self._sessions.find(request)
+        form = await _read_form(request)
+        if session is not None:
+            is_ours = is_same(form.get("csrf", ""), session.csrf)
+            if not is_ours or is_from_other_site(request):
+                raise Problem(403, "forbidden", _STALE_FORM)
+            self._sessions.end(request)
+        response = RedirectResponse(f"{PATH}/login", HTTPStatus.SEE_OTHER)
+        response.delete_cookie(SESSION_COOKIE, PATH)
+        return response
+
+    async def _stream_run(self, call: PageCall) -> Response:
+        session = call.session
+        return await self._handlers.stream_run(
+            call, lambda: self._sessions.is_alive(session)
+        )
+
+
+def _to_login(request: Request) -> Response:
+    """The sign-in, and back from there; a stream and a form do not come back."""
+    here = request.url.path
+    if request.url.query:
+        here += f"?{request.url.query}"
+    if here.endswith("/live"):
+        raise Problem(401, "unauthenticated", "Sign in again.")
+    query = urlencode({"next": safe_next(here)})
+    return RedirectResponse(f"{PATH}/login?{query}", HTTPStatus.SEE_OTHER)
+
+
+def _problem_page(status: int, detail: str) -> Response:
+    heading = {404: "Not found", 403: "Refused", 503: "Not available now"}.get(
+        status, "This cannot be shown"
+    )
+    text = render_page("problem", LINKS, heading=heading, detail=detail)
+    return HTMLResponse(text, status)
+
+
+async def _read_form(request: Request) -> dict[str, str]:
+    """The members of a form; raises Refused for what is none, or too long."""
+    kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if kind != FORM:
+        raise Problem(415, "unsupported_media_type", "This is not a form of this page.")
+    body = await read_body(request, FORM_BYTES_MAX)
+    try:
+        pairs = parse_qsl(
+            body.decode(), keep_blank_values=True, max_num_fields=32, errors="strict"
+        )
+    except ValueError as error:
+        raise Problem(400, "malformed_body", "The form cannot be read.") from error
+    return dict(pairs)

@@ -1,0 +1,124 @@
+"""Who reads the pages: sessions of browsers, in memory.
+
+A browser has an unguessable cookie, the server has the token that belongs to it. With
+every form comes a second secret of the session, which other sites cannot know.
+"""
+
+from __future__ import annotations
+
+import hmac
+import secrets
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from http.cookies import CookieError, SimpleCookie
+
+from starlette.requests import Request
+from starlette.responses import Response
+
+SESSION_COOKIE = "proctor_session"
+LOGIN_COOKIE = "proctor_login"
+PATH = "/pages"
+# After the sign-in, and without a request.
+LIFE_S = 12 * 3600.0
+IDLE_S = 2 * 3600.0
+LOGIN_S = 3600
+SESSIONS_MAX = 10_000
+
+
+@dataclass(slots=True)
+class PageSession:
+    """token: the bearer token. csrf: what the forms of this session carry."""
+
+    token: str = field(repr=False)
+    csrf: str = field(repr=False)
+    begun_at: float
+    used_at: float
+
+
+class PageSessions:
+    """The sessions of this server; they end with it, and it forgets old ones first."""
+
+    def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
+        self._now = now
+        self._sessions: dict[str, PageSession] = {}
+
+    def begin(self, token: str) -> str:
+        """A session of the owner of a valid token; returns its cookie."""
+        self._forget()
+        now = self._now()
+        cookie = secrets.token_urlsafe(32)
+        session = PageSession(token, secrets.token_urlsafe(32), now, now)
+        self._sessions[cookie] = session
+        return cookie
+
+    def find(self, request: Request) -> PageSession | None:
+        cookie = _cookies(request).get(SESSION_COOKIE, "")
+        session = self._sessions.get(cookie)
+        if session is None:
+            return None
+        if not self.is_alive(session):
+            del self._sessions[cookie]
+            return None
+        session.used_at = self._now()
+        return session
+
+    def is_alive(self, session: PageSession) -> bool:
+        """Not over by time. A session that was ended has no begin."""
+        now = self._now()
+        return now - session.begun_at < LIFE_S and now - session.used_at < IDLE_S
+
+    def end(self, request: Request) -> None:
+        session = self._sessions.pop(_cookies(request).get(SESSION_COOKIE, ""), None)
+        if session is not None:
+            session.begun_at = -LIFE_S * 2  # for streams that hold it
+            session.token = ""
+
+    def _forget(self) -> None:
+        for cookie, session in list(self._sessions.items()):
+            if not self.is_alive(session):
+                del self._sessions[cookie]
+        while len(self._sessions) >= SESSIONS_MAX:
+            del self._sessions[next(iter(self._sessions))]
+
+
+def is_same(given: str, secret: str) -> bool:
+    """Compared in a time that says nothing of where they differ."""
+    return bool(secret) and hmac.compare_digest(given.encode(), secret.encode())
+
+
+def set_cookie(
+    response: Response, name: str, value: str, *, seconds: int, is_secure: bool
+) -> None:
+    """Sent to these pages alone, never with a request that another site began."""
+    response.set_cookie(
+        name,
+        value,
+        max_age=seconds,
+        path=PATH,
+        httponly=True,
+        samesite="strict",
+        secure=is_secure,
+    )
+
+
+def login_secret(request: Request) -> str:
+    """What the form of the sign-in must repeat; empty if the browser has none."""
+    return _cookies(request).get(LOGIN_COOKIE, "")
+
+
+def is_from_other_site(request: Request) -> bool:
+    """Whether a browser says that another site sent this form."""
+    site = request.headers.get("sec-fetch-site", "none")
+    origin = request.headers.get("origin")
+    host = request.headers.get("host", "")
+    is_foreign = origin is not None and origin.partition("://")[2] != host
+    return site not in ("same-origin", "none") or is_foreign
+
+
+def _cookies(request: Request) -> dict[str, str]:
+    try:
+        jar = SimpleCookie(request.headers.get("cookie", ""))
+    except CookieError:
+        return {}
+    return {name: morsel.value for name, morsel in jar.items()}

@@ -1,0 +1,160 @@
+"""A real browser, driven over its DevTools protocol, for tests of the pages.
+
+It is Chromium as the machine has it (Debian: `apt-get install chromium`), headless,
+with an empty profile of its own and no connection but to this machine.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+import httpx
+from websockets.sync.client import connect
+
+from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_until
+
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+FLAGS = (
+    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic"),
+    *("--no-first-run", "--disable-background-networking", "--hide-scrollbars"),
+    *("--disable-component-update", "--disable-sync", "--remote-debugging-port=0"),
+    "--disable-dev-shm-usage",
+)
+
+
+def find_browser() -> str | None:
+    """Chromium's path, or None where the machine has none."""
+    return next(filter(None, map(shutil.which, NAMES)), None)
+
+
+class Browser:
+    """One tab. A context manager; errors: what its console complained of."""
+
+    def __init__(self) -> None:
+        program = find_browser()
+        assert program, "Chromium is missing; on Debian: apt-get install chromium"
+        self._folder = tempfile.mkdtemp(prefix="browser-")
+        command = [program, *FLAGS, f"--user-data-dir={self._folder}", "about:blank"]
+        nothing = subprocess.DEVNULL
+        self._process = subprocess.Popen(command, stdout=nothing, stderr=nothing)
+        port_file = Path(self._folder) / "DevToolsActivePort"
+        wait_until(lambda: _has_text(port_file), "the browser listens")
+        port = port_file.read_text().split("\n")[0]
+        with httpx.Client(trust_env=False, timeout=TIMEOUT_S) as client:
+            targets = client.get(f"http://127.0.0.1:{port}/json/list").json()
+        (address,) = [
+            one["webSocketDebuggerUrl"] for one in targets if one["type"] == "page"
+        ]
+        self._socket = connect(address, max_size=None, proxy=None)
+        self._number = 0
+        self.errors: list[str] = []
+        for domain in ("Page", "Runtime", "Log", "Network"):
+            self.call(f"{domain}.enable")
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _error: BaseException | None,
+        _traceback: TracebackType | None,
+    ) -> None:
+        self._socket.close()
+        self._process.terminate()
+        self._process.wait(TIMEOUT_S)
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+    def call(self, method: str, **params: Any) -> Any:
+        """One command of the protocol; returns its result."""
+        self._number += 1
+        message = {"id": self._number, "method": method, "params": params}
+        self._socket.send(json.dumps(message))
+        deadline = time.monotonic() + TIMEOUT_S
+        while True:
+            answer = json.loads(self._socket.recv(deadline - time.monotonic()))
+            if answer.get("id") == self._number:
+                assert "error" not in answer, answer
+                return answer["result"]
+            self._note(answer)
+
+    def _note(self, event: dict[str, Any]) -> None:
+        if event["method"] == "Runtime.exceptionThrown":
+            self.errors.append(json.dumps(event["params"]["exceptionDetails"]))
+        if event["method"] == "Log.entryAdded":
+            entry = event["params"]["entry"]
+            # A 404 that a test asks for is logged as an error of the network.
+            if entry["level"] == "error" and entry["source"] != "network":
+                self.errors.append(entry["text"])
+
+    def open(self, url: str) -> None:
+        """Go there; returns when the page is loaded."""
+        self.call("Page.navigate", url="about:blank")  # another step is another page
+        self.wait_for("location.href === 'about:blank'")
+        self.evaluate("window.isLeft = true")
+        self.call("Page.navigate", url=url)
+        self.wait_for("!window.isLeft && document.readyState === 'complete'")
+
+    def evaluate(self, expression: str) -> Any:
+        """The value of an expression in the page."""
+        result = self.call(
+            "Runtime.evaluate", expression=expression, returnByValue=True
+        )
+        assert "exceptionDetails" not in result, result
+        return result["result"].get("value")
+
+    def wait_for(self, expression: str) -> None:
+        """Wait until an expression in the page is true."""
+
+        def is_true() -> bool:
+            try:
+                return bool(self.evaluate(expression))
+            except AssertionError:  # between two pages
+                return False
+
+        wait_until(is_true, expression)
+
+    def follow(self, expression: str) -> None:
+        """Do what leads to another page, and wait for it."""
+        self.evaluate(f"window.isLeft = true; {expression}; 0")
+        self.wait_for("!window.isLeft && document.readyState === 'complete'")
+
+    def press(self, key: str) -> None:
+        for kind in ("keyDown", "keyUp"):
+            self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
+
+    def sign_in(self, url: str, token: str) -> None:
+        """At a server, by its form."""
+        self.open(f"{url}/pages/login")
+        self.evaluate(f"document.querySelector('[name=token]').value = '{token}'")
+        self.follow("document.querySelector('form.login').requestSubmit()")
+
+    def resize(self, width: int, *, dark: bool = False) -> None:
+        self.call(
+            "Emulation.setDeviceMetricsOverride",
+            width=width, height=900, deviceScaleFactor=1, mobile=False,
+        )  # fmt: skip
+        scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
+        self.call("Emulation.setEmulatedMedia", features=[scheme])
+
+    def save_picture(self, path: Path) -> None:
+        """A PNG of the whole page."""
+        shot = self.call("Page.captureScreenshot", captureBeyondViewport=True)
+        path.write_bytes(base64.b64decode(shot["data"]))
+
+    @property
+    def text(self) -> str:
+        return str(self.evaluate("document.body.innerText"))
+
+
+def _has_text(path: Path) -> bool:
+    return path.is_file() and path.stat().st_size > 0
