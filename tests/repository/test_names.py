@@ -119,7 +119,6 @@ MORE_SIBLINGS = {
     "benchmarks/libraries": "a file for each library compared",
     "reference_server/rules": "a file for each subject that is decided",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
-    "reference_server/rules": "a module for each subject that is decided",
     "spec/vectors/record": "a file for each way in which a record can be broken",
     "tests": "a folder for each package, and what judges the kit",
     "tests/mutants": "a file for each area of the rules",
