@@ -54,17 +54,15 @@ add: setup ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
 	@sh requirements/add.sh "$$PACKAGE"
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
-metaworld-check: metaworld ## Run the tests that need Meta-World
-	@.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py
+metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
 metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/measurements/metaworld_table.py $(ARGS)
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
-lerobot-check: lerobot ## Run the tests that need LeRobot
-	@.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_*checks.py
+lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_*checks.py ## Run the tests that need LeRobot
 
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"
-test: setup proxies lint generate-check ## The same with all tests; mutants by their own rows
+test: setup proxies .venv-site/ready lint generate-check ## The same with all tests; mutants by their own rows
 	@$(pytest)
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .
@@ -79,6 +77,7 @@ client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup ## Rewrite the pages that follow from spec/ and the code
 	@$(python) -m tools.traceability && $(python) -m tools.diagrams
+site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop

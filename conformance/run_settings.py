@@ -30,6 +30,7 @@ class Settings:
     quick: bool = False
     fail_fast: bool = False
     stress: bool = False
+    exchanges: bool = False
     only: list[str] = field(default_factory=list)
     profiles: list[str] = field(default_factory=list)
     report: str = "report"

@@ -113,6 +113,12 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
         "--url; without this option only a server started by --start-cmd gets them",
     )
     execution.add_argument(
+        "--exchanges",
+        action="store_true",
+        help="also report the requests and answers of rules that passed, as scripts "
+        "and as data: what a right server answers",
+    )
+    execution.add_argument(
         "--report", default="report", metavar="DIR", help="directory of the reports"
     )
     execution.add_argument(
@@ -190,6 +196,7 @@ def read_settings(options: argparse.Namespace) -> Settings:
     settings.start_cmd = options.start_cmd
     settings.restart_cmd = options.restart_cmd
     settings.fail_fast = options.fail_fast
+    settings.exchanges = options.exchanges
     settings.stress = options.stress or options.start_cmd is not None
     seed: int | None = options.seed
     settings.seed = seed if seed is not None else random.randrange(10**6)

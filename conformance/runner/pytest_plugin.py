@@ -289,6 +289,10 @@ def pytest_runtest_makereport(
     if call.when == "call" or call.excinfo is not None:
         error = call.excinfo.value if call.excinfo is not None else None
         verdict = judge(requirement_of(item), error, check_context)
+        if check_context is not None and check_context.shared.settings.exchanges:
+            verdict.exchanges = (
+                verdict.exchanges or check_context.exchange_log.exchanges[:]
+            )
         if _waits(item) and verdict.breaks == expect.ANY_SEQUENCE:
             verdict.breaks = ""  # a lease may have ended where the machine is slow
         verdict.check = item.name

@@ -1282,7 +1282,7 @@ func (r ApiGetRunRequest) IfNoneMatch(ifNoneMatch string) ApiGetRunRequest {
 	return r
 }
 
-// &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;.
+// &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60; (ERR-014).
 func (r ApiGetRunRequest) Prefer(prefer string) ApiGetRunRequest {
 	r.prefer = &prefer
 	return r
@@ -3452,7 +3452,7 @@ func (r ApiSubmitRunRequest) SubmitRun(submitRun SubmitRun) ApiSubmitRunRequest 
 	return r
 }
 
-// Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;.
+// Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60; (ERR-014).
 func (r ApiSubmitRunRequest) IdempotencyKey(idempotencyKey string) ApiSubmitRunRequest {
 	r.idempotencyKey = &idempotencyKey
 	return r

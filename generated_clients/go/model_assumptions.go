@@ -2,7 +2,7 @@
 
 package proctor
 
-// Assumptions What the policy takes for granted; refused when the benchmark says otherwise.
+// Assumptions What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
 type Assumptions struct {
 	ControlRateHz *float64 `json:"control_rate_hz,omitzero"`
 	Action map[string]Assumption `json:"action,omitzero"`

@@ -22,7 +22,7 @@ type Limits struct {
 	BodyTimeoutS *float64 `json:"body_timeout_s,omitzero"`
 	// Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
 	HeartbeatSMax *float64 `json:"heartbeat_s_max,omitzero"`
-	// When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+	// When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`.
 	UnusedSMax *float64 `json:"unused_s_max,omitzero"`
 	// Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
 	MaxControlBodyBytes *int64 `json:"max_control_body_bytes,omitzero"`

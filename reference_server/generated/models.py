@@ -36,7 +36,7 @@ class Assumption(BaseModel):
 
 class Assumptions(BaseModel):
     """
-    What the policy takes for granted; refused when the benchmark says otherwise.
+    What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
@@ -660,7 +660,7 @@ class Limits(BaseModel):
     unused_s_max: Annotated[
         float | MISSING,
         Field(
-            description="When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.",
+            description="When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`.",
             ge=0.0,
         ),
     ] = MISSING

@@ -124,6 +124,7 @@ MORE_SIBLINGS = {
     "tests/mutants": "a file for each area of the rules",
     "tests/repository": "a test for each page and each rule on the repository",
     "tests/support": "a folder for each package, and what starts servers",
+    "tools": "a file for each command, and folders of commands of several files",
     "tools/generators": "a file for each language",
 }
 PACKAGES = (

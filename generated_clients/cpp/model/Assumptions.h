@@ -10,7 +10,7 @@
 
 namespace proctor {
 
-/// What the policy takes for granted; refused when the benchmark says otherwise.
+/// What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
 struct Assumptions {
     using IsMessage = void;
 

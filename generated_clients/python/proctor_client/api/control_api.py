@@ -1755,7 +1755,7 @@ class ControlApi:
         self,
         run_id: Annotated[str, Field(strict=True)],
         if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.")] = None,
-        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.")] = None,
+        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014).")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -1777,7 +1777,7 @@ class ControlApi:
         :type run_id: str
         :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.
         :type if_none_match: str
-        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
+        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014).
         :type prefer: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -1820,7 +1820,7 @@ class ControlApi:
         self,
         run_id: Annotated[str, Field(strict=True)],
         if_none_match: Annotated[Optional[Annotated[str, Field(strict=True, max_length=200)]], Field(description="The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.")] = None,
-        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.")] = None,
+        prefer: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="`wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014).")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -1842,7 +1842,7 @@ class ControlApi:
         :type run_id: str
         :param if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.
         :type if_none_match: str
-        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
+        :param prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014).
         :type prefer: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -4663,7 +4663,7 @@ class ControlApi:
     def submit_run(
         self,
         submit_run: SubmitRun,
-        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.")] = None,
+        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014).")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -4683,7 +4683,7 @@ class ControlApi:
 
         :param submit_run: (required)
         :type submit_run: SubmitRun
-        :param idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
+        :param idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014).
         :type idempotency_key: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str
@@ -4723,7 +4723,7 @@ class ControlApi:
     def submit_run_with_http_info(
         self,
         submit_run: SubmitRun,
-        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.")] = None,
+        idempotency_key: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014).")] = None,
         proctor_version: Annotated[Optional[Annotated[str, Field(strict=True)]], Field(description="The protocol version the caller was written for.")] = None,
         _request_timeout: Union[
             None,
@@ -4743,7 +4743,7 @@ class ControlApi:
 
         :param submit_run: (required)
         :type submit_run: SubmitRun
-        :param idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
+        :param idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014).
         :type idempotency_key: str
         :param proctor_version: The protocol version the caller was written for.
         :type proctor_version: str

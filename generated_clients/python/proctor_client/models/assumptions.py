@@ -18,7 +18,7 @@ from pydantic_core import to_jsonable_python
 
 class Assumptions(BaseModel):
     """
-    What the policy takes for granted; refused when the benchmark says otherwise.
+    What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
     """ # noqa: E501
     control_rate_hz: Optional[Union[Annotated[float, Field(strict=True, ge=0)], Annotated[int, Field(strict=True, ge=0)]]] = None
     action: Optional[Dict[str, Assumption]] = None

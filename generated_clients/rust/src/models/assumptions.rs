@@ -3,7 +3,7 @@
 use crate::models;
 use serde::{Deserialize, Serialize};
 
-/// Assumptions : What the policy takes for granted; refused when the benchmark says otherwise.
+/// Assumptions : What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
 #[derive(Clone, Default, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Assumptions {
     #[serde(rename = "control_rate_hz", skip_serializing_if = "Option::is_none")]
@@ -15,7 +15,7 @@ pub struct Assumptions {
 }
 
 impl Assumptions {
-    /// What the policy takes for granted; refused when the benchmark says otherwise.
+    /// What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
     pub fn new() -> Assumptions {
         Assumptions {
             control_rate_hz: None,

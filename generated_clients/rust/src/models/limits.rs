@@ -33,7 +33,7 @@ pub struct Limits {
     /// Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
     #[serde(rename = "heartbeat_s_max", skip_serializing_if = "Option::is_none")]
     pub heartbeat_s_max: Option<f64>,
-    /// When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+    /// When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`.
     #[serde(rename = "unused_s_max", skip_serializing_if = "Option::is_none")]
     pub unused_s_max: Option<f64>,
     /// Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.

@@ -246,7 +246,7 @@ export interface GetRunRequest {
      */
     ifNoneMatch?: string;
     /**
-     * `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request`.
+     * `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014).
      */
     prefer?: string;
     /**
@@ -451,7 +451,7 @@ export interface SubmitRunRequest {
      */
     submitRun: SubmitRun;
     /**
-     * Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request`.
+     * Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014).
      */
     idempotencyKey?: string;
     /**

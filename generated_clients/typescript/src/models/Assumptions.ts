@@ -14,7 +14,7 @@ import {
 } from './Assumption';
 
 /**
- * What the policy takes for granted; refused when the benchmark says otherwise.
+ * What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
  * @export
  * @interface Assumptions
  */

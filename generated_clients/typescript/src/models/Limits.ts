@@ -53,7 +53,7 @@ export interface Limits {
      */
     heartbeat_s_max?: number;
     /**
-     * When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile `limits`.
+     * When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`.
      */
     unused_s_max?: number;
     /**

@@ -1428,7 +1428,7 @@ public class ControlApi {
      * Build call for getRun
      * @param runId  (required)
      * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
-     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback Callback for upload/download progress
      * @return Call to execute
@@ -1520,7 +1520,7 @@ public class ControlApi {
      *
      * @param runId  (required)
      * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
-     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return Run
      * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
@@ -1544,7 +1544,7 @@ public class ControlApi {
      *
      * @param runId  (required)
      * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
-     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return ApiResponse&lt;Run&gt;
      * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
@@ -1569,7 +1569,7 @@ public class ControlApi {
      *
      * @param runId  (required)
      * @param ifNoneMatch The ETag of the last answer, a list of some, or &#x60;*&#x60;; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with &#x60;W/&#x60; before it may name the same as without. (optional)
-     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param prefer &#x60;wait&#x3D;N&#x60; holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than &#x60;limits.wait_s_max&#x60; is granted as that; without If-None-Match nothing is waited for. Any other value is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback The callback to be executed when the API call finishes
      * @return The request call
@@ -3708,7 +3708,7 @@ public class ControlApi {
     /**
      * Build call for submitRun
      * @param submitRun  (required)
-     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback Callback for upload/download progress
      * @return Call to execute
@@ -3793,7 +3793,7 @@ public class ControlApi {
      * Ask for one evaluation of one policy on one benchmark
      *
      * @param submitRun  (required)
-     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return Run
      * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
@@ -3815,7 +3815,7 @@ public class ControlApi {
      * Ask for one evaluation of one policy on one benchmark
      *
      * @param submitRun  (required)
-     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return ApiResponse&lt;Run&gt;
      * @throws ApiException If fail to call the API, e.g. server error or cannot deserialize the response body
@@ -3838,7 +3838,7 @@ public class ControlApi {
      * Ask for one evaluation of one policy on one benchmark (asynchronously)
      *
      * @param submitRun  (required)
-     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60;. (optional)
+     * @param idempotencyKey Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with &#x60;invalid_request&#x60; (ERR-014). (optional)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback The callback to be executed when the API call finishes
      * @return The request call

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Map;
 import proctor.client.JSON;
 
-/** What the policy takes for granted; refused when the benchmark says otherwise. */
+/** What the policy takes for granted; refused when the benchmark says otherwise (ATT-010). */
 public class Assumptions {
   @SerializedName("control_rate_hz")
   private Double controlRateHz;

@@ -210,7 +210,7 @@ public class Limits {
     this.heartbeatSMax = heartbeatSMax;
   }
 
-  /** When others wait: the time after which a run without a worker, or a session without a turn, may have to make room; for the profile &#x60;limits&#x60;. */
+  /** When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile &#x60;limits&#x60;. */
   public Double getUnusedSMax() {
     return unusedSMax;
   }

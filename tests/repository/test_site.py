@@ -1,0 +1,130 @@
+"""The site: its exchanges are what the server answers, its links lead somewhere."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+from html import unescape
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote
+
+import pytest
+
+from conformance.specification.ledger import load_ledger
+from tools.site import __main__ as site
+from tools.site import exchanges
+from tools.site.markdown import convert
+from tools.site.rule_pages import since, verdicts
+
+FILES = {"docs/a.md", "spec/b.md"}
+RULES = {"PRED-002"}
+# Areas whose checks are quick and whose exchanges show most operations.
+RECORDED_AGAIN = ["ATT", "DET", "RUN-00", "STOP"]
+HREF = re.compile(r'(?:href|src)="([^"]+)"')
+ANCHOR = re.compile(r'\bid="([^"]+)"')
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("see [b](../spec/b.md#x)", "see [b](/spec/b.md#x)"),
+        ("see [code](../tools/x.py)", "see code (`tools/x.py`)"),
+        ("see [`x.py`](../tools/x.py)", "see `x.py`"),
+        ("see [out](https://example.org)", "see [out](https://example.org)"),
+        (
+            "by PRED-002, not PRED-999",
+            "by [PRED-002](/rules/PRED-002.md), not PRED-999",
+        ),
+        ("`PRED-002`", "`PRED-002`"),
+        ("# PRED-002\n", "# PRED-002\n"),
+        ("```\nPRED-002 [a](b.md)\n```", "```\nPRED-002 [a](b.md)\n```"),
+        ("[PRED-002](a.md)", "[PRED-002](/docs/a.md)"),
+    ],
+)
+def test_pages_are_converted(text: str, wanted: str) -> None:
+    assert convert(text, "docs/a.md", FILES, RULES) == wanted
+
+
+def test_stored_exchanges_are_of_rules() -> None:
+    stored = json.loads(exchanges.STORED.read_text())
+    assert stored.keys() <= load_ledger().keys()
+    assert len(stored) > 300
+
+
+def test_a_refusal_is_shown_beside_its_counterpart() -> None:
+    refused, accepted = json.loads(exchanges.STORED.read_text())["PRED-003"]
+    assert refused["answer_body"]["code"] == "seq_conflict"
+    assert accepted["status"] == 200
+    assert refused["operation"] == accepted["operation"] == "predict"
+
+
+def test_differences_are_found() -> None:
+    stored: dict[str, Any] = {"PRED-003": [1], "ATT-007": [1], "RUN-001": [1]}
+    recorded = {"PRED-003": [2], "ATT-007": [2], "RUN-001": [1]}
+    assert list(exchanges.differences(stored, recorded)) == ["PRED-003"]
+
+
+def test_verdicts_are_of_whole_runs_of_several_servers() -> None:
+    assert len(verdicts()) >= 3
+    for one in verdicts().values():
+        assert one["conclusion"] == "conformant"
+        assert one["rules"].keys() <= load_ledger().keys()
+
+
+def test_a_rule_has_the_version_that_names_it() -> None:
+    assert since("PRED-001").startswith("1.0.0")
+
+
+@pytest.mark.slow("runs the kit on the reference server")
+def test_exchanges_are_what_the_server_answers() -> None:
+    stored = json.loads(exchanges.STORED.read_text())
+    recorded = exchanges.record(RECORDED_AGAIN, quick=True)
+    assert len(recorded) > 30
+    assert list(exchanges.differences(stored, recorded)) == []
+
+
+def dead_links(html: Path) -> list[str]:
+    """Links of all pages to files or anchors that are not there, read from the HTML."""
+    texts = {path: path.read_text() for path in html.rglob("*.html")}
+    anchors = {path: set(ANCHOR.findall(text)) for path, text in texts.items()}
+    dead = set()
+    for page, text in texts.items():
+        for link in set(HREF.findall(text)):
+            if re.match(r"[a-z]+:|//", link):
+                continue
+            path, _, anchor = unquote(unescape(link)).partition("#")
+            target = (page.parent / path.partition("?")[0]).resolve() if path else page
+            is_there = target.exists()
+            if not is_there or (anchor and anchor not in anchors.get(target, {anchor})):
+                dead.add(f"{page.relative_to(html)}: {link}")
+    return sorted(dead)
+
+
+@pytest.mark.slow("builds the whole site")
+def test_site_has_no_dead_link_and_needs_no_network(tmp_path: Path) -> None:
+    html = site.build(tmp_path)
+    pages = {path.relative_to(html).as_posix() for path in html.rglob("*.html")}
+    assert {f"rules/{id_}.html" for id_ in load_ledger()} <= pages
+    assert dead_links(html) == []
+    loaded = re.compile(r'(?:src|<link[^>]+href)="(?:https?:)?//')
+    assert {p for p in pages if loaded.search((html / p).read_text())} == set()
+    index = (html / "searchindex.js").read_text()
+    assert "seq_out_of_ord" in index
+
+
+@pytest.mark.slow("runs Sphinx")
+@pytest.mark.parametrize("link", ["[x](no.md)", "[x](#no)", "[x](a.md#no)"])
+def test_a_dead_link_fails_the_build(tmp_path: Path, link: str) -> None:
+    (tmp_path / "index.md").write_text(f"# Title\n\n{link}\n\n```{{toctree}}\na\n```\n")
+    (tmp_path / "a.md").write_text("# A\n")
+    sphinx = [str(site.SPHINX), "-m", "sphinx", "-q", "-W", "-c", str(site.HERE)]
+    done = subprocess.run(
+        [*sphinx, str(tmp_path), str(tmp_path / "html")],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert "xref_missing" in done.stderr

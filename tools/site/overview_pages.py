@@ -1,0 +1,287 @@
+"""The pages that no file of the repository holds: start, pictures, numbers, verdicts.
+
+What can be read from spec/ is read from there; the other text is written here.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from conformance.specification.document import load_spec
+from conformance.specification.ledger import PROFILES
+from tools.diagrams import lifecycle_diagram, lifecycle_table
+from tools.site.markdown import picture, table
+from tools.site.rule_pages import exchange_text, exchanges, verdicts
+from tools.traceability import ROOT, traces
+
+VECTORS = ROOT / "spec" / "vectors"
+
+SESSION = """\
+sequenceDiagram
+    participant C as worker (client)
+    participant S as server
+    C->>S: attach_worker, attach_key
+    S-->>C: turn 0: episode, first observation, lease
+    loop until done
+        C->>S: predict, seq 1, 2, 3 …, a chunk of actions
+        S-->>C: turn: observation, rewards, lease
+    end
+    C->>S: heartbeat (only when the policy thinks for long)
+    S-->>C: lease
+    C->>S: detach_worker
+    S-->>C: 204
+"""
+TURN = """\
+sequenceDiagram
+    participant C as worker (client)
+    participant S as server
+    participant E as episode
+    C->>S: predict, seq 7, actions
+    S->>E: execute the chunk
+    E-->>S: observation, rewards, end?
+    Note over S: the result of an ended episode is stored first
+    S--xC: the answer is lost
+    C->>S: predict, seq 7, the same actions
+    Note over S: nothing is executed again
+    S-->>C: the stored turn 7
+    C->>S: predict, seq 9
+    S-->>C: refused, seq_out_of_order, expected_seq 8
+"""
+TAKEOVER = """\
+sequenceDiagram
+    participant A as first process
+    participant S as server
+    participant B as second process
+    A->>S: attach_worker, attach_key a
+    S-->>A: session 1, turn 0
+    A->>S: predict, seq 1
+    S-->>A: turn 1
+    Note over A: the process dies
+    B->>S: attach_worker, attach_key b, takeover
+    S-->>B: session 2, turn 0: the same episode at the same step
+    A->>S: predict, seq 2 (session 1)
+    S-->>A: refused, session_superseded
+"""
+
+
+def pages() -> dict[str, str]:
+    """Path → text."""
+    return {
+        "index.md": start_page(),
+        "how-it-works.md": how_it_works_page(),
+        "scoring-examples.md": scoring_page(),
+        "calibration-examples.md": calibration_page(),
+        "implementations.md": implementations_page(),
+    }
+
+
+def start_page() -> str:
+    """The entry, with the contents of the site."""
+    spec = load_spec()
+    summary = [
+        ["rules", f"[{len(traces())}](rules/index.md)"],
+        ["operations", f"[{len(spec.operations)}](operations/index.md)"],
+        ["codes of refusals", f"[{len(spec.problems)}](operations/problems.md)"],
+        ["profiles", str(len(PROFILES))],
+        ["certified servers", f"[{len(verdicts())}](implementations.md)"],
+    ]
+    return f"""# Proctor {spec.version}
+
+Proctor is an open HTTP protocol for evaluating robot policies. A server owns the
+benchmark, the simulator, the clock and the score; a policy, in any language, connects
+to it. A kit judges any server by its answers alone.
+
+{table(["", "in this version"], summary)}
+## Where to begin
+
+- You **evaluate a policy**: [the command `proctor`](docs/evaluate/command.md).
+- You **write a server**: [how it works](how-it-works.md), then
+  [write a server](docs/implement/write-a-server.md), then
+  [certify it](docs/implement/conformance.md).
+- You **write a client**: [clients](docs/implement/clients.md).
+- You **read a number**: [scoring](spec/scoring.md),
+  [records](docs/evaluate/records.md).
+- You **look up a word**: [glossary](docs/glossary.md).
+
+```{{toctree}}
+:hidden:
+:caption: The standard
+
+how-it-works
+rules/index
+operations/index
+spec/scoring
+scoring-examples
+spec/calibration
+calibration-examples
+spec/record
+spec/VERSIONING
+spec/CONFORMANCE
+spec/CHANGELOG
+implementations
+```
+
+```{{toctree}}
+:hidden:
+:caption: Guides
+
+docs/README
+docs/glossary
+```
+"""
+
+
+def how_it_works_page() -> str:
+    """Life of a run, of a session, of a turn, as pictures."""
+    lifecycle = load_spec().lifecycle
+    return f"""# How it works
+
+## The life of a run
+
+A client asks for one evaluation of one policy on one benchmark (`submit_run`). The run
+waits for capacity, is played, and ends with a score. What is scored is kept, whatever
+happens in between.
+
+{picture(lifecycle_diagram(lifecycle))}
+
+Every cell of the table is a rule of the area [LIFE](rules/LIFE.md); – is a refusal with
+`illegal_transition`, an empty cell cannot happen.
+
+{lifecycle_table(lifecycle)}
+
+## The life of a session
+
+A worker attaches, plays turn after turn, and detaches. Each answered request extends
+its lease (LEASE-002); when the lease ends, the attempt ends without a result and the
+episode returns to the queue (EPI-007).
+
+{picture(SESSION)}
+
+Rules: [attach](rules/ATT.md), [turns](rules/PRED.md), [leases](rules/LEASE.md),
+[detach](rules/DET.md).
+
+## A turn, exactly once
+
+A turn has a number. A client that got no answer sends the same number with the same
+actions, and gets the stored answer (PRED-002); nothing is executed twice.
+
+{picture(TURN)}
+
+## Takeover
+
+A new process continues the episode of one that died, at the same step (ATT-004).
+
+{picture(TAKEOVER)}
+"""
+
+
+def scoring_page() -> str:
+    """The scoring vectors with their numbers."""
+    lines = [
+        (
+            "# Scoring with numbers\n\nEpisodes in, score out: the examples of "
+            "`spec/vectors/scoring/`, which any implementation can run. The formulas "
+            "are those of [scoring](spec/scoring.md).\n"
+        )
+    ]
+    for path in sorted((VECTORS / "scoring").glob("*.json")):
+        vector = json.loads(path.read_text())
+        lines += [f"## {path.stem.replace('_', ' ')}\n", *_vector(vector)]
+    return "\n".join(lines)
+
+
+def _vector(vector: dict[str, Any]) -> list[str]:
+    lines = [f"{vector['description']}\n"] if "description" in vector else []
+    rows = [
+        [str(number), *(f"{one.get(key, '–')}" for key in EPISODE)]
+        for number, one in enumerate(vector["episodes"])
+    ]
+    if len(rows) > ROWS_SHOWN:
+        rows = [*rows[:ROWS_SHOWN], ["…", *("" for _ in EPISODE)]]
+    lines.append(table(["episode", *EPISODE], rows))
+    score = vector.get("score", vector.get("expected", {}))
+    shown = [[f"`{key}`", _number(score[key])] for key in NUMBERS if key in score]
+    lines.append(table(["member of the score", "value"], shown))
+    return lines
+
+
+EPISODE = ("task", "split", "outcome", "score")
+NUMBERS = (
+    *("complete", "counts", "score", "score_low", "score_high", "mean"),
+    *("mean_interval", "success_rate", "success_interval"),
+)
+ROWS_SHOWN = 10
+
+
+def _number(value: Any) -> str:
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {item}" for key, item in value.items())
+    return json.dumps(value)
+
+
+def calibration_page() -> str:
+    """Exchanges of the rules on the benchmark `calibration`."""
+    lines = [
+        (
+            "# Calibration with messages\n\nWhat a server with the benchmark "
+            "[calibration](spec/calibration.md) answers, recorded from the reference "
+            "server.\n"
+        )
+    ]
+    for id_, found in exchanges().items():
+        if id_.startswith("CAL-") and id_ in traces():
+            lines += [f"## {id_}\n", f"{traces()[id_].rule.text}\n"]
+            lines += [exchange_text(found[0])]
+    return "\n".join(lines)
+
+
+def implementations_page() -> str:
+    """Who was judged, and with what result."""
+    judged = verdicts()
+    lines = [
+        (
+            "# Implementations\n\nServers that the kit has judged by all of its rules. "
+            "What a claim of conformance says is in "
+            "[conformance](spec/CONFORMANCE.md).\n"
+        )
+    ]
+    rows = [
+        [
+            name,
+            f"`{one['server']}`",
+            one["specification"],
+            one["date"],
+            f"**{one['conclusion']}**: {one['headline']}",
+        ]
+        for name, one in judged.items()
+    ]
+    head = [
+        "implementation",
+        "announces itself as",
+        "specification",
+        "judged",
+        "verdict",
+    ]
+    lines.append(table(head, rows))
+    profiles = sorted({trace.rule.profile for trace in traces().values()})
+    rows = [
+        [f"`{profile}`", *(_share(one["rules"], profile) for one in judged.values())]
+        for profile in profiles
+        if profile != "policy"
+    ]
+    lines += ["## By profile\n\nRules verified, of those that apply.\n"]
+    lines.append(table(["profile", *judged], rows))
+    return "\n".join(lines)
+
+
+def _share(outcomes: dict[str, str], profile: str) -> str:
+    found = [
+        outcomes[trace.rule.id]
+        for trace in traces().values()
+        if trace.rule.profile == profile and trace.rule.id in outcomes
+    ]
+    applying = [one for one in found if one != "not_applicable"]
+    if not applying:
+        return "–"
+    return f"{applying.count('passed')} of {len(applying)}"
