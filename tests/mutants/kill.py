@@ -170,15 +170,9 @@ def _own_rows(mutant: Mutant, profiles: set[str]) -> list[str]:
 def _all_rows(mutant: Mutant, profiles: set[str]) -> list[str]:
     if len(profiles) == 1 and profiles <= SEPARATE_PROFILES:
         return ["--profile", *profiles]
-    # Killing, restarting, calling policies and following take most of the kit's time.
-    left_out = {
-        "crash",
-        "events",
-        "limits",
-        "push",
-        "record",
-        "record_import",
-    } - profiles
+    # Killing, restarting, calling policies and following take most of the kit's time;
+    # what rests on no rule of the core is judged by its own mutants.
+    left_out = {"crash", *SEPARATE_PROFILES - {"compare"}} - profiles
     selection = ["--profile", ",".join(p for p in PROFILES if p not in left_out)]
     if not any(id_.startswith("MODEL-") for id_ in mutant.kills):
         areas = {id_.partition("-")[0] + "-" for id_ in load_ledger()}
