@@ -62,7 +62,7 @@ lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/client/policie
 
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"
-test: setup proxies .venv-site/ready lint generate-check ## The same with all tests; mutants by their own rows
+test: setup programs .venv-site/ready lint generate-check ## The same with all tests; mutants by their own rows
 	@$(pytest)
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .
@@ -71,8 +71,8 @@ generate: .venv-generate/ready ## Rewrite models and clients from spec/
 	@.venv-generate/bin/python tools/generate.py
 generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
 	@.venv-generate/bin/python tools/generate.py --check
-proxies: .venv/proxies/ready ## Provide nginx and HAProxy for the tests
-.venv/proxies/ready: .venv/ready tools/proxies.sh; @sh tools/proxies.sh
+programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tests
+.venv/proxies/ready: .venv/ready tools/browser.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
 client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup ## Rewrite the pages that follow from spec/ and the code

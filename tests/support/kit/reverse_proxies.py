@@ -1,6 +1,6 @@
 """nginx and HAProxy in front of a server, with their default settings.
 
-`make proxies` provides the programs; without them the tests fail and say so.
+`make programs` provides the programs; without them the tests fail and say so.
 """
 
 import contextlib
@@ -30,7 +30,7 @@ def find_program(name: str) -> str:
     provided = PROVIDED / "usr" / "sbin" / name
     found = shutil.which(name) or (str(provided) if provided.exists() else None)
     if found is None:
-        pytest.fail(f"{name} is missing: run `make proxies`", pytrace=False)
+        pytest.fail(f"{name} is missing: run `make programs`", pytrace=False)
     return found
 
 
