@@ -25,7 +25,7 @@ type BoardEntry struct {
 	Homepage *string `json:"homepage,omitzero"`
 	CodeUrl *string `json:"code_url,omitzero"`
 	Notes *string `json:"notes,omitzero"`
-	State EntryState `json:"state"`
+	State string `json:"state" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`
 	Flag *EntryFlag `json:"flag,omitzero"`
 	// What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.
 	Level string `json:"level" validate:"regexp=^[a-z][a-z0-9_]{0\\,63}$"`

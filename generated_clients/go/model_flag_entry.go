@@ -6,6 +6,6 @@ package proctor
 type FlagEntry struct {
 	// False takes the flag back.
 	Flagged bool `json:"flagged"`
-	// For everybody to read.
+	// Shown with the entry.
 	Reason string `json:"reason"`
 }

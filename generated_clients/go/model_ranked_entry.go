@@ -10,7 +10,7 @@ type RankedEntry struct {
 	Better int32 `json:"better"`
 	// How many entries are significantly worse; 0 without a rank.
 	Worse int32 `json:"worse"`
-	// Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank.
+	// Entries that cannot be distinguished have a letter in common, others have none in common; empty without a rank.
 	Letters []string `json:"letters"`
 }
 

@@ -13,11 +13,11 @@ type Ranking struct {
 	Ranked int32 `json:"ranked"`
 	// How many pairs of them were tested.
 	Comparisons int64 `json:"comparisons"`
-	// How likely it is at most that any two equally good policies are told apart; 0.05.
+	// How likely it is at most that any two equally good policies are distinguished; 0.05.
 	Alpha float64 `json:"alpha"`
-	// Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes.
+	// Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes.
 	DifferingMin NullableInt32 `json:"differing_min"`
-	// Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes.
+	// Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes.
 	DifferingEnough NullableInt32 `json:"differing_enough"`
 	Rows []RankedEntry `json:"rows"`
 	NextCursor NullableString `json:"next_cursor"`

@@ -368,7 +368,9 @@ class EntryScore(BaseModel):
     counts: OutcomeCounts
 
 
-EntryState = TypeAliasType("EntryState", Literal["published", "withdrawn"])
+EntryState = TypeAliasType(
+    "EntryState", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
+)
 
 
 class Episode(BaseModel):
@@ -485,7 +487,7 @@ class FlagEntry(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     flagged: Annotated[bool, Field(description="False takes the flag back.")]
     reason: Annotated[
-        str, Field(description="For everybody to read.", max_length=500, min_length=1)
+        str, Field(description="Shown with the entry.", max_length=500, min_length=1)
     ]
 
 
@@ -1074,7 +1076,7 @@ class RankedEntry(BaseModel):
     letters: Annotated[
         list[Letter],
         Field(
-            description="Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank.",
+            description="Entries that cannot be distinguished have a letter in common, others have none in common; empty without a rank.",
             max_length=100000,
         ),
     ]
@@ -1101,19 +1103,19 @@ class Ranking(BaseModel):
     alpha: Annotated[
         float,
         Field(
-            description="How likely it is at most that any two equally good policies are told apart; 0.05."
+            description="How likely it is at most that any two equally good policies are distinguished; 0.05."
         ),
     ]
     differing_min: Annotated[
         int | None,
         Field(
-            description="Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes."
+            description="Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes."
         ),
     ]
     differing_enough: Annotated[
         int | None,
         Field(
-            description="Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes."
+            description="Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes."
         ),
     ]
     rows: Annotated[list[RankedEntry], Field(max_length=1000)]

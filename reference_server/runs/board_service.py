@@ -16,8 +16,8 @@ from typing import Any
 
 from reference_record.formats.merkle_tree import MerkleTree
 from reference_server.records.board_history import BoardHistory
-from reference_server.rules.board import entries as rules
-from reference_server.rules.board.entries import Change, Entry
+from reference_server.rules.board import entry_changes as rules
+from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, Ranking, rank
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
@@ -35,7 +35,7 @@ Json = dict[str, Any]
 class RankedEntries:
     """The public entries of a manifest by id, and their ranking."""
 
-    entries: Mapping[str, Entry]
+    entries: Mapping[str, BoardEntry]
     contenders: Sequence[Contender]
     ranking: Ranking
     episodes_total: int | None
@@ -76,7 +76,7 @@ class BoardService:
         if isinstance(fresh, Refuse):
             raise Refused.from_verdict(fresh)
 
-        def decide(stored: Entry | None) -> Change:
+        def decide(stored: BoardEntry | None) -> Change:
             return _accepted(rules.publish(fresh, stored, description))
 
         entry, is_new = await self._store.change(run_id, decide)
@@ -87,7 +87,7 @@ class BoardService:
         # A run of another account is refused as any run is (AUTH-003).
         await self._registry.read_view(run_id, account, lambda run, _: run)
 
-        def decide(stored: Entry | None) -> Change:
+        def decide(stored: BoardEntry | None) -> Change:
             if stored is None:
                 raise Refused("not_found", "The run has no entry.")
             return rules.withdraw(stored, time.time())
@@ -99,7 +99,7 @@ class BoardService:
         """Schema BoardEntry."""
         found = await self._find(entry_id)
 
-        def decide(stored: Entry | None) -> Change:
+        def decide(stored: BoardEntry | None) -> Change:
             assert stored is not None, "an entry is never removed"
             at = time.time()
             verdict = rules.flag(stored, flagged=flagged, reason=reason, at_wall=at)
@@ -203,17 +203,17 @@ class BoardService:
 
     # --- parts ---
 
-    async def _find(self, entry_id: str) -> Entry:
+    async def _find(self, entry_id: str) -> BoardEntry:
         entry = await self._store.find(entry_id)
         if entry is None:
             raise _no_entry(entry_id)
         return entry
 
-    async def _view(self, entry: Entry) -> Json:
+    async def _view(self, entry: BoardEntry) -> Json:
         (view,) = await self._views([entry])
         return view
 
-    async def _views(self, entries: Sequence[Entry]) -> list[Json]:
+    async def _views(self, entries: Sequence[BoardEntry]) -> list[Json]:
         attempts = await self._store.attempts(entries)
         return [
             board_views.entry_view(
@@ -223,7 +223,7 @@ class BoardService:
         ]
 
 
-def _contender(entry: Entry) -> Contender:
+def _contender(entry: BoardEntry) -> Contender:
     """BRD-012: a flagged entry has no rank."""
     successes = None if entry.flag else int(entry.successes[::-1], 2)
     return Contender(entry.entry_id, entry.number, entry.score["score"], successes)

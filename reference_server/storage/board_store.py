@@ -7,7 +7,7 @@ is given.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -15,7 +15,7 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection
 
-from reference_server.rules.board.entries import Change, Entry
+from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.storage.store import Store
 
 _tables = sa.MetaData()
@@ -42,7 +42,7 @@ _leaves = sa.Table(
 )
 _NUMBERED = sa.select(_entries.c.number, _entries.c.entry)
 _SIZE = sa.select(sa.func.count()).select_from(_leaves)
-_ENTRY = msgspec.json.Decoder(Entry)
+_ENTRY = msgspec.json.Decoder(BoardEntry)
 
 
 class BoardStore:
@@ -60,8 +60,8 @@ class BoardStore:
             await connection.run_sync(_tables.create_all)
 
     async def change(
-        self, run_id: str, decide: Callable[[Entry | None], Change]
-    ) -> tuple[Entry, bool]:
+        self, run_id: str, decide: Callable[[BoardEntry | None], Change]
+    ) -> tuple[BoardEntry, bool]:
         """Store what `decide` makes of the entry of a run; whether there was none.
 
         What `decide` raises ends the transaction, and nothing is stored.
@@ -78,18 +78,21 @@ class BoardStore:
                 await self._append(connection, change.leaf)
         return replace(change.entry, number=number), before is None
 
-    async def _append(self, connection: AsyncConnection, leaf: str) -> None:
+    async def _append(
+        self, connection: AsyncConnection, members: Mapping[str, Any]
+    ) -> None:
+        leaf = msgspec.json.encode(members, order="deterministic")
         # Two servers that share the database cannot take the same index.
         index = await connection.scalar(_SIZE)
-        hashed = self._leaf_hash(leaf.encode())
-        row = {"index": index, "leaf": leaf, "leaf_sha256": hashed}
+        hashed = self._leaf_hash(leaf)
+        row = {"index": index, "leaf": leaf.decode(), "leaf_sha256": hashed}
         await connection.execute(_leaves.insert().values(row))
 
-    async def find(self, entry_id: str) -> Entry | None:
+    async def find(self, entry_id: str) -> BoardEntry | None:
         """An entry, withdrawn or not."""
         return await self._first(_NUMBERED.where(_entries.c.entry_id == entry_id))
 
-    async def find_of_run(self, run_id: str) -> Entry | None:
+    async def find_of_run(self, run_id: str) -> BoardEntry | None:
         """The entry of a run, withdrawn or not."""
         return await self._first(_NUMBERED.where(_entries.c.run_id == run_id))
 
@@ -99,7 +102,7 @@ class BoardStore:
         benchmark_id: str | None,
         before: int | None,
         limit: int,
-    ) -> list[Entry]:
+    ) -> list[BoardEntry]:
         """Public entries and those of an account, newest first, below a number.
 
         account: None for those of all.
@@ -115,7 +118,9 @@ class BoardStore:
             query = query.where(_entries.c.number < before)
         return await self._all(query.order_by(_entries.c.number.desc()).limit(limit))
 
-    async def of_manifest(self, benchmark_id: str, manifest_sha256: str) -> list[Entry]:
+    async def of_manifest(
+        self, benchmark_id: str, manifest_sha256: str
+    ) -> list[BoardEntry]:
         """The public entries of a manifest that are not withdrawn, oldest first."""
         query = _NUMBERED.where(
             _entries.c.manifest_sha256 == manifest_sha256,
@@ -125,7 +130,9 @@ class BoardStore:
         )
         return await self._all(query.order_by(_entries.c.number))
 
-    async def attempts(self, entries: Sequence[Entry]) -> dict[tuple[str, str], int]:
+    async def attempts(
+        self, entries: Sequence[BoardEntry]
+    ) -> dict[tuple[str, str], int]:
         """(account, benchmark) → how many of its runs were submitted until now."""
         accounts = {entry.account for entry in entries}
         benchmarks = {entry.benchmark_id for entry in entries}
@@ -145,16 +152,16 @@ class BoardStore:
         query = query.order_by(_leaves.c.index)
         return await self._store.read(lambda c: list(c.scalars(query)))
 
-    async def _first(self, query: sa.Select[Any]) -> Entry | None:
+    async def _first(self, query: sa.Select[Any]) -> BoardEntry | None:
         return next(iter(await self._all(query)), None)
 
-    async def _all(self, query: sa.Select[Any]) -> list[Entry]:
+    async def _all(self, query: sa.Select[Any]) -> list[BoardEntry]:
         return await self._store.read(
             lambda connection: [_entry_of(*row) for row in connection.execute(query)]
         )
 
 
-async def _store_entry(connection: AsyncConnection, entry: Entry) -> int:
+async def _store_entry(connection: AsyncConnection, entry: BoardEntry) -> int:
     """Insert or replace it; returns its number."""
     row = {
         "entry_id": entry.entry_id,
@@ -176,5 +183,5 @@ async def _store_entry(connection: AsyncConnection, entry: Entry) -> int:
     return int(inserted.scalar_one())
 
 
-def _entry_of(number: int, stored: bytes) -> Entry:
+def _entry_of(number: int, stored: bytes) -> BoardEntry:
     return replace(_ENTRY.decode(stored), number=number)

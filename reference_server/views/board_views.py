@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from reference_record.formats.checkpoint import Checkpoint
-from reference_server.rules.board.entries import Entry
+from reference_server.rules.board.entry_changes import BoardEntry
 from reference_server.rules.board.ranking import ALPHA, Ranking, Row
 from reference_server.views.run_views import timestamp
 
 Json = dict[str, Any]
 
 
-def entry_view(entry: Entry, attempts: int) -> Json:
+def entry_view(entry: BoardEntry, attempts: int) -> Json:
     """Schema BoardEntry (BRD-003); attempts: of its account until now."""
     view = {
         "entry_id": entry.entry_id,

@@ -74,6 +74,7 @@ def load() -> dict[str, Mutant]:
     """All mutants, by name."""
     from tests.mutants import (  # noqa: F401 - importing them registers them
         answers,
+        board,
         chat,
         compare,
         connections,

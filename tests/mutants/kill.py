@@ -131,6 +131,8 @@ def run_once(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
         profiles = {load_ledger()[id_].profile for id_ in mutant.kills}
         if enabled_profiles := profiles & OPTIONAL_PROFILES:
             server += ["--profiles", ",".join(sorted(enabled_profiles))]
+        if "public_board" in profiles:
+            server += ["--public-board", "on"]
         selection = _own_rows if rows == "own" else _all_rows
         done = subprocess.run(
             [

@@ -22,6 +22,8 @@ pytestmark = pytest.mark.slow("measures the unit tests of the rules")
 
 OWN_TESTS = {
     "reference_server/rules/capacity.py": ("test_capacity.py",),
+    "reference_server/rules/board/entry_changes.py": ("test_entry_changes.py",),
+    "reference_server/rules/board/ranking.py": ("test_ranking.py",),
     "reference_server/rules/comparison.py": ("test_comparison.py",),
     "reference_server/rules/events.py": ("test_events.py",),
     "reference_server/http/problems.py": ("test_problems.py",),
@@ -41,6 +43,7 @@ OWN_TESTS = {
     "reference_server/rules/manifest.py": ("test_manifest.py",),
     "reference_server/rules/submission.py": ("test_submission.py",),
     "reference_server/rules/action_space.py": ("test_action_space.py",),
+    "conformance/oracle/expected_ranking.py": ("test_expected_ranking.py",),
     "conformance/oracle/expected_comparison.py": ("test_expected_comparison.py",),
     "conformance/oracle/allowed_answers.py": (
         "test_run_model.py",

@@ -5,14 +5,28 @@ In their order, all can be sent one after another on the same live run.
 
 import json
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
+from conformance.client.request_context import RequestContext
 from conformance.client.run_client import RunClient, WorkerClient, adopt_run
 from conformance.exchanges.answer import Answer, file_of
 
 OperationSample = tuple[str, dict[str, Any]]
+# With the profile `public_board` these need no token (BRD-018).
+PUBLIC_READS = frozenset(
+    {
+        "list_entries",
+        "get_entry",
+        "get_ranking",
+        "list_history",
+        "get_checkpoint",
+        "prove_inclusion",
+        "prove_consistency",
+    }
+)
 READ_OPERATIONS = frozenset(
     {
         "list_benchmarks",
@@ -28,6 +42,7 @@ READ_OPERATIONS = frozenset(
         "list_imports",
         "get_import",
         "fetch_imported_record",
+        *PUBLIC_READS,
     }
 )
 
@@ -68,11 +83,52 @@ def profile_samples(run: RunClient) -> Iterator[OperationSample]:
         yield "stream_events", {}
     if run.context.offers("record"):
         yield from record_samples(run)
+    if run.context.offers("board"):
+        yield from board_samples(run.context)
+
+
+def board_samples(context: RequestContext) -> Iterator[OperationSample]:
+    """Give the operations on a leaderboard; `flag_entry` needs a scope of the host."""
+    run, other = completed_run(context), completed_run(context)
+    description = {"model_name": "conformance kit", "is_public": True}
+    entries = [
+        context.require(
+            partial(one.call, "publish_entry", json=description), 201, "publish_entry"
+        )
+        for one in (run, other)
+    ]
+    context.clean_up_with(lambda: _withdraw(run))
+    yield "publish_entry", {"run_id": run.id, "json": description}
+    yield "list_entries", {"params": {"limit": 1}}
+    yield "get_entry", {"entry_id": entries[0]["entry_id"]}
+    yield "get_ranking", {"benchmark_id": "calibration", "params": {"limit": 1}}
+    yield "list_history", {"params": {"limit": 1}}
+    yield "get_checkpoint", {}
+    yield "prove_inclusion", {"params": {"leaf_index": 0, "tree_size": 1}}
+    yield "prove_consistency", {"params": {"old_size": 1, "new_size": 1}}
+    yield "withdraw_entry", {"run_id": other.id}
+
+
+def _withdraw(run: RunClient) -> None:
+    run.call("withdraw_entry")
+
+
+def needs_token(context: RequestContext, sample: OperationSample) -> bool:
+    """Whether a request without a token is refused."""
+    return sample[0] not in PUBLIC_READS or not context.offers("public_board")
 
 
 def record_samples(run: RunClient) -> Iterator[OperationSample]:
     """Give the operations on a record, of a completed run of its own."""
-    context = run.context
+    completed = completed_run(run.context)
+    yield "fetch_record", {"run_id": completed.id}
+    yield "fetch_recording", {"run_id": completed.id, "episode_id": "e0000"}
+    if run.context.offers("record_import"):
+        yield from import_samples(completed)
+
+
+def completed_run(context: RequestContext) -> RunClient:
+    """Play a run of one episode."""
     body = context.submit_body(options={"tasks": ["score"]})
     accepted = context.require(
         lambda: context.call("submit_run", json=body), 201, "submit_run"
@@ -82,10 +138,7 @@ def record_samples(run: RunClient) -> Iterator[OperationSample]:
     worker = completed.worker()
     worker.attach()
     worker.play()
-    yield "fetch_record", {"run_id": completed.id}
-    yield "fetch_recording", {"run_id": completed.id, "episode_id": "e0000"}
-    if context.offers("record_import"):
-        yield from import_samples(completed)
+    return completed
 
 
 def import_samples(completed: RunClient) -> Iterator[OperationSample]:

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include "EntryScore.h"
-#include "EntryState.h"
 #include "EntryFlag.h"
 #include "SelectionView.h"
 #include <string>
@@ -34,7 +33,7 @@ struct BoardEntry {
     std::optional<std::string> homepage{};
     std::optional<std::string> code_url{};
     std::optional<std::string> notes{};
-    EntryState state{};
+    std::string state{};
     std::optional<EntryFlag> flag{};
     std::string level{}; // What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.
     std::int32_t attempts{}; // How many runs of the benchmark the account has submitted until now, published or not.

@@ -14,7 +14,7 @@ struct FlagEntry {
     using IsMessage = void;
 
     bool flagged{}; // False takes the flag back.
-    std::string reason{}; // For everybody to read.
+    std::string reason{}; // Shown with the entry.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("flagged", self.flagged);

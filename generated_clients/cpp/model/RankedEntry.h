@@ -20,7 +20,7 @@ struct RankedEntry {
     std::optional<RankInterval> rank{};
     std::int32_t better{}; // How many entries are significantly better; 0 without a rank.
     std::int32_t worse{}; // How many entries are significantly worse; 0 without a rank.
-    std::vector<std::string> letters{}; // Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank.
+    std::vector<std::string> letters{}; // Entries that cannot be distinguished have a letter in common, others have none in common; empty without a rank.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("entry", self.entry);

@@ -20,9 +20,9 @@ struct Ranking {
     std::optional<std::int32_t> episodes_total{}; // How many episodes each entry has; null where the manifest has no entry.
     std::int32_t ranked{}; // How many entries have a rank.
     std::int64_t comparisons{}; // How many pairs of them were tested.
-    double alpha{}; // How likely it is at most that any two equally good policies are told apart; 0.05.
-    std::optional<std::int32_t> differing_min{}; // Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes.
-    std::optional<std::int32_t> differing_enough{}; // Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes.
+    double alpha{}; // How likely it is at most that any two equally good policies are distinguished; 0.05.
+    std::optional<std::int32_t> differing_min{}; // Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes.
+    std::optional<std::int32_t> differing_enough{}; // Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes.
     std::vector<RankedEntry> rows{};
     std::optional<std::string> next_cursor{};
 

@@ -38,7 +38,6 @@ __all__ = [
     "ConsistencyProof",
     "EntryFlag",
     "EntryScore",
-    "EntryState",
     "Episode",
     "EpisodeList",
     "EpisodeResult",
@@ -143,7 +142,6 @@ from proctor_client.models.comparison import Comparison as Comparison
 from proctor_client.models.consistency_proof import ConsistencyProof as ConsistencyProof
 from proctor_client.models.entry_flag import EntryFlag as EntryFlag
 from proctor_client.models.entry_score import EntryScore as EntryScore
-from proctor_client.models.entry_state import EntryState as EntryState
 from proctor_client.models.episode import Episode as Episode
 from proctor_client.models.episode_list import EpisodeList as EpisodeList
 from proctor_client.models.episode_result import EpisodeResult as EpisodeResult

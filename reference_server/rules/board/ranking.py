@@ -66,7 +66,7 @@ def rank(contenders: Sequence[Contender], episodes_total: int) -> Ranking:
     """The ranking of all entries of a manifest (BRD-008, BRD-009, BRD-010, BRD-011)."""
     in_order = sorted(contenders, key=_order)
     ranked = [one for one in in_order if one.successes is not None]
-    better, worse = _told_apart([one.successes or 0 for one in ranked])
+    better, worse = _distinguish([one.successes or 0 for one in ranked])
     letters = _letters([b | w for b, w in zip(better, worse, strict=True)])
     n = len(ranked)
     rows = [
@@ -100,7 +100,7 @@ def _within(episodes: int, total: int) -> int | None:
     return episodes if episodes <= total else None
 
 
-def _told_apart(successes: Sequence[int]) -> tuple[list[int], list[int]]:
+def _distinguish(successes: Sequence[int]) -> tuple[list[int], list[int]]:
     """BRD-009: for each entry the sets of those that are better, and worse, as bits.
 
     Holm's correction over all pairs: the smallest p is held against alpha divided by
@@ -120,7 +120,7 @@ def _told_apart(successes: Sequence[int]) -> tuple[list[int], list[int]]:
 
 
 def _candidates(successes: Sequence[int]) -> Iterator[tuple[float, int, int]]:
-    """(p, winner, loser) of each pair that some correction could tell apart."""
+    """(p, winner, loser) of each pair that some correction could distinguish."""
     for i, one in enumerate(successes):
         for j in range(i):
             differing = one ^ successes[j]
@@ -153,11 +153,11 @@ def mcnemar_p(fewer: int, differing: int) -> float:
 
 
 def _letters(apart: Sequence[int]) -> list[tuple[str, ...]]:
-    """BRD-010: groups of entries none of which is told apart from another.
+    """BRD-010: groups of entries none of which is distinguished from another.
 
-    apart: for each entry those that it is told apart from, as bits. Each pair that is
-    not is in some group, in the order of the rows; a group takes all that fit, again
-    in that order.
+    apart: for each entry those that it is distinguished from, as bits. Each pair that
+    is not is in some group, in the order of the rows; a group takes all that fit,
+    again in that order.
     """
     n = len(apart)
     like = [~apart[i] & ((1 << n) - 1) & ~(1 << i) for i in range(n)]

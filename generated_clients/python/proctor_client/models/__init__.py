@@ -22,7 +22,6 @@ from proctor_client.models.comparison import Comparison
 from proctor_client.models.consistency_proof import ConsistencyProof
 from proctor_client.models.entry_flag import EntryFlag
 from proctor_client.models.entry_score import EntryScore
-from proctor_client.models.entry_state import EntryState
 from proctor_client.models.episode import Episode
 from proctor_client.models.episode_list import EpisodeList
 from proctor_client.models.episode_result import EpisodeResult

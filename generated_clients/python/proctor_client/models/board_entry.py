@@ -14,7 +14,6 @@ from typing import Any, ClassVar, Dict, List, Optional
 from typing_extensions import Annotated
 from proctor_client.models.entry_flag import EntryFlag
 from proctor_client.models.entry_score import EntryScore
-from proctor_client.models.entry_state import EntryState
 from proctor_client.models.policy_info import PolicyInfo
 from proctor_client.models.selection_view import SelectionView
 from typing import Optional, Set
@@ -40,7 +39,7 @@ class BoardEntry(BaseModel):
     homepage: Optional[StrictStr] = None
     code_url: Optional[StrictStr] = None
     notes: Optional[StrictStr] = None
-    state: EntryState
+    state: Annotated[str, Field(strict=True)]
     flag: Optional[EntryFlag] = None
     level: Annotated[str, Field(strict=True)] = Field(description="What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.")
     attempts: Annotated[int, Field(strict=True, ge=1)] = Field(description="How many runs of the benchmark the account has submitted until now, published or not.")
@@ -55,6 +54,13 @@ class BoardEntry(BaseModel):
         """Validates the regular expression"""
         if isinstance(value, str) and not re.match(r"^[0-9a-f]{64}$", value):
             raise ValueError(r"must validate the regular expression /^[0-9a-f]{64}$/")
+        return value
+
+    @field_validator('state', mode="before")
+    def state_validate_regular_expression(cls, value):
+        """Validates the regular expression"""
+        if isinstance(value, str) and not re.match(r"^[a-z][a-z0-9_]{0,63}$", value):
+            raise ValueError(r"must validate the regular expression /^[a-z][a-z0-9_]{0,63}$/")
         return value
 
     @field_validator('level', mode="before")

@@ -20,7 +20,7 @@ class FlagEntry(BaseModel):
     FlagEntry
     """ # noqa: E501
     flagged: StrictBool = Field(description="False takes the flag back.")
-    reason: Annotated[str, Field(min_length=1, strict=True, max_length=500)] = Field(description="For everybody to read.")
+    reason: Annotated[str, Field(min_length=1, strict=True, max_length=500)] = Field(description="Shown with the entry.")
     __properties: ClassVar[List[str]] = ["flagged", "reason"]
 
     model_config = ConfigDict(

@@ -25,7 +25,7 @@ class RankedEntry(BaseModel):
     rank: Optional[RankInterval] = None
     better: Annotated[int, Field(strict=True, ge=0)] = Field(description="How many entries are significantly better; 0 without a rank.")
     worse: Annotated[int, Field(strict=True, ge=0)] = Field(description="How many entries are significantly worse; 0 without a rank.")
-    letters: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=100000)] = Field(description="Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank.")
+    letters: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=100000)] = Field(description="Entries that cannot be distinguished have a letter in common, others have none in common; empty without a rank.")
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["entry", "rank", "better", "worse", "letters"]
 

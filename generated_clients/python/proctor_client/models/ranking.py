@@ -25,9 +25,9 @@ class Ranking(BaseModel):
     episodes_total: Optional[StrictInt] = Field(description="How many episodes each entry has; null where the manifest has no entry.")
     ranked: Annotated[int, Field(strict=True, ge=0)] = Field(description="How many entries have a rank.")
     comparisons: Annotated[int, Field(strict=True, ge=0)] = Field(description="How many pairs of them were tested.")
-    alpha: Union[StrictFloat, StrictInt] = Field(description="How likely it is at most that any two equally good policies are told apart; 0.05.")
-    differing_min: Optional[StrictInt] = Field(description="Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes.")
-    differing_enough: Optional[StrictInt] = Field(description="Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes.")
+    alpha: Union[StrictFloat, StrictInt] = Field(description="How likely it is at most that any two equally good policies are distinguished; 0.05.")
+    differing_min: Optional[StrictInt] = Field(description="Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes.")
+    differing_enough: Optional[StrictInt] = Field(description="Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes.")
     rows: Annotated[List[RankedEntry], Field(max_length=1000)]
     next_cursor: Optional[StrictStr]
     additional_properties: Dict[str, Any] = {}

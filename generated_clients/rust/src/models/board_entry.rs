@@ -38,7 +38,7 @@ pub struct BoardEntry {
     #[serde(rename = "notes", skip_serializing_if = "Option::is_none")]
     pub notes: Option<String>,
     #[serde(rename = "state")]
-    pub state: models::EntryState,
+    pub state: String,
     #[serde(rename = "flag", skip_serializing_if = "Option::is_none")]
     pub flag: Option<models::EntryFlag>,
     /// What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.
@@ -57,7 +57,7 @@ pub struct BoardEntry {
 }
 
 impl BoardEntry {
-    pub fn new(entry_id: String, run_id: String, submitter: String, benchmark_id: String, benchmark_version: String, manifest_sha256: String, policy: models::PolicyInfo, model_name: String, is_public: bool, state: models::EntryState, level: String, attempts: i32, score: models::EntryScore, published_at: chrono::DateTime<chrono::FixedOffset>, changed_at: chrono::DateTime<chrono::FixedOffset>) -> BoardEntry {
+    pub fn new(entry_id: String, run_id: String, submitter: String, benchmark_id: String, benchmark_version: String, manifest_sha256: String, policy: models::PolicyInfo, model_name: String, is_public: bool, state: String, level: String, attempts: i32, score: models::EntryScore, published_at: chrono::DateTime<chrono::FixedOffset>, changed_at: chrono::DateTime<chrono::FixedOffset>) -> BoardEntry {
         BoardEntry {
             entry_id,
             run_id,

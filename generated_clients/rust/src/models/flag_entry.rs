@@ -8,7 +8,7 @@ pub struct FlagEntry {
     /// False takes the flag back.
     #[serde(rename = "flagged")]
     pub flagged: bool,
-    /// For everybody to read.
+    /// Shown with the entry.
     #[serde(rename = "reason")]
     pub reason: String,
 }

@@ -34,8 +34,6 @@ pub mod entry_flag;
 pub use self::entry_flag::EntryFlag;
 pub mod entry_score;
 pub use self::entry_score::EntryScore;
-pub mod entry_state;
-pub use self::entry_state::EntryState;
 pub mod episode;
 pub use self::episode::Episode;
 pub mod episode_list;

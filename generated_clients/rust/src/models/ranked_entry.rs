@@ -15,7 +15,7 @@ pub struct RankedEntry {
     /// How many entries are significantly worse; 0 without a rank.
     #[serde(rename = "worse")]
     pub worse: i32,
-    /// Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank.
+    /// Entries that cannot be distinguished have a letter in common, others have none in common; empty without a rank.
     #[serde(rename = "letters")]
     pub letters: Vec<String>,
 }

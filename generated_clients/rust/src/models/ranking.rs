@@ -20,13 +20,13 @@ pub struct Ranking {
     /// How many pairs of them were tested.
     #[serde(rename = "comparisons")]
     pub comparisons: i64,
-    /// How likely it is at most that any two equally good policies are told apart; 0.05.
+    /// How likely it is at most that any two equally good policies are distinguished; 0.05.
     #[serde(rename = "alpha")]
     pub alpha: f64,
-    /// Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes.
+    /// Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes.
     #[serde(rename = "differing_min", deserialize_with = "Option::deserialize")]
     pub differing_min: Option<i32>,
-    /// Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes.
+    /// Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes.
     #[serde(rename = "differing_enough", deserialize_with = "Option::deserialize")]
     pub differing_enough: Option<i32>,
     #[serde(rename = "rows")]

@@ -26,13 +26,6 @@ import {
     PolicyInfoToJSON,
     PolicyInfoToJSONTyped,
 } from './PolicyInfo';
-import type { EntryState } from './EntryState';
-import {
-    EntryStateFromJSON,
-    EntryStateFromJSONTyped,
-    EntryStateToJSON,
-    EntryStateToJSONTyped,
-} from './EntryState';
 import type { EntryScore } from './EntryScore';
 import {
     EntryScoreFromJSON,
@@ -111,7 +104,7 @@ export interface BoardEntry {
     /**
      *
      */
-    state: EntryState;
+    state: string;
     /**
      *
      */
@@ -137,8 +130,6 @@ export interface BoardEntry {
      */
     changed_at: Date;
 }
-
-
 
 /**
  * Check if a given object implements the BoardEntry interface.
@@ -188,7 +179,7 @@ export function BoardEntryFromJSONTyped(json: any, ignoreDiscriminator: boolean)
         'homepage': json['homepage'] == null ? undefined : json['homepage'],
         'code_url': json['code_url'] == null ? undefined : json['code_url'],
         'notes': json['notes'] == null ? undefined : json['notes'],
-        'state': EntryStateFromJSON(json['state']),
+        'state': json['state'],
         'flag': json['flag'] == null ? undefined : EntryFlagFromJSON(json['flag']),
         'level': json['level'],
         'attempts': json['attempts'],
@@ -225,7 +216,7 @@ export function BoardEntryToJSONTyped(value?: BoardEntry | null, ignoreDiscrimin
         'homepage': value['homepage'],
         'code_url': value['code_url'],
         'notes': value['notes'],
-        'state': EntryStateToJSON(value['state']),
+        'state': value['state'],
         'flag': EntryFlagToJSON(value['flag']),
         'level': value['level'],
         'attempts': value['attempts'],

@@ -16,7 +16,7 @@ export interface FlagEntry {
      */
     flagged: boolean;
     /**
-     * For everybody to read.
+     * Shown with the entry.
      */
     reason: string;
 }

@@ -44,7 +44,7 @@ export interface RankedEntry {
      */
     worse: number;
     /**
-     * Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank.
+     * Entries that cannot be distinguished have a letter in common, others have none in common; empty without a rank.
      */
     letters: Array<string>;
 }

@@ -41,15 +41,15 @@ export interface Ranking {
      */
     comparisons: number;
     /**
-     * How likely it is at most that any two equally good policies are told apart; 0.05.
+     * How likely it is at most that any two equally good policies are distinguished; 0.05.
      */
     alpha: number;
     /**
-     * Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes.
+     * Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes.
      */
     differing_min: number | null;
     /**
-     * Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes.
+     * Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes.
      */
     differing_enough: number | null;
     /**

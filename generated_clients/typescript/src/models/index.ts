@@ -18,7 +18,6 @@ export * from './Comparison';
 export * from './ConsistencyProof';
 export * from './EntryFlag';
 export * from './EntryScore';
-export * from './EntryState';
 export * from './Episode';
 export * from './EpisodeList';
 export * from './EpisodeResult';

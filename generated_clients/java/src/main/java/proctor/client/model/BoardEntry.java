@@ -68,7 +68,7 @@ public class BoardEntry {
 
   @SerializedName("state")
   @javax.annotation.Nonnull
-  private EntryState state;
+  private String state;
 
   @SerializedName("flag")
   private EntryFlag flag;
@@ -290,16 +290,16 @@ public class BoardEntry {
     this.notes = notes;
   }
 
-  public EntryState getState() {
+  public String getState() {
     return state;
   }
 
-  public BoardEntry state(EntryState state) {
+  public BoardEntry state(String state) {
     this.state = state;
     return this;
   }
 
-  public void setState(EntryState state) {
+  public void setState(String state) {
     this.state = state;
   }
 

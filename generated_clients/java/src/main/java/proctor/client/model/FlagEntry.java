@@ -34,7 +34,7 @@ public class FlagEntry {
     this.flagged = flagged;
   }
 
-  /** For everybody to read. */
+  /** Shown with the entry. */
   public String getReason() {
     return reason;
   }

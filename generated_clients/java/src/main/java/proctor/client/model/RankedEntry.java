@@ -85,7 +85,7 @@ public class RankedEntry {
     this.worse = worse;
   }
 
-  /** Entries that cannot be told apart have a letter in common, others have none in common; empty without a rank. */
+  /** Entries that cannot be distinguished have a letter in common, others have none in common; empty without a rank. */
   public List<String> getLetters() {
     return letters;
   }

@@ -118,7 +118,7 @@ public class Ranking {
     this.comparisons = comparisons;
   }
 
-  /** How likely it is at most that any two equally good policies are told apart; 0.05. */
+  /** How likely it is at most that any two equally good policies are distinguished; 0.05. */
   public Double getAlpha() {
     return alpha;
   }
@@ -132,7 +132,7 @@ public class Ranking {
     this.alpha = alpha;
   }
 
-  /** Two entries that differ on fewer episodes can never be told apart; null if the benchmark has fewer episodes. */
+  /** Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes. */
   public Integer getDifferingMin() {
     return differingMin;
   }
@@ -146,7 +146,7 @@ public class Ranking {
     this.differingMin = differingMin;
   }
 
-  /** Two entries that differ on so many episodes, all to the advantage of one, are told apart, however the others fared; null if the benchmark has fewer episodes. */
+  /** Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes. */
   public Integer getDifferingEnough() {
     return differingEnough;
   }

@@ -10,8 +10,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-import msgspec
-
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
@@ -33,7 +31,7 @@ class Flag:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class BoardEntry:
     """One entry; it has all that is shown of it and ranked, and needs its run no more.
 
     number: grows with every entry; 0 before it is stored. description: schema
@@ -69,18 +67,18 @@ class Entry:
 class Change:
     """An entry as it is from now on, and the leaf of the history that says so."""
 
-    entry: Entry
-    leaf: str | None = None
+    entry: BoardEntry
+    leaf: Mapping[str, Any] | None = None
 
 
-def may_see_entry(account: str | None, entry: Entry) -> bool:
+def may_see_entry(account: str | None, entry: BoardEntry) -> bool:
     """BRD-004: a private entry is there for its own account, and a reader of all."""
     return entry.is_public or account is None or account == entry.account
 
 
 def new_entry(
     entry_id: str, run: RunHead, episodes: Sequence[Episode], at_wall: float
-) -> Entry | Refuse:
+) -> BoardEntry | Refuse:
     """The entry of a completed run, with a description to come (BRD-001, BRD-002)."""
     if run.state != "completed":
         detail = f"The run is {run.state}; a completed run can be published."
@@ -94,7 +92,7 @@ def new_entry(
     ]
     score = score_of(scored)
     is_recorded = all(e.recording and e.recording.first_digest for e in episodes)
-    return Entry(
+    return BoardEntry(
         entry_id=entry_id,
         number=0,
         run_id=run.run_id,
@@ -114,7 +112,7 @@ def new_entry(
 
 
 def publish(
-    fresh: Entry, stored: Entry | None, description: Mapping[str, Any]
+    fresh: BoardEntry, stored: BoardEntry | None, description: Mapping[str, Any]
 ) -> Change | Refuse:
     """A run has one entry: a repeat replaces its description alone (BRD-001).
 
@@ -134,14 +132,14 @@ def publish(
     return Change(entry, None if kind is None else _leaf(kind, entry))
 
 
-def _kind_of_change(before: Entry, after: Entry) -> Kind | None:
+def _kind_of_change(before: BoardEntry, after: BoardEntry) -> Kind | None:
     """BRD-013."""
     if after.is_public:
         return "change" if before.is_public else "publish"
     return "hide" if before.is_public else None
 
 
-def withdraw(stored: Entry, at_wall: float) -> Change:
+def withdraw(stored: BoardEntry, at_wall: float) -> Change:
     """BRD-005: for good."""
     if stored.state == "withdrawn":
         return Change(stored)
@@ -150,7 +148,7 @@ def withdraw(stored: Entry, at_wall: float) -> Change:
 
 
 def flag(
-    stored: Entry, *, flagged: bool, reason: str, at_wall: float
+    stored: BoardEntry, *, flagged: bool, reason: str, at_wall: float
 ) -> Change | Refuse:
     """BRD-012: set, replaced or taken back."""
     if not stored.is_public:
@@ -168,8 +166,8 @@ def flag(
     return Change(entry, leaf)
 
 
-def _leaf(kind: Kind, entry: Entry, **members: str) -> str:
-    """BRD-013: what the history says of a change; the members by name."""
+def _leaf(kind: Kind, entry: BoardEntry, **members: str) -> Mapping[str, Any]:
+    """BRD-013: what the history says of a change."""
     said: dict[str, Any] = {
         "kind": kind,
         "at_ms": int(entry.changed_at_wall * 1000),
@@ -190,4 +188,4 @@ def _leaf(kind: Kind, entry: Entry, **members: str) -> str:
             "score": dict(entry.score),
             "successes": entry.successes,
         }
-    return msgspec.json.encode(said, order="deterministic").decode()
+    return said

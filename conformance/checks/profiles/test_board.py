@@ -1,0 +1,328 @@
+"""Entries of a leaderboard and their ranking: the profile `board` (BRD).
+
+Each check plays and publishes on a manifest of its own (`support/published_runs.py`);
+`oracle/expected_ranking.py` computes the expected ranking.
+"""
+
+from typing import Any
+
+from conformance.checks.support.given_states import without
+from conformance.checks.support.published_runs import (
+    BENCHMARK,
+    Board,
+    change_entry,
+    description_of,
+    listed_entries,
+    require_entry,
+    try_publish,
+)
+from conformance.client.check_context import CheckContext
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+
+FULL_DESCRIPTION = {
+    "model_name": "Ünïted πolicy <b>7</b>",
+    "is_public": True,
+    "model_type": "VLA",
+    "organisation": "Conformance & Co.",
+    "homepage": "https://example.org/policy?a=1#b",
+    "code_url": "http://example.org/code",
+    "notes": "first line\nsecond line",
+}
+DESCRIPTION_MEMBERS = tuple(FULL_DESCRIPTION)
+UNKNOWN_MANIFEST, UNKNOWN_BENCHMARK = "0" * 64, "no_benchmark_of_this_name"
+# Runs of eight episodes, of which some can be distinguished and some cannot.
+PATTERNS = ("11111111", "11110000", "00000000", "10101010", "11111110", "00000000")
+
+
+def shown_description(entry: dict[str, Any]) -> dict[str, Any]:
+    """Give what an entry shows of its description."""
+    return {name: entry[name] for name in DESCRIPTION_MEMBERS if name in entry}
+
+
+def ranked_board(context: CheckContext) -> Board:
+    """Publish runs that differ, two of which have the same score."""
+    board = Board(context)
+    for successes in PATTERNS:
+        board.add(successes)
+    return board
+
+
+@requirement("BRD-001")
+def test_brd_001_a_run_has_one_entry(context: CheckContext) -> None:
+    """A run is published, again with the same body, and with another description.
+
+    Expect 201, then 200 with the same entry and what was sent last.
+    """
+    board = Board(context)
+    run = board.play("10")
+    first = expect.ok(try_publish(run, **FULL_DESCRIPTION), 201)
+    expect.equal(expect.ok(try_publish(run, **FULL_DESCRIPTION)), first, "the entry")
+    changed = expect.ok(try_publish(run, model_name="Another"))
+    described = {"model_name": "Another", "is_public": True}
+    expect.equal(shown_description(changed), described, "the description")
+    for member in ("entry_id", "published_at", "score", "run_id"):
+        expect.equal(changed[member], first[member], member)
+    expect.equal(board.ranked_ids(), [first["entry_id"]], "entries in the ranking")
+
+
+@requirement("BRD-002")
+def test_brd_002_cannot_publish_an_incomplete_run(context: CheckContext) -> None:
+    """A run with an episode to play is published, a stopped one, and a completed one.
+
+    Expect `illegal_transition` and no entry, then an entry.
+    """
+    board = Board(context)
+    run = board.play("11", episodes=1)
+    expect.refused(try_publish(run), "illegal_transition", state=run.get()["state"])
+    run.stop()
+    expect.refused(try_publish(run), "illegal_transition", state="stopped")
+    expect.equal(board.ranked_ids(), [], "entries in the ranking")
+    completed = board.play("11")
+    entry = expect.ok(try_publish(completed), 201)
+    expect.equal(board.ranked_ids(), [entry["entry_id"]], "entries in the ranking")
+
+
+@requirement("BRD-003")
+def test_brd_003_an_entry_shows_its_run(context: CheckContext) -> None:
+    """A graded run is published with a full description, another with a short one.
+
+    Expect both descriptions, the run as `get_run` and the score as `get_score` has it.
+    """
+    board = Board(context)
+    run = board.play("101", scores=(0.75, 1 / 3, 0.1))
+    entry = expect.ok(try_publish(run, **FULL_DESCRIPTION), 201)
+    expect.equal(shown_description(entry), FULL_DESCRIPTION, "the description")
+    shown, score = run.get(), run.score()
+    for member in ("run_id", "benchmark_id", "benchmark_version", "manifest_sha256"):
+        expect.equal(entry[member], shown[member], member)
+    expect.equal(entry["policy"], shown["policy"], "policy")
+    expect.equal(entry["state"], "published", "state")
+    for member in entry["score"]:
+        expect.equal(entry["score"][member], score[member], f"score.{member}")
+    again = context.call("get_entry", entry_id=entry["entry_id"])
+    expect.equal(without(expect.ok(again), "attempts"), without(entry, "attempts"), "")
+    short = expect.ok(try_publish(board.play("1")), 201)
+    expect.equal(shown_description(short), description_of(), "the description")
+
+
+@requirement("BRD-004")
+def test_brd_004_private_entries_are_for_their_account(context: CheckContext) -> None:
+    """An entry is private, then public, then private again; another account looks.
+
+    Expect it to be seen by its own account each time, and else while it is public.
+    """
+    board, other = Board(context), context.second_account
+    run = board.play("11")
+    entry_id = require_entry(run, is_public=False)["entry_id"]
+    for is_public in (False, True, False):
+        change_entry(run, is_public=is_public)
+        expect.ok(context.call("get_entry", entry_id=entry_id))
+        own = listed_entries(context, {entry_id})
+        expect.equal(own, [entry_id], "entries listed for its account")
+        seen = context.call("get_entry", entry_id=entry_id, http_client=other)
+        listed = listed_entries(context, {entry_id}, other, limit=1000)
+        ranked = board.ranked_ids()
+        if is_public:
+            expect.ok(seen)
+        else:
+            expect.refused(seen, "not_found")
+        expected = [entry_id] if is_public else []
+        expect.equal(listed, expected, "entries listed for another account")
+        expect.equal(ranked, expected, "entries in the ranking")
+
+
+@requirement("BRD-005")
+def test_brd_005_withdrawn_entries_leave_the_ranking(context: CheckContext) -> None:
+    """One of two entries is withdrawn, twice; so is that of a run without one.
+
+    Expect the other alone in the ranking and in the list, and `not_found` at last.
+    """
+    board = Board(context)
+    first, second = board.play("11"), board.play("10")
+    ids = [require_entry(run)["entry_id"] for run in (first, second)]
+    expect.equal(board.ranked_ids(), ids, "entries in the ranking")
+    withdrawn = expect.ok(first.call("withdraw_entry"))
+    expect.equal(withdrawn["state"], "withdrawn", "state")
+    again = without(expect.ok(first.call("withdraw_entry")), "attempts")
+    expect.equal(again, without(withdrawn, "attempts"), "the entry")
+    shown = expect.ok(context.call("get_entry", entry_id=ids[0]))
+    expect.equal(without(shown, "attempts"), again, "the entry")
+    expect.equal(board.ranked_ids(), ids[1:], "entries in the ranking")
+    listed = listed_entries(context, set(ids), limit=1000)
+    expect.equal(listed, ids[1:], "entries listed")
+    expect.refused(board.play("01").call("withdraw_entry"), "not_found")
+
+
+@requirement("BRD-006")
+def test_brd_006_cannot_publish_after_a_withdrawal(context: CheckContext) -> None:
+    """The run of a withdrawn entry is published, and another run.
+
+    Expect `entry_withdrawn` and the entry as it was, then an entry.
+    """
+    board = Board(context)
+    run = board.play("11")
+    entry_id = require_entry(run)["entry_id"]
+    expect.ok(run.call("withdraw_entry"))
+    expect.refused(try_publish(run, model_name="Another"), "entry_withdrawn")
+    shown = expect.ok(context.call("get_entry", entry_id=entry_id))
+    expect.equal(shown["state"], "withdrawn", "state")
+    expect.equal(board.ranked_ids(), [], "entries in the ranking")
+    expect.ok(try_publish(board.play("11")), 201)
+
+
+@requirement("BRD-007")
+def test_brd_007_entries_are_listed_newest_first(context: CheckContext) -> None:
+    """Three entries are listed: by pages of different lengths, and by benchmark.
+
+    Expect each once and the newest first, and none for another benchmark.
+    """
+    board = Board(context)
+    ids = [board.add("1", is_public=bool(n % 2))["entry_id"] for n in range(3)]
+    for params in ({}, {"limit": 1}, {"limit": 2}, {"benchmark_id": BENCHMARK}):
+        found = listed_entries(context, set(ids), **params)
+        expect.equal(found, ids[::-1], f"entries with {params}")
+    page = expect.ok(context.call("list_entries", params={"limit": 2}))
+    expect.equal(len(page["entries"]), 2, "entries on a page of two")
+    found = listed_entries(context, set(ids), benchmark_id=UNKNOWN_BENCHMARK)
+    expect.equal(found, [], "entries of another benchmark")
+
+
+@requirement("BRD-008")
+def test_brd_008_rows_are_in_their_order(context: CheckContext) -> None:
+    """Six entries, some with equal scores; a private one, and one of other episodes.
+
+    Expect the public ones of the manifest by score, the same by pages.
+    """
+    board = ranked_board(context)
+    board.add("11110000", scores=(0.5,) * 8)
+    board.add("11110001", scores=(0.25,) * 8)
+    board.add("11111111", is_public=False)
+    Board(context).add("11111111")
+    expected = [row["entry_id"] for row in board.expected()["rows"]]
+    expect.equal(board.ranked_ids(), expected, "entries in the ranking")
+    found, params = [], {"limit": 3}
+    for _ in range(len(expected)):
+        page = board.ranking(**params)
+        found += [row["entry"]["entry_id"] for row in page["rows"]]
+        if page["next_cursor"] is None:
+            break
+        params["cursor"] = page["next_cursor"]
+    expect.equal(found, expected, "entries on all pages of three")
+
+
+def expect_rows(context: CheckContext, *members: str) -> None:
+    """Expect these members of the rows while entries come, and when one has left."""
+    board = Board(context)
+    runs = [board.play(successes) for successes in PATTERNS]
+    for run, successes in zip(runs, PATTERNS, strict=True):
+        entry = require_entry(run)
+        mean = successes.count("1") / len(successes)
+        board.note(entry["entry_id"], mean, successes)
+        expect_members(board, members)
+    runs[2].call("withdraw_entry")
+    del board.published[2]
+    expect_members(board, members)
+
+
+def expect_members(board: Board, members: tuple[str, ...]) -> None:
+    """Expect these members of each row, by the id of its entry."""
+    found = {
+        row["entry"]["entry_id"]: {name: row.get(name) for name in members}
+        for row in board.ranking()["rows"]
+    }
+    expected = {
+        row["entry_id"]: {name: row[name] for name in members}
+        for row in board.expected()["rows"]
+    }
+    expect.equal(found, expected, "rows by entry")
+
+
+@requirement("BRD-009")
+def test_brd_009_a_rank_is_an_interval(context: CheckContext) -> None:
+    """Six entries come one after another, and one leaves.
+
+    Expect each time the ranks that the exact tests give.
+    """
+    expect_rows(context, "rank", "better", "worse")
+
+
+@requirement("BRD-010")
+def test_brd_010_letters_join_what_cannot_be_distinguished(
+    context: CheckContext,
+) -> None:
+    """Six entries come one after another, and one leaves. Expect their letters."""
+    expect_rows(context, "letters")
+
+
+@requirement("BRD-011")
+def test_brd_011_a_ranking_says_what_it_can_distinguish(context: CheckContext) -> None:
+    """Rankings of entries with 8 and with 5 episodes, of one entry and of more.
+
+    Expect the number of tests, and how many episodes two entries must differ on.
+    """
+    for patterns in (PATTERNS, ("11111", "00000"), ("1" * 7,)):
+        board = Board(context)
+        for count, successes in enumerate(patterns, start=1):
+            board.add(successes)
+            found, expected = board.ranking(), board.expected()
+            for member in ("ranked", "comparisons", "differing_min"):
+                expect.equal(found[member], expected[member], member)
+            enough = found["differing_enough"]
+            expect.equal(enough, expected["differing_enough"], "differing_enough")
+            expect.equal(found["episodes_total"], len(successes), "episodes_total")
+            expect.equal(found["alpha"], 0.05, "alpha")
+            expect.equal(found["ranked"], count, "ranked")
+
+
+@requirement("BRD-019")
+def test_brd_019_attempts_are_counted(context: CheckContext) -> None:
+    """An entry is read after a run is submitted and stopped, and before another one.
+
+    Expect at least the number of the first, and less than that of the second.
+    """
+    entry_id = Board(context).add("1")["entry_id"]
+    for _ in range(3):
+        before = context.submit("score")
+        before.stop()
+        shown = expect.ok(context.call("get_entry", entry_id=entry_id))
+        after = context.submit("score")
+        low, high = (run.get()["attempts_by_submitter"] for run in (before, after))
+        found = shown["attempts"]
+        expect.true(low <= found < high, f"attempts from {low} to {high - 1}", found)
+
+
+@requirement("BRD-020")
+def test_brd_020_links_are_http_or_https(context: CheckContext) -> None:
+    """A run is published with links of other schemes, then with right ones.
+
+    Expect `invalid_request` that points at each, and no entry of it.
+    """
+    board = Board(context)
+    run = board.play("1")
+    wrong = ("javascript:alert(1)", "data:text/html,x", "ftp://a.example/", "//a.b/")
+    for member in ("homepage", "code_url"):
+        for link in (*wrong, "example.org", " https://a.example", "https://a b"):
+            answer = try_publish(run, **{member: link})
+            expect.refused(answer, "invalid_request", pointer=f"/{member}")
+    expect.equal(board.ranked_ids(), [], "entries in the ranking")
+    links = {"homepage": "http://a.example", "code_url": "https://a.example/b"}
+    expect.ok(try_publish(run, **links), 201)
+
+
+@requirement("BRD-021")
+def test_brd_021_rankings_of_nothing(context: CheckContext) -> None:
+    """Rankings of an unknown benchmark, an unknown manifest, and one with an entry.
+
+    Expect `not_found`, no rows, and a row.
+    """
+    unknown = context.call("get_ranking", benchmark_id=UNKNOWN_BENCHMARK)
+    expect.refused(unknown, "not_found")
+    board = Board(context)
+    board.manifest_sha256 = UNKNOWN_MANIFEST
+    found = board.ranking()
+    expect.equal(found["rows"], [], "rows")
+    expect.equal(found["ranked"], 0, "ranked")
+    expect.ok(context.call("get_ranking", benchmark_id=BENCHMARK))
+    entry = board.add("1")
+    expect.equal(board.ranked_ids(), [entry["entry_id"]], "entries in the ranking")

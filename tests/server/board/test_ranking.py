@@ -1,0 +1,159 @@
+"""The ranking: the vectors, its laws, exact tests, and how long a large one takes."""
+
+import json
+import time
+from itertools import pairwise
+from random import Random
+from typing import Any
+
+import jsonschema
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from conformance.oracle.expected_ranking import RankedRun, expected_ranking
+from reference_server.rules.board import ranking
+from reference_server.rules.board.ranking import (
+    ALPHA,
+    Contender,
+    mcnemar_p,
+    rank,
+    successes_of,
+)
+from reference_server.rules.comparison import mcnemar
+from tests.support.paths import SPEC
+from tests.support.ranking_vectors import CASES, successes_by_id
+
+EPISODES = 12
+
+
+def shown(found: ranking.Ranking) -> dict[str, Any]:
+    """As the vectors have it."""
+    head = ("ranked", "comparisons", "differing_min", "differing_enough")
+    rows = [
+        {
+            "entry_id": row.entry_id,
+            "rank": row.rank and {"low": row.rank[0], "high": row.rank[1]},
+            "better": row.better,
+            "worse": row.worse,
+            "letters": list(row.letters),
+        }
+        for row in found.rows
+    ]
+    return {name: getattr(found, name) for name in head} | {"rows": rows}
+
+
+def contenders_of(case: dict[str, Any]) -> list[Contender]:
+    manifest = case["manifest"]
+    return [
+        Contender(
+            entry["entry_id"],
+            number,
+            entry["score"],
+            successes_of(manifest, successes_by_id(manifest, entry)),
+        )
+        for number, entry in enumerate(case["entries"], start=1)
+    ]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case["description"])
+def test_the_vectors(case: dict[str, Any]) -> None:
+    contenders = contenders_of(case)
+    found = rank(contenders, len(case["manifest"]) if contenders else 0)
+    assert shown(found) == case["ranking"]
+
+
+def test_the_vectors_fit_their_schema() -> None:
+    schema = json.loads((SPEC / "schema" / "ranking-vector.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    for path in (SPEC / "vectors" / "ranking").iterdir():
+        jsonschema.validate(json.loads(path.read_text()), schema)
+    assert len(CASES) > 20
+
+
+entries = st.lists(
+    st.tuples(st.sampled_from([0.0, 0.25, 0.5, 1.0]), st.integers(0, 2**EPISODES - 1)),
+    max_size=14,
+)
+
+
+@given(entries)
+def test_the_oracle_says_the_same_of_any_entries(drawn: list[Any]) -> None:
+    contenders = [Contender(f"e{i}", i, *one) for i, one in enumerate(drawn)]
+    runs = [
+        RankedRun(f"e{i}", score, f"{bits:0{EPISODES}b}"[::-1])
+        for i, (score, bits) in enumerate(drawn)
+    ]
+    assert shown(rank(contenders, EPISODES)) == expected_ranking(runs, EPISODES)
+
+
+@given(entries)
+def test_letters_say_exactly_what_is_not_distinguished(drawn: list[Any]) -> None:
+    contenders = [Contender(f"e{i}", i, *one) for i, one in enumerate(drawn)]
+    successes = {one.entry_id: one.successes or 0 for one in contenders}
+    rows = rank(contenders, EPISODES).rows
+    better, worse = ranking._distinguish([successes[row.entry_id] for row in rows])
+    for i, one in enumerate(rows):
+        assert one.letters
+        for j, other in enumerate(rows[:i]):
+            is_apart = (better[i] | worse[i]) >> j & 1
+            assert bool(set(one.letters) & set(other.letters)) != bool(is_apart)
+
+
+@given(entries, st.randoms())
+def test_the_order_in_which_entries_are_read_is_of_no_account(
+    drawn: list[Any], random: Random
+) -> None:
+    contenders = [Contender(f"e{i}", i, *one) for i, one in enumerate(drawn)]
+    shuffled = random.sample(contenders, len(contenders))
+    assert rank(shuffled, EPISODES) == rank(contenders, EPISODES)
+
+
+def test_scores_are_never_out_of_order() -> None:
+    rows = [Contender(f"e{i}", i, (i * 7 % 10) / 10, 0) for i in range(10)]
+    scores = {one.entry_id: one.score for one in rows}
+    found = [scores[row.entry_id] for row in rank(rows, 8).rows]
+    assert all(a >= b for a, b in pairwise(found))
+
+
+def test_the_test_has_twelve_right_digits() -> None:
+    for n in (0, 1, 2, 5, 6, 30, 199, 1000, 2500):
+        for fewer in {0, 1, n // 3, n // 2} & set(range(n // 2 + 1)):
+            exact = mcnemar(fewer, n - fewer)
+            # A double has no number for 2^-2500; both say 0 there.
+            assert mcnemar_p(fewer, n) == pytest.approx(exact, rel=1e-11, abs=1e-300)
+
+
+def test_fewer_episodes_than_the_least_are_never_distinguished() -> None:
+    """The resolution is what it says: 5 differing episodes never do, 20 always."""
+    for differing, is_apart in ((5, False), (6, True)):
+        pair = [Contender("a", 1, 1.0, 2**differing - 1), Contender("b", 2, 0.0, 0)]
+        found = rank(pair, 1000)
+        assert (found.rows[0].worse == 1) is is_apart
+    equal = [Contender(f"e{i}", i, 0.0, 0) for i in range(199)]
+    for differing in (19, 20):
+        best = Contender("best", 200, 1.0, 2**differing - 1)
+        found = rank([*equal, best], 1000)
+        assert found.differing_enough == 20
+        # All 199 pairs with the best have one p: the first of them decides.
+        assert (found.rows[0].worse == 199) is (differing == 20)
+
+
+def test_two_hundred_entries_of_a_thousand_episodes_take_no_time() -> None:
+    random, entries = Random(3), []
+    for number in range(200):
+        rate = 0.05 + 0.9 * number / 200
+        bits = sum((random.random() < rate) << k for k in range(1000))
+        entries.append(Contender(f"e{number}", number, bits.bit_count() / 1000, bits))
+    mcnemar_p.cache_clear()
+    start = time.process_time()
+    found = rank(entries, 1000)
+    assert time.process_time() - start < 2.0
+    assert found.comparisons == 19_900
+    assert found.rows[0].rank == (1, 200 - found.rows[0].worse)
+
+
+def test_letters_beyond_z() -> None:
+    names = [ranking._letter(place) for place in (0, 25, 26, 51, 52, 701, 702)]
+    assert names == ["a", "z", "aa", "az", "ba", "zz", "aaa"]
+    assert ALPHA == 0.05
