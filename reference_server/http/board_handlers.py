@@ -66,6 +66,7 @@ class BoardHandlers:
         }
 
     async def publish_entry(self, call: OperationCall) -> Response:
+        """BRD-020: its links are judged by the schema of the body."""
         entry, is_new = await self._board().publish(
             call.account, call.path["run_id"], call.body.model_dump()
         )

@@ -132,7 +132,10 @@ class BoardService:
     async def rank(
         self, benchmark_id: str, manifest_sha256: str | None, start: int, limit: int
     ) -> tuple[Json, int]:
-        """Schema Ranking with its rows from a place on, and how many there are."""
+        """Schema Ranking with its rows from a place on, and how many there are.
+
+        BRD-021: a benchmark that left the server keeps its ranking.
+        """
         if manifest_sha256 is None:
             manifest_sha256 = self._benchmarks.manifest_sha256(benchmark_id)
         found = await self._ranked(benchmark_id, manifest_sha256)
