@@ -105,16 +105,12 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         policy_server_validator.digest_key,
         records,
     )
-<<<<<<< HEAD
-    board = _board_of(store, service)
-    imports = _imports_of(settings, store, pool, records)
-    handlers = Handlers(
-        settings, service, SharedStreams(settings.max_event_streams), board, imports
+    board, streams = (
+        _board_of(store, service),
+        SharedStreams(settings.max_event_streams),
     )
-=======
-    streams = SharedStreams(settings.max_event_streams)
-    handlers = Handlers(settings, service, streams, _board_of(store, service))
->>>>>>> 8ed26e9 (Board: rules judged by the kit, mutants, ranking vectors and the tests of all parts)
+    imports = _imports_of(settings, store, pool, records)
+    handlers = Handlers(settings, service, streams, board, imports)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
@@ -123,7 +119,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         await store.open()
         key_encryption.open()
         seed_secret.open()
-        await _open_records(records, handlers.board)
+        await _open_records(records, board)
         await registry.open()
         await pool.start()
         if imports is not None:
@@ -221,7 +217,6 @@ def _board_of(store: Store, service: RunService) -> BoardService | None:
     return BoardService(service.registry, service.benchmarks, board_store, history)
 
 
-<<<<<<< HEAD
 def _imports_of(
     settings: Settings, store: Store, pool: SimulatorPool, records: RunRecords | None
 ) -> RecordImports | None:
@@ -235,12 +230,12 @@ def _imports_of(
         settings.import_replay_s_max,
     )
     return RecordImports(ImportStore(store), pool, records, imports)
-=======
+
+
 async def _open_records(records: RunRecords | None, board: BoardService | None) -> None:
     if records is not None and board is not None:
         await records.open()
         await board.open()
->>>>>>> 8ed26e9 (Board: rules judged by the kit, mutants, ranking vectors and the tests of all parts)
 
 
 def _quota(settings: Settings) -> Quota:

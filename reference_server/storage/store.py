@@ -413,7 +413,7 @@ class Store:
     async def attempts_of(
         self, accounts: Iterable[str], benchmark_ids: Iterable[str]
     ) -> dict[tuple[str, str], int]:
-        """(account, benchmark) → how many runs of it the account has submitted (BRD-019)."""
+        """(account, benchmark) → how many runs of it were submitted (BRD-019)."""
         of = (_runs.c.account, _runs.c.benchmark_id)
         query = sa.select(*of, sa.func.max(_runs.c.attempts_by_submitter))
         query = query.where(
