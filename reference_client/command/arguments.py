@@ -46,6 +46,9 @@ COMMANDS = {
     "verify": "check a record: signature, every episode, the score (no server needed)",
     "upload": "hand a record in at a server, which verifies it and replays it",
     "report": "write pages about runs, as files that any browser opens",
+    "board": "show the leaderboard of a benchmark; `verify` checks its history",
+    "publish": "publish a completed run on the leaderboard, or change its entry",
+    "withdraw": "take the entry of a run off the leaderboard, for good",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
     "admin": "manage the tokens of a server on this machine (own flags)",
@@ -140,6 +143,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_record_options(made["export"], made["verify"])
     _add_upload_options(made["upload"])
     _add_report_options(made["report"])
+    _add_board_options(made["board"], made["publish"], made["withdraw"])
     _add_submission_options(made["submit"])
     made["submit"].add_argument(
         "--push", metavar="URL",
@@ -254,6 +258,36 @@ def _add_report_options(parser: argparse.ArgumentParser) -> None:
         help="folder with a video of each episode, named by its index: 00042.mp4",
     )  # fmt: skip
     _add_key(parser)
+
+
+def _add_board_options(
+    board: argparse.ArgumentParser,
+    publish: argparse.ArgumentParser,
+    withdraw: argparse.ArgumentParser,
+) -> None:
+    board.add_argument(
+        "benchmark", metavar="BENCHMARK|verify", help="id of the benchmark, or verify"
+    )
+    board.add_argument(
+        "--manifest", metavar="SHA256", help="of runs with options or of a part"
+    )
+    board.add_argument(
+        "--csv", action="store_true", help="print comma-separated values"
+    )
+    board.add_argument(
+        "--state", metavar="FILE", help="verify: where the last checkpoint is kept"
+    )
+    for parser in (publish, withdraw):
+        _add_run_id(parser, "id of the completed run")
+    publish.add_argument("--name", help="of the model (the name of the policy)")
+    publish.add_argument("--type", help="of the model, such as VLA")
+    publish.add_argument("--organisation", metavar="NAME", help="who made it")
+    publish.add_argument("--homepage", metavar="URL", help="page about the model")
+    publish.add_argument("--code-url", metavar="URL", help="where its code is")
+    publish.add_argument("--notes", metavar="TEXT", help="what readers should know")
+    publish.add_argument(
+        "--private", action="store_true", help="only this account sees it, without rank"
+    )
 
 
 def _add_key(parser: argparse.ArgumentParser) -> None:

@@ -12,6 +12,7 @@ import sys
 import traceback
 from collections.abc import Callable, Sequence
 
+from reference_client.board import commands as board_commands
 from reference_client.command import control, records, running, uploads
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
 from reference_client.command.arguments import SERVERLESS_COMMANDS, build_parser
@@ -47,6 +48,9 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "verify": records.check,
     "upload": uploads.upload,
     "report": _report,
+    "board": board_commands.board,
+    "publish": board_commands.publish,
+    "withdraw": board_commands.withdraw,
 }
 # Command → module to start, modules that it needs, and the extra that installs them.
 PROGRAMS = {

@@ -98,6 +98,9 @@ def test_every_command_of_the_page_runs(
             run_id = proctor.json(*_replace_names(words, run_id))["run_id"]
             assert proctor.code == 0
             continue
+        if "BEST" in words:  # a run that the page has played to its end
+            best = proctor.json("status", "--state", "completed")[0]["run_id"]
+            words = [best if word == "BEST" else word for word in words]
         words = [server.url if word == "URL" else word for word in words]
         codes.append(proctor(*_replace_names(words, run_id)))
         if codes[-1] != 0:

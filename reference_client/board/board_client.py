@@ -1,0 +1,111 @@
+"""The operations of the profile `board`; every method raises ProctorError."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import partial
+
+from proctor_client import (
+    BoardEntry,
+    Checkpoint,
+    HistoryLeaf,
+    PublishEntry,
+    Ranking,
+)
+
+from reference_client.protocol.connection import TIMEOUTS_S, Connection
+from reference_client.protocol.retry_policy import RetryPolicy
+
+PAGE = 1000
+
+
+class BoardClient:
+    """Entries, rankings and the history of one server."""
+
+    def __init__(self, connection: Connection, retry_policy: RetryPolicy) -> None:
+        self._control = connection.control
+        self._call = retry_policy.call
+
+    def publish(self, run_id: str, description: PublishEntry) -> BoardEntry:
+        """The entry of the run, new or changed; a repeat changes nothing."""
+        return self._call(
+            lambda: self._control.publish_entry(
+                run_id, description, _request_timeout=TIMEOUTS_S
+            )
+        )
+
+    def withdraw(self, run_id: str) -> BoardEntry:
+        return self._call(
+            lambda: self._control.withdraw_entry(run_id, _request_timeout=TIMEOUTS_S)
+        )
+
+    def ranking(self, benchmark_id: str, manifest_sha256: str | None) -> Ranking:
+        """The whole ranking: the rows of all its pages."""
+        whole: Ranking | None = None
+        cursor: str | None = None
+        while True:
+            page = self._call(
+                partial(
+                    self._control.get_ranking,
+                    benchmark_id,
+                    manifest_sha256=manifest_sha256,
+                    cursor=cursor,
+                    limit=PAGE,
+                    _request_timeout=TIMEOUTS_S,
+                )
+            )
+            if whole is None:
+                whole = page
+            else:
+                whole.rows.extend(page.rows)
+            cursor = page.next_cursor
+            if cursor is None:
+                return whole
+
+    def entries(self) -> Iterator[BoardEntry]:
+        """Entries that the account sees, the newest first."""
+        cursor: str | None = None
+        while True:
+            page = self._call(
+                partial(
+                    self._control.list_entries,
+                    cursor=cursor,
+                    limit=PAGE,
+                    _request_timeout=TIMEOUTS_S,
+                )
+            )
+            yield from page.entries
+            cursor = page.next_cursor
+            if cursor is None:
+                return
+
+    def leaves(self) -> Iterator[HistoryLeaf]:
+        """The history, the oldest leaf first."""
+        cursor: str | None = None
+        while True:
+            page = self._call(
+                partial(
+                    self._control.list_history,
+                    cursor=cursor,
+                    limit=PAGE,
+                    _request_timeout=TIMEOUTS_S,
+                )
+            )
+            yield from page.leaves
+            cursor = page.next_cursor
+            if cursor is None:
+                return
+
+    def checkpoint(self) -> Checkpoint:
+        return self._call(
+            lambda: self._control.get_checkpoint(_request_timeout=TIMEOUTS_S)
+        )
+
+    def consistency(self, old_size: int, new_size: int) -> list[bytes]:
+        """The proof between two sizes of the history."""
+        proof = self._call(
+            lambda: self._control.prove_consistency(
+                str(old_size), str(new_size), _request_timeout=TIMEOUTS_S
+            )
+        )
+        return [bytes.fromhex(one) for one in proof.hashes]

@@ -1,0 +1,299 @@
+"""The commands board, publish and withdraw.
+
+`board BENCHMARK` prints a ranking; `board verify` checks the history of a server. Exit
+codes: 0; 1 the history was rewritten, or the entries do not follow from it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import csv
+import io
+import sys
+from pathlib import Path
+from typing import Any
+
+from proctor_client import BoardEntry, PublishEntry, RankedEntry, Ranking
+from pydantic import ValidationError
+
+from reference_client.board import history_check
+from reference_client.board.board_client import BoardClient
+from reference_client.board.history_check import RewrittenHistory
+from reference_client.command import control
+from reference_client.command.exit_codes import DONE, UsageError
+from reference_client.command.output import Printer
+from reference_client.command.records import connect
+from reference_client.command.text_tables import TextTable, fact_table
+from reference_client.errors import ProctorError
+from reference_client.printable_text import printable
+from reference_client.protocol.record_client import fetch_keys
+from reference_record.formats.checkpoint import Checkpoint
+
+REWRITTEN = 1
+VERIFY = "verify"
+FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
+NAME_CHARS, LETTERS_SHOWN = 28, 4  # so that a row fits in 80 columns
+TRIES = 3  # entries may be published while they are compared
+CSV_COLUMNS = (
+    *("rank_low", "rank_high", "letters", "model_name", "organisation", "score"),
+    *("success_rate", "success_low", "success_high", "attempts", "level", "flag"),
+    *("submitter", "homepage", "code_url", "published_at", "entry_id", "run_id"),
+)
+
+
+def publish(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor publish`: the entry of a completed run."""
+    run_id = _run_of(args)
+    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+        name = (
+            args.name
+            or retry_policy.call(lambda: connection.control.get_run(run_id)).policy.name
+        )
+        entry = BoardClient(connection, retry_policy).publish(
+            run_id, _description(args, name)
+        )
+    printer.answer(entry.to_dict(), _entry_facts(entry))
+    return DONE
+
+
+def withdraw(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor withdraw`: for good."""
+    run_id = _run_of(args)
+    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+        entry = BoardClient(connection, retry_policy).withdraw(run_id)
+    printer.answer(entry.to_dict(), _entry_facts(entry))
+    return DONE
+
+
+def board(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor board`."""
+    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+        client = BoardClient(connection, retry_policy)
+        if args.benchmark == VERIFY:
+            keys = fetch_keys(connection, retry_policy)
+            path = Path(args.state) if args.state else None
+            path = path or history_check.state_file(connection.url)
+            return _verify(client, dict(keys), path, printer)
+        ranking = client.ranking(args.benchmark, args.manifest)
+    if args.csv:
+        sys.stdout.write(csv_of(ranking))
+    else:
+        printer.answer(ranking.to_dict(), *ranking_tables(ranking))
+    return DONE
+
+
+def _run_of(args: argparse.Namespace) -> str:
+    run_id = args.run or args.run_id
+    if run_id is None:
+        raise UsageError(f"{args.command} needs the id of a completed run")
+    control.check_run_id(run_id)
+    return str(run_id)
+
+
+def _description(args: argparse.Namespace, name: str) -> PublishEntry:
+    members = {
+        "model_name": name,
+        "is_public": not args.private,
+        "model_type": args.type,
+        "organisation": args.organisation,
+        "homepage": args.homepage,
+        "code_url": args.code_url,
+        "notes": args.notes,
+    }
+    given = {name: value for name, value in members.items() if value is not None}
+    try:
+        return PublishEntry(**given)
+    except ValidationError as error:
+        first = error.errors()[0]
+        flag = {"model_name": "name", "model_type": "type", "code_url": "code-url"}
+        member = str(first["loc"][0])
+        raise UsageError(f"--{flag.get(member, member)}: {first['msg']}") from error
+
+
+def _entry_facts(entry: BoardEntry) -> TextTable:
+    state = entry.state if entry.state != "published" else None
+    seen = "every reader of the leaderboard" if entry.is_public else "this account"
+    if state is not None:
+        seen = "readers of the history"
+    return fact_table(
+        {
+            "entry": entry.entry_id,
+            "state": state,
+            "model": entry.model_name,
+            "benchmark": entry.benchmark_id,
+            "manifest": entry.manifest_sha256,
+            "score": f"{entry.score.score:.4f}",
+            "seen by": seen,
+            "attempts": f"{entry.attempts} runs of this benchmark by {entry.submitter}",
+        }
+    )
+
+
+# --- the ranking ---
+
+
+def ranking_tables(ranking: Ranking) -> list[TextTable | str]:
+    """The ranking for people; ranks are intervals."""
+    table = TextTable(
+        ("model", ">rank", "letters", ">score", ">success", ">runs", "level", "by"),
+        dispensable=("level", "by", "runs"),
+    )
+    for row in ranking.rows:
+        table.add(*_cells(row))
+    if not ranking.rows:
+        return [f"{ranking.benchmark_id} has no public entry of this manifest."]
+    return [table, _notes(ranking)]
+
+
+def _cells(row: RankedEntry) -> tuple[str, ...]:
+    entry, score = row.entry, row.entry.score
+    interval, name = score.success_interval, entry.model_name
+    more = " …" if len(row.letters) > LETTERS_SHOWN else ""
+    return (
+        name if len(name) <= NAME_CHARS else f"{name[: NAME_CHARS - 1]}…",
+        _rank(row),
+        " ".join(row.letters[:LETTERS_SHOWN]) + more,
+        f"{score.score:.3f}",
+        f"{score.success_rate:.2f} [{interval.low:.2f}, {interval.high:.2f}]",
+        str(entry.attempts),
+        entry.level,
+        entry.organisation or entry.submitter,
+    )
+
+
+def _rank(row: RankedEntry) -> str:
+    if row.rank is None:
+        return "flagged" if row.entry.flag else "–"
+    low, high = row.rank.low, row.rank.high
+    return str(low) if low == high else f"{low}–{high}"
+
+
+def _notes(ranking: Ranking) -> str:
+    of = f"{ranking.benchmark_id}, manifest {ranking.manifest_sha256[:12]}"
+    episodes = ranking.episodes_total
+    lines = [f"{of}: {ranking.ranked} ranked entries of {episodes} episodes."]
+    if ranking.ranked > 1:
+        lines.append(
+            "A rank is an interval: entries with a letter in common cannot be "
+            "distinguished\n"
+            f"(exact McNemar, Holm over {ranking.comparisons} pairs, "
+            f"alpha {ranking.alpha:g})."
+        )
+    if ranking.differing_min is None:
+        lines.append("It has too few episodes to distinguish any two entries.")
+    else:
+        enough = ranking.differing_enough
+        lines.append(
+            f"Entries that differ on fewer than {ranking.differing_min} episodes never "
+            "can be;"
+            + (f"\n{enough} in favour of one always are enough." if enough else "")
+        )
+    flags = [row.entry for row in ranking.rows if row.entry.flag]
+    lines += [f"{one.model_name}: {one.flag.reason}" for one in flags if one.flag]
+    return "\n".join(lines)
+
+
+def csv_of(ranking: Ranking) -> str:
+    """A row for each entry, and a line of names above them.
+
+    Spreadsheets execute texts that begin like a formula; these get a quote before them.
+    """
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(CSV_COLUMNS)
+    for row in ranking.rows:
+        entry, interval = row.entry, row.entry.score.success_interval
+        flag = entry.flag.reason if entry.flag else None
+        ranks = (row.rank.low, row.rank.high) if row.rank else (None, None)
+        values: list[Any] = [*ranks, " ".join(row.letters), entry.model_name]
+        values += [entry.organisation, entry.score.score, entry.score.success_rate]
+        values += [interval.low, interval.high, entry.attempts, entry.level, flag]
+        values += [entry.submitter, entry.homepage, entry.code_url]
+        values += [entry.published_at.isoformat(), entry.entry_id, entry.run_id]
+        writer.writerow([_plain(value) for value in values])
+    return text.getvalue()
+
+
+def _plain(value: Any) -> Any:
+    if not isinstance(value, str):
+        return value
+    text = printable(value)
+    return f"'{text}" if text.startswith(FORMULA_BEGINS) else text
+
+
+# --- the history ---
+
+
+def _verify(
+    client: BoardClient, keys: dict[str, str], path: Path, printer: Printer
+) -> int:
+    kept = history_check.load_kept(path)
+    try:
+        found, entries, public_key = _check(client, keys, kept)
+    except RewrittenHistory as error:
+        printer.say(f"proctor: do not trust this leaderboard: {error} ({path})")
+        if printer.as_json:
+            printer.answer({"is_whole": False, "detail": str(error)})
+        return REWRITTEN
+    history_check.keep(path, found, public_key)
+    before = 0 if kept is None else kept.tree_size
+    value = {
+        "is_whole": True,
+        "origin": found.origin,
+        "tree_size": found.tree_size,
+        "root_sha256": found.root.hex(),
+        "entries": entries,
+        "seen_before": before,
+    }
+    facts = {
+        "history": f"whole: {found.tree_size} leaves, signed by {found.origin}",
+        "entries": f"{entries} public ones, each as the history has it",
+        "seen before": "nothing; from now on every change shows"
+        if kept is None
+        else f"{before} leaves, unchanged since",
+        "root": found.root.hex(),
+        "kept in": str(path),
+    }
+    printer.answer(value, fact_table(facts))
+    return DONE
+
+
+def _check(
+    client: BoardClient,
+    keys: dict[str, str],
+    kept: history_check.KeptCheckpoint | None,
+) -> tuple[Checkpoint, int, bytes]:
+    """The checkpoint, how many entries are public, and the key.
+
+    Raises RewrittenHistory.
+    """
+    differing: list[str] = []
+    for _ in range(TRIES):
+        shown = [one.to_dict() for one in client.entries() if one.is_public]
+        signed = client.checkpoint()
+        if signed.keyid not in keys:
+            raise RewrittenHistory("its key is none that the host publishes")
+        public_key = base64.b64decode(keys[signed.keyid])
+        found = history_check.read_signed(signed.note, public_key, kept)
+        if kept is not None and kept.tree_size:
+            _compare(client, kept, found)
+        leaves = [one.leaf for one in client.leaves()]
+        history_check.check_leaves(found, leaves)
+        recorded = history_check.entries_of(leaves[: found.tree_size])
+        differing = history_check.differences(recorded, shown)
+        if not differing:
+            return found, len(shown), public_key
+    raise RewrittenHistory("; ".join(differing[:3]))
+
+
+def _compare(
+    client: BoardClient, kept: history_check.KeptCheckpoint, found: Checkpoint
+) -> None:
+    try:
+        proof = client.consistency(kept.tree_size, found.tree_size)
+    except ProctorError as error:
+        if error.code != "invalid_request":
+            raise
+        raise RewrittenHistory("it gives no proof that it only grew") from error
+    history_check.check_consistency(kept, found, proof)

@@ -1,0 +1,163 @@
+"""Whether the history of a leaderboard is whole, and its entries follow from it.
+
+The last checkpoint that was right is kept in a file for each server: what it covers can
+neither be changed nor taken out unseen. Pure but for that file: what a server shows is
+fetched elsewhere.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from reference_record.formats import checkpoint
+from reference_record.formats.checkpoint import Checkpoint, InvalidCheckpoint
+from reference_record.formats.merkle_tree import MerkleTree, is_consistent, leaf_hash
+
+DESCRIPTION = (
+    *("model_name", "model_type", "organisation", "homepage", "code_url", "notes"),
+)
+
+
+class RewrittenHistory(Exception):
+    """The history is not what it was, or not what was signed; the text says how."""
+
+
+@dataclass(frozen=True, slots=True)
+class KeptCheckpoint:
+    """The last one that was right. public_key: in base64. root_sha256: hexadecimal."""
+
+    origin: str
+    tree_size: int
+    root_sha256: str
+    public_key: str
+
+
+def state_file(url: str) -> Path:
+    """Where the checkpoint of a server is kept, unless a file is named."""
+    state = os.environ.get("XDG_STATE_HOME")
+    folder = Path(state) if state else Path.home() / ".local" / "state"
+    name = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
+    return folder / "proctor" / "boards" / f"{name}.json"
+
+
+def load_kept(path: Path) -> KeptCheckpoint | None:
+    """None before the first one. Raises ValueError if the file is not such a file."""
+    if not path.exists():
+        return None
+    try:
+        return KeptCheckpoint(**json.loads(path.read_bytes()))
+    except (ValueError, TypeError) as error:
+        raise ValueError(f"{path} holds no checkpoint") from error
+
+
+def keep(path: Path, found: Checkpoint, public_key: bytes) -> None:
+    """Keep it instead of the one before; the file is whole before it has its name."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    key = base64.b64encode(public_key).decode()
+    kept = KeptCheckpoint(found.origin, found.tree_size, found.root.hex(), key)
+    draft = path.with_name(f"{path.name}.{os.getpid()}")
+    draft.write_text(json.dumps(asdict(kept), indent=2) + "\n")
+    draft.replace(path)
+
+
+def read_signed(
+    note: str, public_key: bytes, kept: KeptCheckpoint | None
+) -> Checkpoint:
+    """The checkpoint, signed by the key of the one that is kept, if there is one.
+
+    Raises RewrittenHistory.
+    """
+    if kept is not None and base64.b64decode(kept.public_key) != public_key:
+        raise RewrittenHistory(
+            "it is signed by another key than before; if the host has announced a new "
+            "one, remove the file that keeps the old one"
+        )
+    try:
+        found = checkpoint.read(note, public_key)
+    except InvalidCheckpoint as error:
+        raise RewrittenHistory(f"its checkpoint is not right: {error}") from error
+    if kept is not None and found.tree_size < kept.tree_size:
+        raise RewrittenHistory(
+            f"it had {kept.tree_size} leaves and has {found.tree_size}: some were "
+            "taken out"
+        )
+    return found
+
+
+def check_consistency(
+    kept: KeptCheckpoint, found: Checkpoint, proof: Sequence[bytes]
+) -> None:
+    """Raises RewrittenHistory unless what was kept is the beginning of it."""
+    old = bytes.fromhex(kept.root_sha256)
+    if not is_consistent(kept.tree_size, old, found.tree_size, found.root, proof):
+        raise RewrittenHistory(
+            f"the first {kept.tree_size} leaves are not those that were kept: some "
+            "were changed or taken out"
+        )
+
+
+def check_leaves(found: Checkpoint, leaves: Sequence[str]) -> None:
+    """Raises RewrittenHistory unless these leaves are what was signed."""
+    covered = leaves[: found.tree_size]
+    if len(covered) < found.tree_size:
+        raise RewrittenHistory(
+            f"{found.tree_size} leaves were signed, and {len(covered)} are shown"
+        )
+    tree = MerkleTree(leaf_hash(leaf.encode()) for leaf in covered)
+    if tree.root() != found.root:
+        raise RewrittenHistory("the leaves that are shown are not those that it signed")
+
+
+def entries_of(leaves: Iterable[str]) -> dict[str, dict[str, Any]]:
+    """entry_id → what the leaves say of each entry that is public now.
+
+    Leaves of a kind that this version does not know change nothing.
+    """
+    found: dict[str, dict[str, Any]] = {}
+    for text in leaves:
+        leaf = json.loads(text)
+        entry_id, kind = leaf["entry_id"], leaf["kind"]
+        if kind == "publish":
+            found[entry_id] = {**leaf, "flag": None}
+        elif kind == "change" and entry_id in found:
+            found[entry_id]["description"] = leaf["description"]
+        elif kind in ("hide", "withdraw"):
+            found.pop(entry_id, None)
+        elif kind in ("flag", "unflag") and entry_id in found:
+            found[entry_id]["flag"] = leaf["reason"] if kind == "flag" else None
+    return found
+
+
+def differences(
+    recorded: Mapping[str, Mapping[str, Any]], shown: Iterable[Mapping[str, Any]]
+) -> list[str]:
+    """How the public entries that a server shows differ from those of its history."""
+    found = []
+    left = dict(recorded)
+    for entry in shown:
+        leaf = left.pop(entry["entry_id"], None)
+        if leaf is None:
+            found.append(f"{entry['entry_id']} is shown, and not in the history")
+            continue
+        wrong = [
+            *(m for m in DESCRIPTION if entry.get(m) != leaf["description"].get(m)),
+            *(m for m in ("run_id", "submitter", "level") if entry[m] != leaf[m]),
+            *(() if entry["score"] == leaf["score"] else ("score",)),
+            *(() if _reason(entry) == leaf["flag"] else ("flag",)),
+        ]
+        if wrong:
+            found.append(f"{entry['entry_id']}: {', '.join(wrong)} not as recorded")
+    found += [f"{entry_id} is in the history, and not shown" for entry_id in left]
+    return found
+
+
+def _reason(entry: Mapping[str, Any]) -> str | None:
+    reason: str | None = (entry.get("flag") or {}).get("reason")
+    return reason
