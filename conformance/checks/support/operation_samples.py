@@ -68,23 +68,20 @@ def profile_samples(run: RunClient) -> Iterator[OperationSample]:
         yield "stream_events", {}
     if run.context.offers("record"):
         yield from record_samples(run)
+    if run.context.offers("deletion"):
+        yield "delete_run", {"run_id": submit_another(run).id}
 
 
 def record_samples(run: RunClient) -> Iterator[OperationSample]:
     """Give the operations on a record, of a completed run of its own."""
-    context = run.context
-    body = context.submit_body(options={"tasks": ["score"]})
-    accepted = context.require(
-        lambda: context.call("submit_run", json=body), 201, "submit_run"
-    )
-    completed = adopt_run(context, accepted)
+    completed = submit_another(run)
     completed.until("ready", 30.0)
     worker = completed.worker()
     worker.attach()
     worker.play()
     yield "fetch_record", {"run_id": completed.id}
     yield "fetch_recording", {"run_id": completed.id, "episode_id": "e0000"}
-    if context.offers("record_import"):
+    if run.context.offers("record_import"):
         yield from import_samples(completed)
 
 
@@ -105,6 +102,16 @@ def import_samples(completed: RunClient) -> Iterator[OperationSample]:
     yield "get_import", import_id
     yield "fetch_imported_record", import_id
     yield "delete_import", import_id
+
+
+def submit_another(run: RunClient) -> RunClient:
+    """Submit a run of one episode, for an operation that would spoil `run`."""
+    context = run.context
+    body = context.submit_body(options={"tasks": ["score"]})
+    accepted = context.require(
+        lambda: context.call("submit_run", json=body), 201, "submit_run"
+    )
+    return adopt_run(context, accepted)
 
 
 def run_read_samples() -> Iterator[OperationSample]:
