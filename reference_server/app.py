@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
 from functools import partial
 from typing import Any
@@ -91,15 +91,13 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     policy_server_validator = PolicyServerValidator(
         egress, key_encryption, tuple(PROTOCOLS)
     )
-    service = RunService(
-        SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
-        Benchmarks(settings.max_chunk, seed_secret),
+    service = _service_of(
+        settings,
         registry,
         executor,
-        policy_server_validator.validate_and_encrypt,
-        policy_server_validator.digest_key,
-        records,
-        deletes_played=settings.delete_played_runs == "on",
+        benchmarks=Benchmarks(settings.max_chunk, seed_secret),
+        validator=policy_server_validator,
+        records=records,
         is_published=None if board_store is None else board_store.is_published,
     )
     retention = _retention_of(settings, service)
@@ -236,6 +234,29 @@ def _records_of(
         settings.key_names,
     )
     return RunRecords(store, recordings, host)
+
+
+def _service_of(
+    settings: Settings,
+    registry: RunRegistry,
+    executor: SessionExecutor,
+    *,
+    benchmarks: Benchmarks,
+    validator: PolicyServerValidator,
+    records: RunRecords | None,
+    is_published: Callable[[str], Awaitable[bool]] | None,
+) -> RunService:
+    return RunService(
+        SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
+        benchmarks,
+        registry,
+        executor,
+        validator.validate_and_encrypt,
+        validator.digest_key,
+        records,
+        deletes_played=settings.delete_played_runs == "on",
+        is_published=is_published,
+    )
 
 
 def _retention_of(settings: Settings, service: RunService) -> HourlyWork:

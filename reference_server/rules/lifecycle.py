@@ -148,7 +148,7 @@ class Resume:
 class Delete:
     """may_be_played: this server also deletes runs in which something was executed.
 
-    ended_before_wall: whoever submitted it, where it ended before that time.
+    ended_before_wall: played or not, where it ended before that time (DEL-007).
     """
 
     may_be_played: bool = False
