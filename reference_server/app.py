@@ -8,8 +8,9 @@ from __future__ import annotations
 import asyncio
 import logging
 import time
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
+from functools import partial
 from typing import Any
 
 from starlette.requests import Request
@@ -51,6 +52,7 @@ from reference_server.settings import Settings
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.import_store import ImportStore
 from reference_server.storage.store import Store
+from reference_server.system.hourly_work import HourlyWork
 from reference_server.system.log_output import (
     ACCESS_LOG,
     REQUEST_ID,
@@ -67,9 +69,7 @@ _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
 def build(settings: Settings, tokens: Tokens) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins."""
-    recordings = _recordings_of(settings)
-    store = _store_of(settings, recordings)
-    records = _records_of(settings, store, recordings)
+    recordings, store, records, board_store = _storage_of(settings)
     pool = SimulatorPool(
         settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
@@ -83,34 +83,27 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
     registry = _registry_of(settings, store, on_run_lost, on_change)
     seed_secret = SeedSecret(settings.seed_secret_path)
-    executor = SessionExecutor(
-        registry,
-        pool,
-        seed_secret,
-        unused_s=settings.unused_s_max,
-        heartbeat_s_max=settings.heartbeat_s_max,
-        recordings=recordings,
-    )
+    executor = _executor_of(settings, registry, pool, seed_secret, recordings)
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
     policy_server_validator = PolicyServerValidator(
         egress, key_encryption, tuple(PROTOCOLS)
     )
-    service = RunService(
-        SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
-        Benchmarks(settings.max_chunk, seed_secret),
+    service = _service_of(
+        settings,
         registry,
         executor,
-        policy_server_validator.validate_and_encrypt,
-        policy_server_validator.digest_key,
-        records,
+        benchmarks=Benchmarks(settings.max_chunk, seed_secret),
+        validator=policy_server_validator,
+        records=records,
+        is_published=None if board_store is None else board_store.is_published,
     )
-    board, streams = (
-        _board_of(store, service),
-        SharedStreams(settings.max_event_streams),
-    )
+    retention = _retention_of(settings, service)
+    board = _board_of(board_store, service)
     imports = _imports_of(settings, store, pool, records)
-    handlers = Handlers(settings, service, streams, board, imports)
+    handlers = Handlers(
+        settings, service, SharedStreams(settings.max_event_streams), board, imports
+    )
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
@@ -127,10 +120,12 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         driver.open()
         await asyncio.to_thread(token_file.read)
         following = asyncio.create_task(token_file.follow())
+        retention.open()
         try:
             yield
         finally:
             following.cancel()
+            await retention.close()
             await driver.close()
             if imports is not None:
                 await imports.close()
@@ -160,6 +155,23 @@ def _registry_of(
     )
 
 
+def _executor_of(
+    settings: Settings,
+    registry: RunRegistry,
+    pool: SimulatorPool,
+    seed_secret: SeedSecret,
+    recordings: Recordings | None,
+) -> SessionExecutor:
+    return SessionExecutor(
+        registry,
+        pool,
+        seed_secret,
+        unused_s=settings.unused_s_max,
+        heartbeat_s_max=settings.heartbeat_s_max,
+        recordings=recordings,
+    )
+
+
 def _router(handlers: Handlers, tokens: Tokens, lifespan: Lifespan[Any]) -> Router:
     table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
@@ -176,6 +188,17 @@ def _router(handlers: Handlers, tokens: Tokens, lifespan: Lifespan[Any]) -> Rout
     router = Router(routes + pages.routes(), False, default, lifespan=lifespan)
     pages.use_api(router)
     return router
+
+
+def _storage_of(
+    settings: Settings,
+) -> tuple[Recordings | None, Store, RunRecords | None, BoardStore | None]:
+    """What outlives the process; no records and no leaderboard without recordings."""
+    recordings = _recordings_of(settings)
+    store = _store_of(settings, recordings)
+    records = _records_of(settings, store, recordings)
+    board_store = None if records is None else BoardStore(store, leaf_hash)
+    return recordings, store, records, board_store
 
 
 def _recordings_of(settings: Settings) -> Recordings | None:
@@ -208,11 +231,42 @@ def _records_of(
     return RunRecords(store, recordings, host)
 
 
-def _board_of(store: Store, service: RunService) -> BoardService | None:
+def _service_of(
+    settings: Settings,
+    registry: RunRegistry,
+    executor: SessionExecutor,
+    *,
+    benchmarks: Benchmarks,
+    validator: PolicyServerValidator,
+    records: RunRecords | None,
+    is_published: Callable[[str], Awaitable[bool]] | None,
+) -> RunService:
+    return RunService(
+        SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
+        benchmarks,
+        registry,
+        executor,
+        validator.validate_and_encrypt,
+        validator.digest_key,
+        records,
+        deletes_played=settings.delete_played_runs == "on",
+        is_published=is_published,
+    )
+
+
+def _retention_of(settings: Settings, service: RunService) -> HourlyWork:
+    """DEL-007."""
+    keep_days = settings.runs_keep_days
+    work = partial(service.delete_old, keep_days) if keep_days else None
+    return HourlyWork(work, "old runs could not be deleted")
+
+
+def _board_of(
+    board_store: BoardStore | None, service: RunService
+) -> BoardService | None:
     """None where nothing is recorded: its history is signed by the key of records."""
-    if service.records is None:
+    if board_store is None or service.records is None:
         return None
-    board_store = BoardStore(store, leaf_hash)
     history = BoardHistory(board_store, service.records)
     return BoardService(service.registry, service.benchmarks, board_store, history)
 

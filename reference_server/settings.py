@@ -192,6 +192,20 @@ class Settings(BaseSettings):
         allow_inf_nan=False,
         description="Maximum time for the replay of one record that was handed in.",
     )
+    runs_keep_days: float = Field(
+        0,
+        ge=0,
+        allow_inf_nan=False,
+        description="Days after which a run that has completed, failed or been stopped "
+        "is deleted with all that is stored of it, unless it was resumed; 0 keeps runs "
+        "for ever.",
+    )
+    delete_played_runs: Literal["off", "on"] = Field(
+        "off",
+        description="Whether an account may delete its runs in which an action was "
+        "executed. Runs that were never played it always may. What is deleted stays "
+        "counted in `runs_played_before` and `attempts_by_submitter`.",
+    )
     allow_private_policies: str = Field(
         "",
         description="Non-public networks in which this server may call policy servers, "

@@ -27,7 +27,7 @@ _OF_FILES = "a rule of a file, which the vectors in vectors/record/ judge"
 _OF_VERIFIERS = "a rule of who reads a file, which the vectors in vectors/record/ judge"
 PROFILES = (
     *("core", "msgpack", "compare", "events", "push", "limits", "record"),
-    *("record_import", "attribution", "subsets", "sealed_seeds"),
+    *("record_import", "attribution", "subsets", "sealed_seeds", "deletion"),
     *("board", "public_board", "crash"),
     *("ebench", "flageval"),
 )

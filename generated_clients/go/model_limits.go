@@ -38,6 +38,8 @@ type Limits struct {
 	MaxWaitingImports *int32 `json:"max_waiting_imports,omitzero"`
 	// Most bytes that the archives of one account may have together; for the profile `record_import`.
 	MaxImportedBytes *int64 `json:"max_imported_bytes,omitzero"`
+	// Days without a change after which a run that has completed, failed or been stopped may be deleted; when absent, none is. For the profile `deletion`.
+	RunKeepDays *float64 `json:"run_keep_days,omitzero"`
 }
 
 // GetMaxHeaderBytes returns max_header_bytes, or the zero value when it is absent.
@@ -194,4 +196,17 @@ func (o *Limits) GetMaxImportedBytes() (v int64) {
 // SetMaxImportedBytes sets max_imported_bytes.
 func (o *Limits) SetMaxImportedBytes(v int64) {
 	o.MaxImportedBytes = &v
+}
+
+// GetRunKeepDays returns run_keep_days, or the zero value when it is absent.
+func (o *Limits) GetRunKeepDays() (v float64) {
+	if o != nil && o.RunKeepDays != nil {
+		v = *o.RunKeepDays
+	}
+	return v
+}
+
+// SetRunKeepDays sets run_keep_days.
+func (o *Limits) SetRunKeepDays(v float64) {
+	o.RunKeepDays = &v
 }

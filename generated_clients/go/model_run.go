@@ -36,6 +36,8 @@ type Run struct {
 	Progress Progress `json:"progress"`
 	CreatedAt time.Time `json:"created_at"`
 	UpdatedAt time.Time `json:"updated_at"`
+	// In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.
+	RunsPlayedBefore *int32 `json:"runs_played_before,omitzero"`
 	// How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
 	AttemptsBySubmitter *int32 `json:"attempts_by_submitter,omitzero"`
 }
@@ -90,6 +92,19 @@ func (o *Run) GetSelect() (v SelectionView) {
 // SetSelect sets select.
 func (o *Run) SetSelect(v SelectionView) {
 	o.Select = &v
+}
+
+// GetRunsPlayedBefore returns runs_played_before, or the zero value when it is absent.
+func (o *Run) GetRunsPlayedBefore() (v int32) {
+	if o != nil && o.RunsPlayedBefore != nil {
+		v = *o.RunsPlayedBefore
+	}
+	return v
+}
+
+// SetRunsPlayedBefore sets runs_played_before.
+func (o *Run) SetRunsPlayedBefore(v int32) {
+	o.RunsPlayedBefore = &v
 }
 
 // GetAttemptsBySubmitter returns attempts_by_submitter, or the zero value when it is absent.

@@ -715,6 +715,13 @@ class Limits(BaseModel):
             ge=65536,
         ),
     ] = MISSING
+    run_keep_days: Annotated[
+        float | MISSING,
+        Field(
+            description="Days without a change after which a run that has completed, failed or been stopped may be deleted; when absent, none is. For the profile `deletion`.",
+            ge=0.0,
+        ),
+    ] = MISSING
 
 
 class Observation(BaseModel):
@@ -1273,6 +1280,13 @@ class Run(BaseModel):
     progress: Progress
     created_at: str
     updated_at: str
+    runs_played_before: Annotated[
+        int | MISSING,
+        Field(
+            description="In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.",
+            ge=0,
+        ),
+    ] = MISSING
     attempts_by_submitter: Annotated[
         int | MISSING,
         Field(

@@ -57,6 +57,13 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "title": "No acceptable encoding",
         "act": "Accept application/json, or text/event-stream for a stream of events.",
     },
+    "not_deletable": {
+        "status": 409,
+        "retryable": False,
+        "side_effects": "none",
+        "title": "The run may not be deleted",
+        "act": "Keep the run: its host deletes only runs in which no action was executed.",
+    },
     "illegal_transition": {
         "status": 409,
         "retryable": False,

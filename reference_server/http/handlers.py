@@ -49,7 +49,7 @@ PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
 PROFILES: tuple[models.Profile, ...] = (
     *("core", "msgpack", "compare", "events", "push", "limits"),
-    *("attribution", "subsets", "sealed_seeds"),
+    *("attribution", "subsets", "sealed_seeds", "deletion"),
 )
 
 
@@ -90,7 +90,10 @@ class Handlers:
                     headers=("idempotency-key",),
                 ),
             },
-            run: {"GET": Operation(self.get_run, headers=("if-none-match", "prefer"))},
+            run: {
+                "GET": Operation(self.get_run, headers=("if-none-match", "prefer")),
+                "DELETE": Operation(self.delete_run, "run", writes=()),
+            },
             f"{run}/stop": {"POST": control(self.stop_run, "run", models.StopRun)},
             f"{run}/resume": {"POST": Operation(self.resume_run, "run")},
             f"{run}/episodes": {"GET": Operation(self.list_episodes, query=pages)},
@@ -162,6 +165,7 @@ class Handlers:
     async def describe_service(self, call: OperationCall) -> Response:
         """SVC-001, SVC-002."""
         settings = self.settings
+        keep_days = settings.runs_keep_days
         service = models.Service(
             name="Proctor reference server",
             version=SOFTWARE_VERSION,
@@ -192,6 +196,7 @@ class Handlers:
                 max_record_bytes=settings.max_record_bytes,
                 max_waiting_imports=settings.max_waiting_imports,
                 max_imported_bytes=settings.max_imported_bytes,
+                **({"run_keep_days": keep_days} if keep_days else {}),
             ),
             encodings=[JSON, MSGPACK],
             image_codecs=["raw", "png", "jpeg"],
@@ -271,6 +276,10 @@ class Handlers:
     async def resume_run(self, call: OperationCall) -> Response:
         run = await self.service.resume_run(call.account, call.path["run_id"])
         return call.answer(await self.service.view_stored(run, self.base_url(call)))
+
+    async def delete_run(self, call: OperationCall) -> Response:
+        await self.service.delete_run(call.account, call.path["run_id"])
+        return Response(status_code=204)
 
     async def list_episodes(self, call: OperationCall) -> Response:
         start = _number(call.query.get("cursor")) or 0  # EPI-006

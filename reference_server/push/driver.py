@@ -158,6 +158,8 @@ class Driver:
         """PUSH-017: now, or when it can be loaded; no request may ever load it."""
         try:
             self.on_run_changed(await self._registry.get(run_id))
+        except Refused:
+            log.debug("run %s was deleted", run_id)
         except StoreFailed as error:
             self._failures.report("a push run could not be loaded", str(error))
             loop = asyncio.get_running_loop()

@@ -42,7 +42,7 @@ from reference_record.statement import (
 )
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
-from reference_server.rules.lifecycle import RESTING_STATES
+from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.manifest import without_sealed_seeds
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.storage.store import Store, StoreFailed
@@ -127,11 +127,15 @@ class RunRecords:
         run_ids = await asyncio.to_thread(self._recordings.run_ids)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
-            for run_id in (one for one in heads if _rests_since(heads[one], before)):
+            for run_id in (one for one in heads if _ended_since(heads[one], before)):
                 # It may have been resumed while others were removed.
                 for head in (await self._store.heads([run_id])).values():
-                    if _rests_since(head, before):
+                    if _ended_since(head, before):
                         await self._recordings.remove_run(run_id)
+
+    async def remove_run(self, run_id: str) -> None:
+        """The run was deleted: remove its recordings."""
+        await self._recordings.remove_run(run_id)
 
     async def keys(self) -> list[PublicKey]:
         """REC-101: every key that signed, the newest first."""
@@ -244,8 +248,8 @@ class RunRecords:
         )
 
 
-def _rests_since(run: RunHead, before: float) -> bool:
-    return run.state in RESTING_STATES and run.updated_at_wall < before
+def _ended_since(run: RunHead, before: float) -> bool:
+    return run.state in ENDED_STATES and run.updated_at_wall < before
 
 
 def _line(episode: Episode) -> EpisodeLine:

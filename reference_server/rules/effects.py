@@ -109,6 +109,12 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
     return session
 
 
+def mark_played(run: Run) -> bool:
+    """An action is about to be executed (DEL-006); whether it is the first one."""
+    is_first, run.is_played = not run.is_played, True
+    return is_first
+
+
 def begin_turn(session: Session, command: Predict, now: float) -> None:
     """The chunk is about to be executed; from here its seq is used up.
 

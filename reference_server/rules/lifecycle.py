@@ -92,6 +92,8 @@ ACTIVE_STATES = PLAYABLE_STATES | STATES_AFTER_RESTART.keys()
 RESTING_STATES = (
     frozenset(get_args(State)) - WAITING_STATES - STATES_AFTER_RESTART.keys()
 )
+# Nothing plays the run, unless it is resumed first.
+ENDED_STATES = RESTING_STATES - PLAYABLE_STATES
 
 
 Availability: TypeAlias = Literal["open", "waiting", "completed", "closed"]
@@ -142,7 +144,18 @@ class Resume:
     pass
 
 
-Command: TypeAlias = Attach | Predict | Heartbeat | Detach | Stop | Resume
+@dataclass(frozen=True, slots=True)
+class Delete:
+    """may_be_played: this server also deletes runs in which something was executed.
+
+    ended_before_wall: played or not, where it ended before that time (DEL-007).
+    """
+
+    may_be_played: bool = False
+    ended_before_wall: float | None = None
+
+
+Command: TypeAlias = Attach | Predict | Heartbeat | Detach | Stop | Resume | Delete
 
 
 @dataclass(frozen=True, slots=True)
@@ -257,6 +270,34 @@ def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
         "illegal_transition",
         f"A run that is {run.state} does not allow {event}; nothing was changed.{hint}",
         members={"state": run.state},
+    )
+
+
+def _is_not_in_play(run: Run, _command: Delete, _now: float) -> Verdict | None:
+    """DEL-002; a session that is done does not keep its run."""
+    if run.state not in STATES_AFTER_RESTART:
+        return None
+    return Refuse(
+        "illegal_transition",
+        f"A run that is {run.state} cannot be deleted; stop it first.",
+        "DEL-002",
+        members={"state": run.state},
+    )
+
+
+def _is_deletable(run: Run, command: Delete, _now: float) -> Verdict | None:
+    """DEL-001; DEL-003: what was played is deleted where the host allows that."""
+    before_wall = command.ended_before_wall
+    if before_wall is not None:  # DEL-007
+        is_old = run.state in ENDED_STATES and run.updated_at_wall < before_wall
+        return None if is_old else Refuse("not_deletable", "It is not old enough.")
+    if command.may_be_played or not run.is_played:
+        return None
+    return Refuse(
+        "not_deletable",
+        "Actions were executed in the run, and this server deletes only runs that "
+        "were never played; nothing was changed.",
+        "DEL-003",
     )
 
 
@@ -482,4 +523,5 @@ GUARDS: dict[type[Command], tuple[Callable[[Run, Any, float], Verdict | None], .
     Detach: (_mode_allows_caller, _detach_target_exists),
     Stop: (_event_is_legal,),
     Resume: (_event_is_legal,),
+    Delete: (_is_not_in_play, _is_deletable),
 }

@@ -173,6 +173,8 @@ class RunHead:
     number: grows with every submit; newest first is largest first.
     attempts_by_submitter: how many runs of its benchmark its account had submitted,
     this one included; None if it is older than this member.
+    played_number: its place among those of them in which an action was executed, the
+    first one 1; None if none was executed, or this is not stored yet.
     total, scored: how many episodes it has, and how many of them a result.
     """
 
@@ -192,6 +194,7 @@ class RunHead:
     updated_at_wall: float
     queue_until_wall: float
     attempts_by_submitter: int | None = field(default=None, kw_only=True)
+    played_number: int | None = field(default=None, kw_only=True)
     total: int = field(default=0, kw_only=True)
     scored: int = field(default=0, kw_only=True)
 
@@ -218,6 +221,7 @@ class Run(RunHead):
     scored_order: indices of the scored episodes, as they were scored one after another;
     results without a place are the oldest, in manifest order.
     changed: indices of episodes that differ from what is stored.
+    is_played: an action was executed in it.
     lost: a write of it failed; the store has the truth, and this object none.
     """
 
@@ -227,10 +231,12 @@ class Run(RunHead):
     pending: list[int] = field(default_factory=list)
     scored_order: list[int] = field(default_factory=list)
     changed: set[int] = field(default_factory=set)
+    is_played: bool = False
     lost: bool = False
 
     def __post_init__(self) -> None:
         self.total = len(self.episodes)
+        self.is_played = self.played_number is not None
         scored = [e for e in self.episodes if e.result is not None]
         self.scored = len(scored)
         self.scored_order = [

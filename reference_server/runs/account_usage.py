@@ -16,7 +16,7 @@ from reference_server.rules.capacity import (
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
-from reference_server.storage.rows import stored_bytes
+from reference_server.storage.rows import RUN_BYTES, stored_bytes
 
 
 class AccountUsage:
@@ -46,6 +46,10 @@ class AccountUsage:
         self._bytes[run.account] = size
         if key is not None:
             self._keys[run.account] = self._keys.get(run.account, 0) + sign
+
+    def note_deleted(self, run: Run) -> None:
+        """DEL-005, DEL-006: its key and its row are kept."""
+        self._bytes[run.account] -= stored_bytes(run) - RUN_BYTES
 
     def check_open(self, account: str) -> None:
         """Refuse if the account has as many open runs as it may have."""

@@ -28,6 +28,7 @@ from reference_server.rules import effects
 from reference_server.rules.capacity import Quota, WaitingRun
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
+    ENDED_STATES,
     PLAYABLE_STATES,
     RESTART_REASON,
     RESTING_STATES,
@@ -93,6 +94,7 @@ class RunRegistry:
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
+        self._deleting: dict[str, asyncio.Task[None]] = {}
         # Referenced only by the requests that wait for a change.
         self._change_events: WeakValueDictionary[str, asyncio.Event] = (
             WeakValueDictionary()
@@ -143,6 +145,8 @@ class RunRegistry:
 
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run, if the account may see it (AUTH-003, RUN-010)."""
+        if (deleting := self._deleting.get(run_id)) is not None:
+            await asyncio.wait([deleting])
         run = self._in_memory.get(run_id) or await self._load(run_id)
         if run is not None and run.lost:  # a write that its loading began has failed
             run = self._in_memory.get(run_id) or await self._load(run_id)
@@ -220,7 +224,14 @@ class RunRegistry:
         conflict = key_conflict(use, body_sha256)
         if conflict is not None:
             raise Refused.from_verdict(conflict)
-        return await self.get(use.run_id)
+        try:
+            return await self.get(use.run_id)
+        except Refused as refused:
+            raise Refused(
+                "not_found",
+                "The run of this Idempotency-Key was deleted; use a new key.",
+                requirement="DEL-005",
+            ) from refused
 
     async def find_by_key(self, account: str, key: str) -> KeyUse | None:
         """What an Idempotency-Key of the account made, if it was used (RUN-026)."""
@@ -247,10 +258,12 @@ class RunRegistry:
             head = heads.get(run_id)
             if head is not None and self._is_current(head):
                 found.append(view(head))
-            else:
-                found.append(
-                    await self.render_when_stored(await self.get(run_id), view)
-                )
+                continue
+            try:
+                run = await self.get(run_id)
+                found.append(await self.render_when_stored(run, view))
+            except Refused:  # deleted meanwhile: a page is not short of it
+                return await self.page(account, before, limit, view)
         return found
 
     async def render_when_stored(
@@ -292,6 +305,43 @@ class RunRegistry:
         self._saving[run.run_id] = saving
         self.run_in_background(saving)
         return saving
+
+    async def delete(self, run: Run) -> None:
+        """Delete a run that nothing can play any more; DEL-004: then it is no more.
+
+        Who requests it meanwhile waits for the end. Raises StoreFailed; the run then is
+        as it was before.
+        """
+        deleting = asyncio.ensure_future(self._delete(run))
+        self._deleting[run.run_id] = deleting
+        self.run_in_background(deleting)
+        self.notify(run)
+        await asyncio.shield(deleting)
+
+    async def _delete(self, run: Run) -> None:
+        try:
+            await self.is_stored(run)  # a write that was begun would come after it
+            await self._store.delete(run, time.time())
+        except StoreFailed:
+            self._evict(run)
+            raise
+        else:
+            self._life.log_deleted(run)
+            self._usage.note_deleted(run)
+            self._forget(run)
+        finally:
+            del self._deleting[run.run_id]
+            self._wake(run.run_id)
+            self._admit()
+
+    async def ended_since(
+        self, before_wall: float, after: int
+    ) -> list[tuple[int, str]]:
+        """(number, id) of the next runs behind a number that ended before that time."""
+        states = sorted(ENDED_STATES)
+        return await self._store.in_states_since(
+            states, before_wall, after, HEADS_PER_READ
+        )
 
     def change_event(self, run_id: str) -> asyncio.Event:
         """The next change of what get_run shows; take it before reading the run."""
@@ -540,16 +590,20 @@ class RunRegistry:
         """Drop the run from memory: from now on it is what the store has."""
         if run.lost:
             return
-        run.lost = True
-        self._in_memory.pop(run.run_id, None)
-        self._recent.pop(run.run_id, None)
         had_place = run.run_id in self._places
-        self._index_by_state(run, None)
+        self._forget(run)
         # Until it is known what the store has, the run may be active and keeps a place.
         if had_place:
             self._places.play(run.run_id, run.account)
         self._on_run_lost(run)
         self._reload_later(run.run_id)
+
+    def _forget(self, run: Run) -> None:
+        """Drop it from memory; a view of it that was not shown yet is taken again."""
+        run.lost = True
+        self._in_memory.pop(run.run_id, None)
+        self._recent.pop(run.run_id, None)
+        self._index_by_state(run, None)
 
     def _reload_later(self, run_id: str) -> None:
         """Load it again: a queued run is admitted without a request for it."""
@@ -569,6 +623,8 @@ class RunRegistry:
     async def _retry_load(self, run_id: str) -> None:
         try:
             await self.get(run_id)
+        except Refused:
+            log.debug("run %s was deleted", run_id)
         except StoreFailed as error:
             self._failures.report("a run could not be loaded", str(error))
             self._reload_later(run_id)

@@ -50,6 +50,15 @@ class RunLog:
         if run.state == "running":
             self._log_state(run)
 
+    def log_deleted(self, run: Run) -> None:
+        log_event(
+            log,
+            "run deleted",
+            run_id=run.run_id,
+            account=run.account,
+            is_played=run.is_played,
+        )
+
     def _log_state(self, run: Run) -> None:
         if self._states.get(run) == run.state:
             return

@@ -9,6 +9,7 @@ schemas. All methods raise Refused, and StoreFailed when the database fails.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import hashlib
 import secrets
 import time
@@ -26,6 +27,7 @@ from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
     Attach,
     Availability,
+    Delete,
     Detach,
     Heartbeat,
     Predict,
@@ -59,6 +61,9 @@ Json = dict[str, Any]
 SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
 
 
+DAY_S = 86_400.0
+
+
 @dataclass(frozen=True, slots=True)
 class RunService:
     """The use cases over one server's parts."""
@@ -72,6 +77,9 @@ class RunService:
     comparable_submission: Callable[[Json], Json]
     # None where nothing is recorded.
     records: RunRecords | None = None
+    deletes_played: bool = False  # DEL-003
+    # Whether the leaderboard shows a run: then it stays. None where there is no board.
+    is_published: Callable[[str], Awaitable[bool]] | None = None
     scores: ScoreCache = field(default_factory=ScoreCache)
 
     # --- control plane ---
@@ -154,6 +162,43 @@ class RunService:
             effects.resume(run, until)
             await self.registry.commit(run)
         return run
+
+    async def delete_run(self, account: str, run_id: str) -> None:
+        """Delete a run that is not in play, and all that was recorded of it."""
+        command = Delete(may_be_played=self.deletes_played)
+        await self._run_accepting(account, run_id, command)
+        if await self._is_published(run_id):
+            raise Refused(
+                "not_deletable",
+                "The run has an entry on the leaderboard; withdraw it first.",
+                requirement="DEL-003",
+            )
+        await self._delete(run_id, command)
+
+    async def delete_old(self, keep_days: float) -> None:
+        """DEL-007: delete the runs that ended so long ago, and have no entry.
+
+        One after another, with other requests in between.
+        """
+        before_wall, last = time.time() - keep_days * DAY_S, 0
+        while found := await self.registry.ended_since(before_wall, last):
+            for last, run_id in found:  # noqa: B007 - where the next page begins
+                if not await self._is_published(run_id):
+                    with contextlib.suppress(Refused):  # deleted or resumed meanwhile
+                        await self._delete(
+                            run_id, Delete(ended_before_wall=before_wall)
+                        )
+
+    async def _is_published(self, run_id: str) -> bool:
+        return self.is_published is not None and await self.is_published(run_id)
+
+    async def _delete(self, run_id: str, command: Delete) -> None:
+        run = await self._run_accepting(None, run_id, command)
+        # Nothing was awaited since it was accepted: no worker attaches from here on.
+        self.executor.release_sessions(effects.stop(run, "abort", time.time()))
+        await self.registry.delete(run)
+        if self.records is not None:
+            await self.records.remove_run(run_id)
 
     async def compare_runs(
         self,
@@ -359,7 +404,7 @@ class RunService:
         await self.registry.commit(run)
 
     async def _run_accepting(
-        self, account: str, run_id: str, command: Stop | Resume
+        self, account: str | None, run_id: str, command: Stop | Resume | Delete
     ) -> Run:
         """The run, for which the rules accept the command now."""
         while True:

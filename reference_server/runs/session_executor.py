@@ -112,6 +112,8 @@ class SessionExecutor:
         assert resources is not None, "a session that has not ended has its resources"
         now = time.monotonic()
         resources.think_s = max(0.0, now - session.answered_at)
+        if effects.mark_played(run):
+            self._registry.commit_later(run)  # `_play` waits for it
         effects.begin_turn(session, command, now)
         return await self._execute(resources, self._play(resources, command))
 
@@ -236,6 +238,9 @@ class SessionExecutor:
         except _FAULTS as error:
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
+        # DEL-006: stored while the first turn was played, and before it is answered.
+        if run.played_number is None and not await self._registry.is_stored(run):
+            raise Refused("unavailable", "The run could not be stored.")
         self._ensure_live(resources)
         ended = effects.end_turn(run, session, played, now_wall, clipped)
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)

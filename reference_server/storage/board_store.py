@@ -96,6 +96,11 @@ class BoardStore:
         """The entry of a run, withdrawn or not."""
         return await self._first(_NUMBERED.where(_entries.c.run_id == run_id))
 
+    async def is_published(self, run_id: str) -> bool:
+        """Whether the run has an entry that is not withdrawn."""
+        entry = await self.find_of_run(run_id)
+        return entry is not None and entry.state == "published"
+
     async def page(
         self,
         account: str | None,

@@ -39,6 +39,7 @@ _COPIED_COLUMNS = (
     "updated_at_wall",
     "queue_until_wall",
     "attempts_by_submitter",
+    "played_number",
 )
 # Stored of a run beside its submission, and of an episode: its plan and its result.
 RUN_BYTES, EPISODE_BYTES = 1024, 512
@@ -63,7 +64,7 @@ def new_run_row(run: Run) -> dict[str, Any]:
     }
 
 
-def stored_bytes(run: Run) -> int:
+def stored_bytes(run: RunHead) -> int:
     """LIM-010: what a run counts for its account; its submission is a part of it."""
     submission = msgspec.json.encode(run.submission)
     return RUN_BYTES + len(submission) + EPISODE_BYTES * run.total
@@ -78,6 +79,21 @@ def run_row(run: Run) -> dict[str, Any]:
         "updated_at_wall": run.updated_at_wall,
         "queue_until_wall": run.queue_until_wall,
         "scored": run.scored,
+        "played_number": run.played_number,
+    }
+
+
+def deleted_run_row(now_wall: float) -> dict[str, Any]:
+    """What changes in the row of a run that is deleted; DEL-006: it stays counted.
+
+    Left are its ids, its account and benchmark, its numbers and when it was submitted.
+    """
+    return {
+        "reason": None,
+        "submission": b"{}",
+        "images": b"{}",
+        "stored_bytes": RUN_BYTES,
+        "deleted_at_wall": now_wall,
     }
 
 

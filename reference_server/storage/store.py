@@ -68,8 +68,13 @@ _runs = sa.Table(
     sa.Column("attempts_by_submitter", sa.Integer),
     # What it counts for its account; NULL in rows older than this column.
     sa.Column("stored_bytes", sa.BigInteger),
+    # NULL if no action was executed in it.
+    sa.Column("played_number", sa.Integer),
+    # NULL unless it was deleted: its row stays, so that it stays counted.
+    sa.Column("deleted_at_wall", sa.Float),
     sa.Index("runs_of_account", "account", "number"),
     sa.Index("runs_of_benchmark", "account", "benchmark_id", "attempts_by_submitter"),
+    sa.Index("runs_played", "account", "benchmark_id", "played_number"),
 )
 # A manifest is stored once, however many runs use it.
 _manifests = sa.Table(
@@ -126,10 +131,12 @@ _COUNT_SCORED = (
     .where(_episodes.c.number == _runs.c.number)
     .scalar_subquery()
 )
+_IS_THERE = _runs.c.deleted_at_wall.is_(None)
+_NOT_IN_HEADS = ("scored", "stored_bytes", "deleted_at_wall")
 _HEADS = sa.select(
-    *(one for one in _runs.c if one.name not in ("scored", "stored_bytes")),
+    *(one for one in _runs.c if one.name not in _NOT_IN_HEADS),
     sa.func.coalesce(_runs.c.scored, _COUNT_SCORED).label("scored"),
-).where(_runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
+).where(_IS_THERE, _runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
 _MANIFEST = sa.select(_manifests.c.manifest).where(
     _manifests.c.manifest_sha256 == sa.bindparam("manifest_sha256")
 )
@@ -203,8 +210,10 @@ class Store:
                 raise StoreFailed(_one_line(error)) from error
         async with self._transaction() as connection:
             await connection.run_sync(TABLES.create_all)
-            await connection.run_sync(_add_missing_columns)
+            added = await connection.run_sync(_add_missing_columns)
             await connection.run_sync(_number_older_attempts)
+            if _runs.c.played_number in added:
+                await connection.run_sync(_number_older_played)
         if path is not None:  # only now it is known to be a database
             for suffix in ("", "-wal", "-shm"):
                 private_files.restrict(path.with_name(path.name + suffix))
@@ -297,8 +306,12 @@ class Store:
                 raise StoreFailed("an earlier write of the run failed")
             changed, run.changed = run.changed, set()
             row, episodes = rows.run_row(run), rows.episode_rows(run, changed)
+            count = run.is_played and run.played_number is None
             try:
                 async with self._transaction() as connection:
+                    if count:
+                        before = await connection.scalar(_last_played(run))
+                        row["played_number"] = 1 + (before or 0)
                     await connection.execute(
                         _runs.update().where(_runs.c.number == run.number).values(row)
                     )
@@ -306,7 +319,45 @@ class Store:
             except StoreFailed:
                 run.changed |= changed
                 raise
+            run.played_number = row["played_number"]
         self._after_save(run, changed)
+
+    async def delete(self, run: RunHead, now_wall: float) -> None:
+        """Delete what is stored of a run, but for what counts it (DEL-006).
+
+        Its Idempotency-Key stays used (DEL-005), and of its statement the digest, which
+        the next one names.
+        """
+        of_run = _runs.c.number == run.number
+        emptied = _statements.update().where(_statements.c.run_id == run.run_id)
+        async with self._write_lock, self._transaction() as connection:
+            await connection.execute(
+                _episodes.delete().where(_episodes.c.number == run.number)
+            )
+            await connection.execute(emptied.values(statement=b""))
+            await connection.execute(
+                _runs.update().where(of_run).values(rows.deleted_run_row(now_wall))
+            )
+
+    async def deleted_ids(self, run_ids: Sequence[str]) -> set[str]:
+        """Which of these runs were deleted."""
+        query = sa.select(_runs.c.run_id).where(~_IS_THERE, _runs.c.run_id.in_(run_ids))
+        async with self._transaction() as connection:
+            return set(await connection.scalars(query))
+
+    async def in_states_since(
+        self, states: Sequence[str], before: float, after: int, limit: int
+    ) -> list[tuple[int, str]]:
+        """(number, id) of runs in these states since then, behind a number."""
+        query = sa.select(_runs.c.number, _runs.c.run_id).where(
+            _IS_THERE,
+            _runs.c.number > after,
+            _runs.c.state.in_(states),
+            _runs.c.updated_at_wall < before,
+        )
+        query = query.order_by(_runs.c.number).limit(limit)
+        async with self._transaction() as connection:
+            return [(n, r) for n, r in await connection.execute(query)]
 
     async def find_key(self, account: str, key: str) -> tuple[str, str] | None:
         """(body_sha256, run_id) of an account's Idempotency-Key, if it was used."""
@@ -380,7 +431,7 @@ class Store:
         AUTH-004: of this account only; None for all (AUTH-008). RUN-009: numbers
         never change.
         """
-        query = sa.select(_runs.c.number, _runs.c.run_id)
+        query = sa.select(_runs.c.number, _runs.c.run_id).where(_IS_THERE)
         if account is not None:
             query = query.where(_runs.c.account == account)
         if before is not None:
@@ -468,14 +519,15 @@ class Store:
 
     async def in_states(self, *states: str) -> list[str]:
         """Ids of all runs in these states, oldest first."""
-        query = sa.select(_runs.c.run_id).where(_runs.c.state.in_(states))
+        in_states = _runs.c.state.in_(states)
+        query = sa.select(_runs.c.run_id).where(_IS_THERE, in_states)
         async with self._transaction() as connection:
             return list(await connection.scalars(query.order_by(_runs.c.number)))
 
     async def waiting_runs(self, *states: str) -> list[WaitingRun]:
         """All runs in these states as admission reads them, oldest first."""
         columns = (_runs.c[name] for name in WaitingRun.__dataclass_fields__)
-        query = sa.select(*columns).where(_runs.c.state.in_(states))
+        query = sa.select(*columns).where(_IS_THERE, _runs.c.state.in_(states))
         async with self._transaction() as connection:
             found = await connection.execute(query.order_by(_runs.c.number))
             return [WaitingRun(*row) for row in found]
@@ -504,6 +556,14 @@ def _last_attempt(run: RunHead) -> sa.Select[Any]:
     )
 
 
+def _last_played(run: RunHead) -> sa.Select[Any]:
+    """The largest place among the runs of this account and benchmark."""
+    return sa.select(sa.func.max(_runs.c.played_number)).where(
+        _runs.c.account == run.account,
+        _runs.c.benchmark_id == run.manifest["benchmark_id"],
+    )
+
+
 def _run_in_connection(
     engine: sa.Engine, fetch: Callable[[sa.Connection], Found]
 ) -> Found:
@@ -511,8 +571,9 @@ def _run_in_connection(
         return fetch(connection)
 
 
-def _add_missing_columns(connection: sa.Connection) -> None:
+def _add_missing_columns(connection: sa.Connection) -> set[sa.Column[Any]]:
     """Add the columns that an older database does not have, empty; and the indexes."""
+    added = set()
     for table in TABLES.sorted_tables:
         columns = sa.inspect(connection).get_columns(table.name)
         present = {column["name"] for column in columns}
@@ -521,8 +582,10 @@ def _add_missing_columns(connection: sa.Connection) -> None:
                 kind = column.type.compile(connection.dialect)
                 add = f"ALTER TABLE {table.name} ADD {column.name} {kind}"
                 connection.execute(sa.text(add))
+                added.add(column)
         for index in table.indexes:
             index.create(connection, checkfirst=True)
+    return added
 
 
 def _number_older_attempts(connection: sa.Connection) -> None:
@@ -542,6 +605,21 @@ def _number_older_attempts(connection: sa.Connection) -> None:
         counts[tuple(of)] += 1
         row = _runs.update().where(_runs.c.number == number)
         connection.execute(row.values(attempts_by_submitter=counts[tuple(of)]))
+
+
+def _number_older_played(connection: sa.Connection) -> None:
+    """Number the runs of which something was stored before that was counted (DEL-006).
+
+    An older row does not say whether a turn inside an episode was its only one.
+    """
+    of_episode = sa.select(_episodes.c.number).distinct()
+    columns = (_runs.c.number, _runs.c.account, _runs.c.benchmark_id)
+    query = sa.select(*columns).where(_runs.c.number.in_(of_episode))
+    counts: Counter[tuple[str, str]] = Counter()
+    for number, *of in connection.execute(query.order_by(_runs.c.number)).all():
+        counts[tuple(of)] += 1
+        row = _runs.update().where(_runs.c.number == number)
+        connection.execute(row.values(played_number=counts[tuple(of)]))
 
 
 def _database_file(url: sa.URL) -> Path | None:

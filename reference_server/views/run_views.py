@@ -60,6 +60,8 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
     )
     if run.attempts_by_submitter is not None:
         view.attempts_by_submitter = run.attempts_by_submitter
+    if run.played_number is not None:  # DEL-006
+        view.runs_played_before = run.played_number - 1
     view.any_policy = run.any_policy  # ATR-005
     if (select := run.submission.get("select")) is not None:  # SUB-003
         view.select = models.SelectionView(**select)

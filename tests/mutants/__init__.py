@@ -79,6 +79,7 @@ def load() -> dict[str, Mutant]:
         compare,
         connections,
         control_plane,
+        deletion,
         ebench,
         episodes,
         events,

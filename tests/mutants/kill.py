@@ -47,7 +47,16 @@ KIT_TIMEOUT_S = 600
 OPTIONAL_PROFILES = {"ebench", "flageval"}
 SEPARATE_PROFILES = {
     *OPTIONAL_PROFILES,
-    *("board", "compare", "events", "limits", "public_board", "push", "record"),
+    *(
+        "board",
+        "compare",
+        "deletion",
+        "events",
+        "limits",
+        "public_board",
+        "push",
+        "record",
+    ),
     "record_import",
 }
 

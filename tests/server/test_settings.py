@@ -97,6 +97,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "log_format": ("json", "text"),
         "access_log": ("on", "off"),
         "public_board": ("on", "off"),
+        "delete_played_runs": ("on", "off"),
         "allow_private_policies": ("127.0.0.1", "10.0.0.0/8,fd00::/8"),
         "profiles": ("ebench", "flageval,ebench"),
         "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),

@@ -251,11 +251,11 @@ def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> Non
     """`Accept` with media types that the operation does not list; then a listed one.
 
     Expect `not_acceptable` and nothing executed, then success; a detach, which has a
-    response without a body, is executed.
+    response without a body, is executed, as a deletion would be.
     """
     worker = attach_live_worker(context)
     for operation_id, how in operation_samples(worker):
-        if operation_id == "detach_worker":
+        if operation_id in ("detach_worker", "delete_run"):
             continue
         for accept in UNACCEPTABLE:
             answer = worker.run.call(operation_id, headers={"Accept": accept}, **how)

@@ -85,6 +85,8 @@ def profile_samples(run: RunClient) -> Iterator[OperationSample]:
         yield from record_samples(run)
     if run.context.offers("board"):
         yield from board_samples(run.context)
+    if run.context.offers("deletion"):
+        yield "delete_run", {"run_id": submit_another(run.context).id}
 
 
 def board_samples(context: RequestContext) -> Iterator[OperationSample]:
@@ -129,16 +131,21 @@ def record_samples(run: RunClient) -> Iterator[OperationSample]:
 
 def completed_run(context: RequestContext) -> RunClient:
     """Play a run of one episode."""
-    body = context.submit_body(options={"tasks": ["score"]})
-    accepted = context.require(
-        lambda: context.call("submit_run", json=body), 201, "submit_run"
-    )
-    completed = adopt_run(context, accepted)
+    completed = submit_another(context)
     completed.until("ready", 30.0)
     worker = completed.worker()
     worker.attach()
     worker.play()
     return completed
+
+
+def submit_another(context: RequestContext) -> RunClient:
+    """Submit a run of one episode, for what would spoil the run of a check."""
+    body = context.submit_body(options={"tasks": ["score"]})
+    accepted = context.require(
+        lambda: context.call("submit_run", json=body), 201, "submit_run"
+    )
+    return adopt_run(context, accepted)
 
 
 def import_samples(completed: RunClient) -> Iterator[OperationSample]:

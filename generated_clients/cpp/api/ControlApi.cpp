@@ -27,6 +27,22 @@ RecordImport ControlApi::getImport(std::string const& importId, std::optional<st
     return m_connection->send(request).get<RecordImport>();
 }
 
+void ControlApi::deleteRun(std::string const& runId, std::optional<std::string> const& proctorVersion) {
+    Request request{"DELETE", "/v1/runs/{run_id}"};
+    request.path_parameter("run_id", runId);
+    request.header("Proctor-Version", proctorVersion);
+    m_connection->send(request);
+}
+
+Run ControlApi::getRun(std::string const& runId, std::optional<std::string> const& ifNoneMatch, std::optional<std::string> const& prefer, std::optional<std::string> const& proctorVersion) {
+    Request request{"GET", "/v1/runs/{run_id}"};
+    request.path_parameter("run_id", runId);
+    request.header("If-None-Match", ifNoneMatch);
+    request.header("Prefer", prefer);
+    request.header("Proctor-Version", proctorVersion);
+    return m_connection->send(request).get<Run>();
+}
+
 Service ControlApi::describeService(std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1"};
     request.header("Proctor-Version", proctorVersion);
@@ -69,15 +85,6 @@ Ranking ControlApi::getRanking(std::string const& benchmarkId, std::optional<std
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
     return m_connection->send(request).get<Ranking>();
-}
-
-Run ControlApi::getRun(std::string const& runId, std::optional<std::string> const& ifNoneMatch, std::optional<std::string> const& prefer, std::optional<std::string> const& proctorVersion) {
-    Request request{"GET", "/v1/runs/{run_id}"};
-    request.path_parameter("run_id", runId);
-    request.header("If-None-Match", ifNoneMatch);
-    request.header("Prefer", prefer);
-    request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Run>();
 }
 
 Score ControlApi::getScore(std::string const& runId, std::optional<std::string> const& proctorVersion) {

@@ -46,6 +46,12 @@ public:
     /// What is known here of a record that was handed in
     RecordImport getImport(std::string const& importId, std::optional<std::string> const& proctorVersion = {});
 
+    /// Delete a run that is not in play, with all that is stored of it
+    void deleteRun(std::string const& runId, std::optional<std::string> const& proctorVersion = {});
+
+    /// State, progress and the reason for both; can wait for a change
+    Run getRun(std::string const& runId, std::optional<std::string> const& ifNoneMatch = {}, std::optional<std::string> const& prefer = {}, std::optional<std::string> const& proctorVersion = {});
+
     /// What this server is, speaks and allows
     Service describeService(std::optional<std::string> const& proctorVersion = {});
 
@@ -63,9 +69,6 @@ public:
 
     /// The public entries of one manifest, ranked
     Ranking getRanking(std::string const& benchmarkId, std::optional<std::string> const& manifestSha256 = {}, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
-
-    /// State, progress and the reason for both; can wait for a change
-    Run getRun(std::string const& runId, std::optional<std::string> const& ifNoneMatch = {}, std::optional<std::string> const& prefer = {}, std::optional<std::string> const& proctorVersion = {});
 
     /// The score, or its bounds while episodes are missing
     Score getScore(std::string const& runId, std::optional<std::string> const& proctorVersion = {});

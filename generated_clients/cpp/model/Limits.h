@@ -31,6 +31,7 @@ struct Limits {
     std::optional<std::int64_t> max_record_bytes{}; // Longest archive that `import_record` reads; for the profile `record_import`.
     std::optional<std::int32_t> max_waiting_imports{}; // Most imports of one account that are not `finished`; for the profile `record_import`.
     std::optional<std::int64_t> max_imported_bytes{}; // Most bytes that the archives of one account may have together; for the profile `record_import`.
+    std::optional<double> run_keep_days{}; // Days without a change after which a run that has completed, failed or been stopped may be deleted; when absent, none is. For the profile `deletion`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("max_body_bytes", self.max_body_bytes);
@@ -51,6 +52,7 @@ struct Limits {
         visitor.optional("max_record_bytes", self.max_record_bytes);
         visitor.optional("max_waiting_imports", self.max_waiting_imports);
         visitor.optional("max_imported_bytes", self.max_imported_bytes);
+        visitor.optional("run_keep_days", self.run_keep_days);
     }
 };
 

@@ -41,6 +41,7 @@ struct Run {
     Progress progress{};
     std::string created_at{};
     std::string updated_at{};
+    std::optional<std::int32_t> runs_played_before{}; // In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.
     std::optional<std::int32_t> attempts_by_submitter{}; // How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
@@ -65,6 +66,7 @@ struct Run {
         visitor.required("progress", self.progress);
         visitor.required("created_at", self.created_at);
         visitor.required("updated_at", self.updated_at);
+        visitor.optional("runs_played_before", self.runs_played_before);
         visitor.optional("attempts_by_submitter", self.attempts_by_submitter);
     }
 };

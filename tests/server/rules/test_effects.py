@@ -458,3 +458,9 @@ def test_a_session_may_have_a_limit_of_attempts_of_its_own(
     effects.close_session(run, session, "detached", NOW)
     assert (episode.result and episode.result.outcome) == outcome
     assert episode.attempt == (3 if outcome else 4)
+
+
+def test_only_the_first_action_is_the_first() -> None:
+    run = make_run()
+    assert [effects.mark_played(run), effects.mark_played(run)] == [True, False]
+    assert not effects.mark_played(make_run(played_number=3))

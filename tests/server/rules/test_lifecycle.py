@@ -13,6 +13,7 @@ from reference_server.rules.lifecycle import (
     Accept,
     Attach,
     Command,
+    Delete,
     Detach,
     Event,
     Heartbeat,
@@ -68,6 +69,26 @@ def test_the_table_decides(state: State, command: Command) -> None:
     assert refused.code == "illegal_transition"
     assert refused.members == {"state": state}
     assert ("it broke" in refused.detail) == (state == "failed")
+
+
+@pytest.mark.parametrize("state", typing.get_args(State))
+@pytest.mark.parametrize("is_played", [False, True])
+def test_what_may_be_deleted(state: State, is_played: bool) -> None:
+    run = make_run(state=state, is_played=is_played)
+    run.is_played = is_played
+    if state in ("running", "stopping"):
+        for command in (Delete(), Delete(may_be_played=True)):
+            refused = expect_refuse(run, command)
+            assert (refused.code, refused.members) == (
+                "illegal_transition",
+                {"state": state},
+            )
+        return
+    assert decide(run, Delete(may_be_played=True), NOW) == Accept()
+    if is_played:
+        assert expect_refuse(run, Delete()).code == "not_deletable"
+    else:
+        assert decide(run, Delete(), NOW) == Accept()
 
 
 # --- leases ---

@@ -159,7 +159,7 @@ def calibration_run(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
     found = benchmark_registry.resolve("calibration", options)
     submission = {"benchmark_id": "calibration", "policy": {"name": "p"}}
     plans = found.manifest["episodes"]
-    fields = {
+    fields: dict[str, Any] = {
         "run_id": run_id,
         "state": "queued",
         "manifest": found.manifest,
@@ -167,6 +167,8 @@ def calibration_run(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
         "submission": submission | {"options": options},
         "images": found.images,
         "episodes": [Episode(i, **plan) for i, plan in enumerate(plans)],
+        # The first action of a run is stored: most tests are about what follows it.
+        "played_number": 1,
     }
     return make_run(**fields | changes)
 

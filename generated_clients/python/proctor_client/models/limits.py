@@ -37,8 +37,9 @@ class Limits(BaseModel):
     max_record_bytes: Optional[Annotated[int, Field(strict=True, ge=65536)]] = Field(default=None, description="Longest archive that `import_record` reads; for the profile `record_import`.")
     max_waiting_imports: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="Most imports of one account that are not `finished`; for the profile `record_import`.")
     max_imported_bytes: Optional[Annotated[int, Field(strict=True, ge=65536)]] = Field(default=None, description="Most bytes that the archives of one account may have together; for the profile `record_import`.")
+    run_keep_days: Optional[Union[Annotated[float, Field(strict=True, ge=0)], Annotated[int, Field(strict=True, ge=0)]]] = Field(default=None, description="Days without a change after which a run that has completed, failed or been stopped may be deleted; when absent, none is. For the profile `deletion`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max", "max_header_bytes", "header_timeout_s", "body_timeout_s", "heartbeat_s_max", "unused_s_max", "max_control_body_bytes", "max_open_runs", "max_idempotency_keys", "max_stored_bytes", "max_record_bytes", "max_waiting_imports", "max_imported_bytes"]
+    __properties: ClassVar[List[str]] = ["max_body_bytes", "max_workers", "max_chunk", "idle_timeout_s_min", "idle_timeout_s_max", "wait_s_max", "max_header_bytes", "header_timeout_s", "body_timeout_s", "heartbeat_s_max", "unused_s_max", "max_control_body_bytes", "max_open_runs", "max_idempotency_keys", "max_stored_bytes", "max_record_bytes", "max_waiting_imports", "max_imported_bytes", "run_keep_days"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -115,7 +116,8 @@ class Limits(BaseModel):
             "max_stored_bytes": obj.get("max_stored_bytes"),
             "max_record_bytes": obj.get("max_record_bytes"),
             "max_waiting_imports": obj.get("max_waiting_imports"),
-            "max_imported_bytes": obj.get("max_imported_bytes")
+            "max_imported_bytes": obj.get("max_imported_bytes"),
+            "run_keep_days": obj.get("run_keep_days")
         })
         # store additional fields in additional_properties
         for _key in obj.keys():

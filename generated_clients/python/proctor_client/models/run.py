@@ -47,9 +47,10 @@ class Run(BaseModel):
     progress: Progress
     created_at: datetime
     updated_at: datetime
+    runs_played_before: Optional[Annotated[int, Field(strict=True, ge=0)]] = Field(default=None, description="In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.")
     attempts_by_submitter: Optional[Annotated[int, Field(strict=True, ge=1)]] = Field(default=None, description="How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "any_policy", "select", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at", "attempts_by_submitter"]
+    __properties: ClassVar[List[str]] = ["run_id", "state", "reason", "retryable", "benchmark_id", "benchmark_version", "manifest_sha256", "policy", "mode", "policy_server", "any_policy", "select", "max_workers", "idle_timeout_s", "images", "endpoint", "queue_position", "live_workers", "progress", "created_at", "updated_at", "runs_played_before", "attempts_by_submitter"]
 
     @field_validator('manifest_sha256', mode="before")
     def manifest_sha256_validate_regular_expression(cls, value):
@@ -177,6 +178,7 @@ class Run(BaseModel):
             "progress": Progress.from_dict(obj["progress"]) if obj.get("progress") is not None else None,
             "created_at": obj.get("created_at"),
             "updated_at": obj.get("updated_at"),
+            "runs_played_before": obj.get("runs_played_before"),
             "attempts_by_submitter": obj.get("attempts_by_submitter")
         })
         # store additional fields in additional_properties

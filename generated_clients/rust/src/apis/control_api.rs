@@ -25,6 +25,15 @@ pub enum DeleteImportError {
     UnknownValue(serde_json::Value),
 }
 
+/// struct for typed errors of method [`delete_run`]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum DeleteRunError {
+    Status4XX(models::Problem),
+    Status5XX(models::Problem),
+    UnknownValue(serde_json::Value),
+}
+
 /// struct for typed errors of method [`describe_service`]
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(untagged)]
@@ -324,6 +333,39 @@ pub async fn delete_import(configuration: &configuration::Configuration, import_
         let headers = resp.headers().clone();
         let content = resp.text().await?;
         let entity: Option<DeleteImportError> = serde_json::from_str(&content).ok();
+        Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
+    }
+}
+
+pub async fn delete_run(configuration: &configuration::Configuration, run_id: &str, proctor_version: Option<&str>) -> Result<(), Error<DeleteRunError>> {
+    // add a prefix to parameters to efficiently prevent name collisions
+    let p_path_run_id = run_id;
+    let p_header_proctor_version = proctor_version;
+
+    let uri_str = format!("{}/v1/runs/{run_id}", configuration.base_path, run_id=crate::apis::urlencode(p_path_run_id));
+    let mut req_builder = configuration.client.request(reqwest::Method::DELETE, &uri_str);
+
+    if let Some(ref user_agent) = configuration.user_agent {
+        req_builder = req_builder.header(reqwest::header::USER_AGENT, user_agent.clone());
+    }
+    if let Some(param_value) = p_header_proctor_version {
+        req_builder = req_builder.header("Proctor-Version", param_value.to_string());
+    }
+    if let Some(ref token) = configuration.bearer_access_token {
+        req_builder = req_builder.bearer_auth(token.to_owned());
+    };
+
+    let req = req_builder.build()?;
+    let resp = configuration.client.execute(req).await?;
+
+    let status = resp.status();
+
+    if !status.is_client_error() && !status.is_server_error() {
+        Ok(())
+    } else {
+        let headers = resp.headers().clone();
+        let content = resp.text().await?;
+        let entity: Option<DeleteRunError> = serde_json::from_str(&content).ok();
         Err(Error::ResponseError(ResponseContent { status, headers, content, entity }))
     }
 }

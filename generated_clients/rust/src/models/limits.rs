@@ -57,6 +57,9 @@ pub struct Limits {
     /// Most bytes that the archives of one account may have together; for the profile `record_import`.
     #[serde(rename = "max_imported_bytes", skip_serializing_if = "Option::is_none")]
     pub max_imported_bytes: Option<i64>,
+    /// Days without a change after which a run that has completed, failed or been stopped may be deleted; when absent, none is. For the profile `deletion`.
+    #[serde(rename = "run_keep_days", skip_serializing_if = "Option::is_none")]
+    pub run_keep_days: Option<f64>,
 }
 
 impl Limits {
@@ -80,6 +83,7 @@ impl Limits {
             max_record_bytes: None,
             max_waiting_imports: None,
             max_imported_bytes: None,
+            run_keep_days: None,
         }
     }
 }

@@ -54,6 +54,9 @@ pub struct Run {
     pub created_at: chrono::DateTime<chrono::FixedOffset>,
     #[serde(rename = "updated_at")]
     pub updated_at: chrono::DateTime<chrono::FixedOffset>,
+    /// In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.
+    #[serde(rename = "runs_played_before", skip_serializing_if = "Option::is_none")]
+    pub runs_played_before: Option<i32>,
     /// How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
     #[serde(rename = "attempts_by_submitter", skip_serializing_if = "Option::is_none")]
     pub attempts_by_submitter: Option<i32>,
@@ -83,6 +86,7 @@ impl Run {
             progress,
             created_at,
             updated_at,
+            runs_played_before: None,
             attempts_by_submitter: None,
         }
     }

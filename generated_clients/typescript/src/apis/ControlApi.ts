@@ -151,6 +151,17 @@ export interface DeleteImportRequest {
     proctorVersion?: string;
 }
 
+export interface DeleteRunRequest {
+    /**
+     *
+     */
+    runId: string;
+    /**
+     * The protocol version the caller was written for.
+     */
+    proctorVersion?: string;
+}
+
 export interface DescribeServiceRequest {
     /**
      * The protocol version the caller was written for.
@@ -609,6 +620,62 @@ export class ControlApi extends runtime.BaseAPI {
      */
     async deleteImport(requestParameters: DeleteImportRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<void> {
         await this.deleteImportRaw(requestParameters, initOverrides);
+    }
+
+    /**
+     * Creates request options for deleteRun without sending the request
+     */
+    async deleteRunRequestOpts(requestParameters: DeleteRunRequest): Promise<runtime.RequestOpts> {
+        if (requestParameters['runId'] == null) {
+            throw new runtime.RequiredError(
+                'runId',
+                'Required parameter "runId" was null or undefined when calling deleteRun().'
+            );
+        }
+
+        const queryParameters: any = {};
+
+        const headerParameters: runtime.HTTPHeaders = {};
+
+        if (requestParameters['proctorVersion'] != null) {
+            headerParameters['Proctor-Version'] = String(requestParameters['proctorVersion']);
+        }
+
+        if (this.configuration && this.configuration.accessToken) {
+            const token = this.configuration.accessToken;
+            const tokenString = await token("bearer", []);
+
+            if (tokenString) {
+                headerParameters["Authorization"] = `Bearer ${tokenString}`;
+            }
+        }
+
+        let urlPath = `/v1/runs/{run_id}`;
+        urlPath = urlPath.replace('{run_id}', encodeURIComponent(String(requestParameters['runId'])));
+
+        return {
+            path: urlPath,
+            method: 'DELETE',
+            headers: headerParameters,
+            query: queryParameters,
+        };
+    }
+
+    /**
+     * Delete a run that is not in play, with all that is stored of it
+     */
+    async deleteRunRaw(requestParameters: DeleteRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<void>> {
+        const requestOptions = await this.deleteRunRequestOpts(requestParameters);
+        const response = await this.request(requestOptions, initOverrides);
+
+        return new runtime.VoidApiResponse(response);
+    }
+
+    /**
+     * Delete a run that is not in play, with all that is stored of it
+     */
+    async deleteRun(requestParameters: DeleteRunRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<void> {
+        await this.deleteRunRaw(requestParameters, initOverrides);
     }
 
     /**

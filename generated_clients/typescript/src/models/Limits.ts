@@ -84,6 +84,10 @@ export interface Limits {
      * Most bytes that the archives of one account may have together; for the profile `record_import`.
      */
     max_imported_bytes?: number;
+    /**
+     * Days without a change after which a run that has completed, failed or been stopped may be deleted; when absent, none is. For the profile `deletion`.
+     */
+    run_keep_days?: number;
 }
 
 /**
@@ -128,6 +132,7 @@ export function LimitsFromJSONTyped(json: any, ignoreDiscriminator: boolean): Li
         'max_record_bytes': json['max_record_bytes'] == null ? undefined : json['max_record_bytes'],
         'max_waiting_imports': json['max_waiting_imports'] == null ? undefined : json['max_waiting_imports'],
         'max_imported_bytes': json['max_imported_bytes'] == null ? undefined : json['max_imported_bytes'],
+        'run_keep_days': json['run_keep_days'] == null ? undefined : json['run_keep_days'],
     };
 }
 
@@ -161,5 +166,6 @@ export function LimitsToJSONTyped(value?: Limits | null, ignoreDiscriminator: bo
         'max_record_bytes': value['max_record_bytes'],
         'max_waiting_imports': value['max_waiting_imports'],
         'max_imported_bytes': value['max_imported_bytes'],
+        'run_keep_days': value['run_keep_days'],
     };
 }

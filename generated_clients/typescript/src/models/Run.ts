@@ -140,6 +140,10 @@ export interface Run {
      */
     updated_at: Date;
     /**
+     * In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.
+     */
+    runs_played_before?: number;
+    /**
      * How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
      */
     attempts_by_submitter?: number;
@@ -203,6 +207,7 @@ export function RunFromJSONTyped(json: any, ignoreDiscriminator: boolean): Run {
         'progress': ProgressFromJSON(json['progress']),
         'created_at': (json['created_at'] == null ? json['created_at'] : parseDateTime(json['created_at'])),
         'updated_at': (json['updated_at'] == null ? json['updated_at'] : parseDateTime(json['updated_at'])),
+        'runs_played_before': json['runs_played_before'] == null ? undefined : json['runs_played_before'],
         'attempts_by_submitter': json['attempts_by_submitter'] == null ? undefined : json['attempts_by_submitter'],
     };
 }
@@ -240,6 +245,7 @@ export function RunToJSONTyped(value?: Run | null, ignoreDiscriminator: boolean 
         'progress': ProgressToJSON(value['progress']),
         'created_at': value['created_at'] == null ? value['created_at'] : serializeDateTime(value['created_at']),
         'updated_at': value['updated_at'] == null ? value['updated_at'] : serializeDateTime(value['updated_at']),
+        'runs_played_before': value['runs_played_before'],
         'attempts_by_submitter': value['attempts_by_submitter'],
     };
 }

@@ -72,6 +72,9 @@ public class Limits {
   @SerializedName("max_imported_bytes")
   private Long maxImportedBytes;
 
+  @SerializedName("run_keep_days")
+  private Double runKeepDays;
+
   /** Longest request body that is read. */
   public Long getMaxBodyBytes() {
     return maxBodyBytes;
@@ -320,6 +323,20 @@ public class Limits {
 
   public void setMaxImportedBytes(Long maxImportedBytes) {
     this.maxImportedBytes = maxImportedBytes;
+  }
+
+  /** Days without a change after which a run that has completed, failed or been stopped may be deleted; when absent, none is. For the profile &#x60;deletion&#x60;. */
+  public Double getRunKeepDays() {
+    return runKeepDays;
+  }
+
+  public Limits runKeepDays(Double runKeepDays) {
+    this.runKeepDays = runKeepDays;
+    return this;
+  }
+
+  public void setRunKeepDays(Double runKeepDays) {
+    this.runKeepDays = runKeepDays;
   }
 
   public static Limits fromJson(String text) {

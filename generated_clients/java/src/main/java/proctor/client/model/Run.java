@@ -89,6 +89,9 @@ public class Run {
   @javax.annotation.Nonnull
   private OffsetDateTime updatedAt;
 
+  @SerializedName("runs_played_before")
+  private Integer runsPlayedBefore;
+
   @SerializedName("attempts_by_submitter")
   private Integer attemptsBySubmitter;
 
@@ -370,6 +373,20 @@ public class Run {
 
   public void setUpdatedAt(OffsetDateTime updatedAt) {
     this.updatedAt = updatedAt;
+  }
+
+  /** In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile &#x60;deletion&#x60;. */
+  public Integer getRunsPlayedBefore() {
+    return runsPlayedBefore;
+  }
+
+  public Run runsPlayedBefore(Integer runsPlayedBefore) {
+    this.runsPlayedBefore = runsPlayedBefore;
+    return this;
+  }
+
+  public void setRunsPlayedBefore(Integer runsPlayedBefore) {
+    this.runsPlayedBefore = runsPlayedBefore;
   }
 
   /** How many runs of this benchmark its submitter had submitted, this one included; for the profile &#x60;record&#x60;. */

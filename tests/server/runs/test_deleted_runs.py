@@ -1,0 +1,271 @@
+"""Deleted runs: what goes with them, what stays counted, requests at the same time."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import sqlite3
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_server.records.recordings import Recordings
+from reference_server.records.run_records import HostSettings, RunRecords
+from reference_server.rules.capacity import Quota
+from reference_server.rules.lifecycle import Attach
+from reference_server.rules.run import Run
+from reference_server.runs.account_usage import AccountUsage
+from reference_server.storage.rows import RUN_BYTES, stored_bytes
+from reference_server.storage.store import StoreFailed
+from reference_server.system import hourly_work
+from reference_server.system.hourly_work import HourlyWork
+from tests.support.server.server_parts import (
+    ServerParts,
+    calibration_run,
+    count_rows,
+    expect_refusal,
+    open_server_parts,
+    predict_command,
+    record_score,
+    run_scenarios,
+)
+from tests.support.servers import TIMEOUT_S
+
+
+async def submit(parts: ServerParts, run_id: str = "run_1", **changes: Any) -> Run:
+    run = calibration_run(run_id=run_id, played_number=None, **changes)
+    return await parts.registry.add(run, None, "")
+
+
+async def play_one_action(parts: ServerParts, run: Run) -> None:
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    await parts.executor.predict(run, predict_command(turn))
+
+
+async def is_there(parts: ServerParts, run_id: str) -> bool:
+    return run_id in await parts.store.heads([run_id])
+
+
+def test_the_first_action_is_on_disk_before_it_is_answered(tmp_path: Path) -> None:
+    async def play(parts: ServerParts) -> None:
+        for run_id in ("run_1", "run_2", "run_3"):
+            run = await submit(parts, run_id)
+            if run_id != "run_2":
+                await play_one_action(parts, run)
+                with contextlib.closing(sqlite3.connect(parts.path)) as database:
+                    rows = database.execute("SELECT run_id, played_number FROM runs")
+                    assert dict(rows.fetchall())[run_id] == run.played_number
+
+    async def after_a_restart(parts: ServerParts) -> None:
+        ids = ["run_1", "run_2", "run_3"]
+        heads = await parts.store.heads(ids)
+        assert [heads[one].played_number for one in ids] == [1, None, 2]
+        with expect_refusal("not_deletable"):
+            await parts.service.delete_run("alice", "run_1")
+        await parts.service.delete_run("alice", "run_2")
+
+    run_scenarios(tmp_path, play, after_a_restart)
+
+
+def test_a_first_action_that_is_not_stored_is_not_answered(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await submit(parts)
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        with parts.reject_writes(), expect_refusal("unavailable"):
+            await parts.executor.predict(run, predict_command(turn))
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_older_databases_count_what_has_left_a_trace(tmp_path: Path) -> None:
+    async def before(parts: ServerParts) -> None:
+        for run_id in ("run_1", "run_2", "run_3"):
+            run = await submit(parts, run_id)
+            if run_id != "run_2":
+                record_score(run, 0)
+                await parts.registry.commit(run)
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("DROP INDEX runs_played")
+            database.execute("ALTER TABLE runs DROP COLUMN played_number")
+            database.execute("ALTER TABLE runs DROP COLUMN deleted_at_wall")
+            database.commit()
+
+    async def after(parts: ServerParts) -> None:
+        ids = ["run_1", "run_2", "run_3"]
+        heads = await parts.store.heads(ids)
+        assert [heads[one].played_number for one in ids] == [1, None, 2]
+
+    run_scenarios(tmp_path, before, after)
+
+
+def test_all_that_is_stored_goes_and_the_run_stays_counted(tmp_path: Path) -> None:
+    async def run() -> None:
+        async with asyncio.timeout(TIMEOUT_S):
+            recordings = Recordings(tmp_path / "records")
+            async with open_server_parts(
+                tmp_path / "proctor.sqlite", recordings=recordings
+            ) as parts:
+                await scenario(parts, recordings)
+
+    async def scenario(parts: ServerParts, recordings: Recordings) -> None:
+        recordings.open()
+        host = HostSettings("host", None)
+        records = RunRecords(parts.store, recordings, host)
+        object.__setattr__(parts.service, "records", records)
+        object.__setattr__(parts.service, "deletes_played", True)
+        first = await submit(parts)
+        turn = await parts.executor.attach(first, Attach("w", "key"))
+        await parts.executor.predict(first, predict_command(turn, end=1))
+        await parts.service.stop_run("alice", "run_1")
+        await parts.store.add_statement("run_1", b"statement", "0" * 64)
+        assert count_rows(parts.path, "episodes") == 1
+        await parts.service.delete_run("alice", "run_1")
+        assert not await is_there(parts, "run_1")
+        assert count_rows(parts.path, "episodes") == 0
+        assert recordings.run_ids() == []
+        assert await parts.store.find_statement("run_1") == b""
+        assert await parts.store.last_statement_sha256() == "0" * 64
+        assert await parts.store.deleted_ids(["run_1", "run_2"]) == {"run_1"}
+        second = await submit(parts, "run_2")
+        await play_one_action(parts, second)
+        assert (second.played_number, second.attempts_by_submitter) == (2, 2)
+
+    asyncio.run(run())
+
+
+def test_no_request_meanwhile_sees_half_a_deletion(tmp_path: Path) -> None:
+    """A worker, a reader who waits, and a page of the list, while it is deleted."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await submit(parts)
+        other = await submit(parts, "run_2")
+        change = parts.registry.change_event("run_1")
+        waiting = asyncio.create_task(parts.registry.wait_for_change(change, TIMEOUT_S))
+        deleting = asyncio.create_task(parts.service.delete_run("alice", "run_1"))
+        await asyncio.sleep(0)
+        with expect_refusal("not_found"):
+            await parts.service.attach_worker("alice", "run_1", Attach("w", "key"))
+        await deleting
+        assert await waiting
+        with expect_refusal("not_found"):
+            await parts.executor.attach(run, Attach("w", "key"))
+        with expect_refusal("not_found"):
+            await parts.service.delete_run("alice", "run_1")
+        page = await parts.service.list_runs("alice", None, 10, "http://host")
+        assert [view["run_id"] for _, view in page] == [other.run_id]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_page_is_not_short_of_a_run_that_is_deleted_meanwhile(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        for number in (1, 2, 3):
+            await submit(parts, f"run_{number}")
+        right = parts.store.heads
+
+        async def delete_first(run_ids: Any) -> Any:
+            monkeypatch.setattr(parts.store, "heads", right)
+            await parts.service.delete_run("alice", "run_2")
+            return await right(run_ids)
+
+        monkeypatch.setattr(parts.store, "heads", delete_first)
+        page = await parts.registry.page("alice", None, 2, lambda run: run.run_id)
+        assert page == ["run_3", "run_1"]
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_run_that_cannot_be_deleted_is_as_before(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await submit(parts)
+        with parts.reject_writes(), pytest.raises(StoreFailed):
+            await parts.service.delete_run("alice", "run_1")
+        run = await parts.registry.get("run_1")
+        assert run.state == "ready"
+        await parts.executor.attach(run, Attach("w", "key"))
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -> None:
+    names = ["old", "published", "resumed", "open", "new"]
+
+    async def is_published(run_id: str) -> bool:
+        return run_id == "published"
+
+    async def long_ago(parts: ServerParts) -> None:
+        for run_id in names:
+            await submit(parts, run_id)
+        for run_id in ("old", "published", "resumed"):
+            await parts.service.stop_run("alice", run_id)
+        await parts.registry.close()
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute(
+                "UPDATE runs SET updated_at_wall = 0 WHERE run_id != 'new'"
+            )
+            database.commit()
+
+    async def today(parts: ServerParts) -> None:
+        object.__setattr__(parts.service, "is_published", is_published)
+        await parts.service.stop_run("alice", "new")
+        await parts.service.resume_run("alice", "resumed")
+        await parts.service.delete_old(keep_days=30.0)
+        assert [one for one in names if await is_there(parts, one)] == names[1:]
+        object.__setattr__(parts.service, "deletes_played", True)
+        with expect_refusal("not_deletable"):
+            await parts.service.delete_run("alice", "published")
+
+    run_scenarios(tmp_path, long_ago, today)
+
+
+def test_hourly_work_is_repeated_after_it_failed(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(hourly_work, "HOUR_S", 0.0)
+
+    async def scenario() -> None:
+        calls: list[int] = []
+        is_repeated = asyncio.Event()
+
+        async def fail_first() -> None:
+            calls.append(1)
+            if len(calls) == 1:
+                raise StoreFailed("the disk is full")
+            is_repeated.set()
+
+        work = HourlyWork(fail_first, "old runs could not be deleted")
+        await work.close()
+        work.open()
+        async with asyncio.timeout(TIMEOUT_S):
+            await is_repeated.wait()
+            await work.close()
+
+    asyncio.run(scenario())
+    assert "old runs could not be deleted" in caplog.text
+    assert "the disk is full" in caplog.text
+
+
+def test_a_deleted_run_counts_little_and_its_key_as_before() -> None:
+    run, usage = calibration_run(), AccountUsage(Quota(keys=1, stored_bytes=2**20))
+    usage.note_stored(run, "key")
+    assert stored_bytes(run) > RUN_BYTES
+    usage.note_deleted(run)
+    assert usage._bytes == {"alice": RUN_BYTES}
+    with expect_refusal("quota_exceeded"):
+        usage.check_new("alice", has_key=True)
+
+
+def test_the_key_of_a_deleted_run_says_so(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        await parts.registry.add(calibration_run(played_number=None), "key", "0" * 64)
+        await parts.service.delete_run("alice", "run_1")
+        again = calibration_run(run_id="run_2")
+        with expect_refusal("not_found") as caught:
+            await parts.registry.add(again, "key", "0" * 64)
+        assert "was deleted" in caught.value.detail
+        assert not await is_there(parts, "run_2")
+
+    run_scenarios(tmp_path, scenario)
