@@ -139,7 +139,7 @@ def keeps_its_verdict_to_itself() -> None:
     put(record_imports, "_record_of", wrong)
 
 
-@mutant("REC-119")
+@mutant("REC-119", "REC-123")
 def makes_an_import_of_every_repeat() -> None:
     """A client that lost an answer has the record twice."""
 

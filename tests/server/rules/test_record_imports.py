@@ -34,6 +34,7 @@ ONE = RecordImport(
     episodes=4,
     imported_at_wall=0.0,
 )
+PARTED = "diverged when replayed by R"
 KNOWN = {"SHA256:c": "a lab"}
 
 
@@ -61,8 +62,7 @@ def replay(
             replay("diverged", Divergence(2, 1, 7)),
             KNOWN,
             "diverged",
-            "signed by a lab, diverged when replayed by R at episode 2, attempt 1, "
-            "step 7",
+            f"signed by a lab, {PARTED} at episode 2, attempt 1, step 7",
         ),
     ],
 )
