@@ -10,7 +10,7 @@ import logging
 import time
 from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager
-from typing import Any
+from typing import Any, Protocol
 
 from starlette.requests import Request
 from starlette.responses import Response
@@ -37,7 +37,7 @@ from reference_server.records.record_imports import ImportSettings, RecordImport
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.capacity import Quota
-from reference_server.rules.record_imports import ImportUsage
+from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -84,32 +84,27 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     registry = _registry_of(settings, store, on_run_lost, on_change)
     seed_secret = SeedSecret(settings.seed_secret_path)
     executor = SessionExecutor(
-        registry,
-        pool,
-        seed_secret,
+        *(registry, pool, seed_secret),
         unused_s=settings.unused_s_max,
         heartbeat_s_max=settings.heartbeat_s_max,
         recordings=recordings,
     )
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
-    policy_server_validator = PolicyServerValidator(
-        egress, key_encryption, tuple(PROTOCOLS)
-    )
+    validator = PolicyServerValidator(egress, key_encryption, tuple(PROTOCOLS))
     service = RunService(
         SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
         Benchmarks(settings.max_chunk, seed_secret),
         registry,
         executor,
-        policy_server_validator.validate_and_encrypt,
-        policy_server_validator.digest_key,
+        validator.validate_and_encrypt,
+        validator.digest_key,
         records,
     )
     board = _board_of(store, service)
     imports = _imports_of(settings, store, pool, records)
-    handlers = Handlers(
-        settings, service, SharedStreams(settings.max_event_streams), board, imports
-    )
+    streams = SharedStreams(settings.max_event_streams)
+    handlers = Handlers(settings, service, streams, board, imports)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
@@ -133,17 +128,19 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             yield
         finally:
             following.cancel()
-            await driver.close()
-            if imports is not None:
-                await imports.close()
-            await executor.close()
-            await registry.close()
-            if records is not None:
-                await records.close()
-            await pool.close()
-            await store.close()
+            for part in (driver, imports, executor, registry, records, pool, store):
+                await _close(part)
 
     return Application(_router(handlers, tokens, lifespan), registry.release_waiters)
+
+
+class _Part(Protocol):
+    async def close(self) -> None: ...
+
+
+async def _close(part: _Part | None) -> None:
+    if part is not None:
+        await part.close()
 
 
 def _registry_of(

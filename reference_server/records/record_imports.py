@@ -25,7 +25,7 @@ from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_nam
 from reference_record.replay_verdict import ReplaySummary
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays
-from reference_server.rules.record_imports import (
+from reference_server.rules.imported_record import (
     ImportUsage,
     RecordImport,
     Trust,
