@@ -11,7 +11,7 @@ import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
 from functools import partial
-from typing import Any
+from typing import Any, Protocol
 
 from starlette.requests import Request
 from starlette.responses import Response
@@ -38,7 +38,7 @@ from reference_server.records.record_imports import ImportSettings, RecordImport
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.capacity import Quota
-from reference_server.rules.record_imports import ImportUsage
+from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import SubmissionLimits
@@ -101,9 +101,8 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     retention = _retention_of(settings, service)
     board = _board_of(board_store, service)
     imports = _imports_of(settings, store, pool, records)
-    handlers = Handlers(
-        settings, service, SharedStreams(settings.max_event_streams), board, imports
-    )
+    streams = SharedStreams(settings.max_event_streams)
+    handlers = Handlers(settings, service, streams, board, imports)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
@@ -125,18 +124,20 @@ def build(settings: Settings, tokens: Tokens) -> Application:
             yield
         finally:
             following.cancel()
-            await retention.close()
-            await driver.close()
-            if imports is not None:
-                await imports.close()
-            await executor.close()
-            await registry.close()
-            if records is not None:
-                await records.close()
-            await pool.close()
-            await store.close()
+            parts = (retention, driver, imports, executor, registry)
+            for part in (*parts, records, pool, store):
+                await _close(part)
 
     return Application(_router(handlers, tokens, lifespan), registry.release_waiters)
+
+
+class _Part(Protocol):
+    async def close(self) -> None: ...
+
+
+async def _close(part: _Part | None) -> None:
+    if part is not None:
+        await part.close()
 
 
 def _registry_of(

@@ -76,7 +76,7 @@ async def read_body(
 async def stream_body(request: Request) -> AsyncIterator[bytes]:
     """A long body part by part; refused when it ends too early.
 
-    Whoever reads it stops when it is too long: the connection is drained then.
+    Its reader stops when it is too long: the connection is drained then.
     """
     more = True
     while more:

@@ -33,8 +33,8 @@ from reference_server.http.dispatch import (
 from reference_server.http.event_streams import EVENT_STREAM, EventStream, SharedStreams
 from reference_server.records.record_imports import RecordImports
 from reference_server.rules import comparison
+from reference_server.rules.imported_record import RecordImport
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
-from reference_server.rules.record_imports import RecordImport
 from reference_server.rules.refusal import Refused
 from reference_server.runs.board_service import BoardService
 from reference_server.runs.service import RunService
@@ -67,7 +67,7 @@ class Handlers:
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; equal to the spec, as a test proves."""
         run, worker = "/v1/runs/{run_id}", "/v1/runs/{run_id}/workers/{worker_id}"
-        record, pages = "/v1/records/{import_id}", ("cursor", "limit")
+        pages = ("cursor", "limit")
         both = (JSON, MSGPACK)
         # Everything but a predict is short.
         control = partial(
@@ -111,22 +111,7 @@ class Handlers:
             },
             **self._board_operations(),
             "/v1/keys": {"GET": Operation(self.list_keys, scope=None)},
-            "/v1/records": {
-                "GET": Operation(self.list_imports, query=pages),
-                "POST": Operation(
-                    self.import_record,
-                    "run",
-                    reads=(ARCHIVE,),
-                    has_streamed_body=True,
-                ),
-            },
-            record: {
-                "GET": Operation(self.get_import),
-                "DELETE": Operation(self.delete_import, "run", writes=()),
-            },
-            f"{record}/archive": {
-                "GET": Operation(self.fetch_imported_record, writes=(ARCHIVE,))
-            },
+            **self._import_operations(pages),
             "/v1/comparisons": {
                 "GET": Operation(
                     self.compare_runs,
@@ -148,6 +133,29 @@ class Handlers:
             },
             f"{worker}/heartbeat": {
                 "POST": control(self.heartbeat, "run", models.Heartbeat)
+            },
+        }
+
+    def _import_operations(
+        self, pages: tuple[str, ...]
+    ) -> dict[str, dict[str, Operation]]:
+        record = "/v1/records/{import_id}"
+        return {
+            "/v1/records": {
+                "GET": Operation(self.list_imports, query=pages),
+                "POST": Operation(
+                    self.import_record,
+                    "run",
+                    reads=(ARCHIVE,),
+                    has_streamed_body=True,
+                ),
+            },
+            record: {
+                "GET": Operation(self.get_import),
+                "DELETE": Operation(self.delete_import, "run", writes=()),
+            },
+            f"{record}/archive": {
+                "GET": Operation(self.fetch_imported_record, writes=(ARCHIVE,))
             },
         }
 

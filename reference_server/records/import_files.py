@@ -1,7 +1,7 @@
 """Archives that were handed in, as files: received within a bound, examined, kept.
 
 An archive has its name only when it is whole and on disk. What reads it first is a
-process of its own (`reference_record/verify_process.py`): it is a stranger's file.
+process of its own (`verify_process.py`): it may be hostile.
 
     IMPORTS/imp_4f2a.proctor    a record in which nothing is wrong
     IMPORTS/.imp_4f2a.part      bytes that are being received or examined
@@ -21,7 +21,7 @@ from tempfile import TemporaryDirectory
 import msgspec
 
 from reference_record.broken import ARCHIVE, BrokenRecord
-from reference_record.verify_process import Found, RecordFacts
+from reference_server.records.verify_process import Found, RecordFacts
 
 SUFFIX, DRAFT_SUFFIX = ".proctor", ".part"
 # Parts of a body are collected up to this size: a write is a switch to a thread.
@@ -89,7 +89,12 @@ class ImportFiles:
         """REC-113: what the record says; raises BrokenRecord."""
         async with self._examining:
             process = await asyncio.create_subprocess_exec(
-                *(sys.executable, "-P", "-m", "reference_record.verify_process"),
+                *(
+                    sys.executable,
+                    "-P",
+                    "-m",
+                    "reference_server.records.verify_process",
+                ),
                 str(draft.path.absolute()),
                 stdin=asyncio.subprocess.DEVNULL,
                 stdout=asyncio.subprocess.PIPE,
@@ -110,8 +115,10 @@ class ImportFiles:
             detail = "it takes more memory or time than a verifier has for it"
             raise BrokenRecord(ARCHIVE, "REC-030", detail) from error
         if found.facts is None:
-            assert found.fault is not None
-            raise BrokenRecord(found.fault.file, found.fault.rule, found.fault.detail)
+            assert found.broken is not None
+            raise BrokenRecord(
+                found.broken.file, found.broken.rule, found.broken.detail
+            )
         return found.facts
 
     async def keep(self, import_id: str, draft: Draft) -> None:

@@ -28,8 +28,8 @@ from reference_record.replay_verdict import (
 )
 from reference_record.statement import EpisodeLine
 from reference_record.verification import read_statement
-from reference_server.rules import record_imports
-from reference_server.rules.record_imports import RecordImport, Replay
+from reference_server.rules import imported_record
+from reference_server.rules.imported_record import ImportReplay, RecordImport
 from reference_server.storage.import_store import ImportStore
 from reference_server.storage.store import StoreFailed
 from reference_sim.engine import engine_fingerprint
@@ -80,7 +80,7 @@ class ImportReplays:
         self._replayed = 0
 
     def open(self) -> None:
-        """Go on with what is not finished."""
+        """REC-123: go on with what is not finished."""
         self._worker = asyncio.create_task(self._work())
         self._wake.set()
 
@@ -194,13 +194,13 @@ async def _replay_line(
     return cast("Result", found.result), where
 
 
-def _replay_shown(summary: ReplaySummary) -> Replay:
+def _replay_shown(summary: ReplaySummary) -> ImportReplay:
     where = None
     if first := summary.first_divergence:
-        where = record_imports.Divergence(
+        where = imported_record.FirstDivergence(
             first.episode_index, first.attempt, first.step
         )
-    return Replay(
+    return ImportReplay(
         summary.result,
         summary.episodes,
         summary.exact,

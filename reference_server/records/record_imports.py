@@ -25,7 +25,7 @@ from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_nam
 from reference_record.replay_verdict import ReplaySummary
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays
-from reference_server.rules.record_imports import (
+from reference_server.rules.imported_record import (
     ImportUsage,
     RecordImport,
     Trust,
@@ -99,7 +99,9 @@ class RecordImports:
         """
         if declared_bytes > self._settings.record_bytes_max:  # REC-121
             raise too_long(self._settings.record_bytes_max)
-        await self._check_quota(account, declared_bytes)
+        if self._receiving[account] >= self._settings.most.waiting:
+            text = f"The account sends {self._receiving[account]} records already."
+            raise Refused("quota_exceeded", text, requirement="REC-122")
         import_id = f"imp_{secrets.token_hex(12)}"
         self._receiving[account] += 1
         is_kept = False
@@ -109,6 +111,7 @@ class RecordImports:
             same = await self._store.find_archive(account, draft.sha256)
             if same is not None:  # REC-119
                 return same
+            await self._check_quota(account, draft.size_bytes)
             one = await self._examine(account, import_id, draft)
             found = await self._add(one, draft)
             is_kept = found.import_id == import_id
@@ -122,13 +125,9 @@ class RecordImports:
         self._replays.wake()
         return found
 
-    async def _check_quota(
-        self, account: str, size_bytes: int, receiving: int | None = None
-    ) -> None:
-        """REC-122. receiving: bodies of the account that are not stored yet."""
+    async def _check_quota(self, account: str, size_bytes: int) -> None:
+        """REC-122."""
         has = await self._store.usage(account)
-        others = self._receiving[account] if receiving is None else receiving
-        has = has._replace(waiting=has.waiting + others)
         refused = refuse_import(has, self._settings.most, size_bytes)
         if refused is not None:
             raise Refused.from_verdict(refused)
@@ -160,7 +159,7 @@ class RecordImports:
             same = await self._store.find_archive(one.account, one.archive_sha256)
             if same is not None:  # handed in twice at the same time
                 return same
-            await self._check_quota(one.account, one.size_bytes, receiving=0)
+            await self._check_quota(one.account, one.size_bytes)
             await self._files.keep(one.import_id, draft)
             await self._store.add(one)
         return one

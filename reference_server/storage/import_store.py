@@ -11,7 +11,11 @@ from typing import Any
 import msgspec
 import sqlalchemy as sa
 
-from reference_server.rules.record_imports import ImportUsage, RecordImport, Replay
+from reference_server.rules.imported_record import (
+    ImportReplay,
+    ImportUsage,
+    RecordImport,
+)
 from reference_server.storage.store import TABLES, Store
 
 _imports = sa.Table(
@@ -125,5 +129,5 @@ def _row_of(one: RecordImport) -> dict[str, Any]:
 
 def _import_of(row: dict[str, Any]) -> RecordImport:
     replay = row.pop("replay")
-    found = None if replay is None else msgspec.json.decode(replay, type=Replay)
+    found = None if replay is None else msgspec.json.decode(replay, type=ImportReplay)
     return RecordImport(**row, replay=found)

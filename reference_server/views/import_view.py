@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from reference_server.generated import models
-from reference_server.rules.record_imports import RecordImport, Replay, Trust
+from reference_server.rules.imported_record import ImportReplay, RecordImport, Trust
 from reference_server.views.run_views import timestamp
 
 
@@ -41,7 +41,7 @@ def import_view(
     return view.model_dump()
 
 
-def _replay_view(replay: Replay) -> models.RecordReplay:
+def _replay_view(replay: ImportReplay) -> models.RecordReplay:
     view = models.RecordReplay(
         result=replay.result,
         episodes=replay.episodes,

@@ -123,8 +123,8 @@ class SimulatorHandle:
         ).observation
 
     async def replay(self, path: Path, line: bytes, plan: bytes) -> ReplayReply:
-        """Simulate a recording again; see simulator_main.Replay."""
-        command = simulator_main.Replay(str(path), line, plan)
+        """Simulate a recording again; see simulator_main.ReplayRecording."""
+        command = simulator_main.ReplayRecording(str(path), line, plan)
         return await self._request(command, ReplayReply)
 
     async def release(self) -> None:

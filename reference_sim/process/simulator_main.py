@@ -83,10 +83,10 @@ class Observe(msgspec.Struct, tag="observe"):
     pass
 
 
-class Replay(msgspec.Struct, tag="replay"):
+class ReplayRecording(msgspec.Struct, tag="replay"):
     """Simulate one recording of a verified record again, with low priority.
 
-    line, plan: EpisodeLine and EpisodePlan as JSON: what reads them is imported when it
+    line, plan: EpisodeLine and ReplayPlan as JSON: what reads them is imported when it
     is needed.
     """
 
@@ -167,7 +167,7 @@ class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     unplayable: bool
 
 
-SimulatorCommand = Build | Begin | Play | Observe | Replay
+SimulatorCommand = Build | Begin | Play | Observe | ReplayRecording
 SimulatorReply = (
     Hello
     | Busy
@@ -249,7 +249,7 @@ class _EpisodeHost:
             case Observe():
                 # Shown before, and so recorded before.
                 return ObservationReply(self._observe(_Clock(), record=False))
-            case Replay():
+            case ReplayRecording():
                 return self._replay(command)
 
     def _build(self, command: Build) -> Built:
@@ -328,7 +328,7 @@ class _EpisodeHost:
             timing=timing,
         )
 
-    def _replay(self, command: Replay) -> ReplayReply:
+    def _replay(self, command: ReplayRecording) -> ReplayReply:
         from reference_record.statement import EpisodeLine
         from reference_sim.replay import episode_replay
 
@@ -337,7 +337,7 @@ class _EpisodeHost:
         self._end_recording()
         self._episode = None
         line = msgspec.json.decode(command.line, type=EpisodeLine)
-        plan = msgspec.json.decode(command.plan, type=episode_replay.EpisodePlan)
+        plan = msgspec.json.decode(command.plan, type=episode_replay.ReplayPlan)
         said_busy_at = time.perf_counter()
 
         def say_busy() -> None:

@@ -35,7 +35,7 @@ class EpisodeReplay:
     error: str | None = None
 
 
-class EpisodePlan(msgspec.Struct, frozen=True):
+class ReplayPlan(msgspec.Struct, frozen=True):
     """An episode of a manifest, as the simulator plays it."""
 
     task: str
@@ -61,7 +61,7 @@ class EpisodePlan(msgspec.Struct, frozen=True):
 def replay_episode(
     path: Path,
     simulator: Simulator,
-    plan: EpisodePlan,
+    plan: ReplayPlan,
     line: EpisodeLine,
     before_turn: Callable[[], object] = lambda: None,
 ) -> EpisodeReplay:

@@ -23,8 +23,8 @@ from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
 from reference_sim.interface import Simulator
 from reference_sim.replay.episode_replay import (
-    EpisodePlan,
     EpisodeReplay,
+    ReplayPlan,
     replay_episode,
 )
 
@@ -36,11 +36,11 @@ class ReplayedBenchmark:
     manifest: dict[str, Any]
     config: benchmark_registry.SimulatorConfig
 
-    def plan_of(self, index: int) -> EpisodePlan:
+    def plan_of(self, index: int) -> ReplayPlan:
         """The episode at a place of the manifest; its seed is no secret."""
         manifest = self.manifest
         planned = manifest["episodes"][index]
-        return EpisodePlan(
+        return ReplayPlan(
             planned["task"],
             planned["seed"],
             planned["split"],

@@ -11,12 +11,17 @@ from typing import Any
 from reference_record.broken import BrokenRecord
 from reference_record.export import Record
 from reference_record.replay_verdict import ReplaySummary
-from reference_record.verify_process import RecordFacts
 from reference_server.records import import_replays, record_imports
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays
 from reference_server.records.record_imports import RecordImports
-from reference_server.rules.record_imports import RecordImport, Replay, Trust, trust_of
+from reference_server.records.verify_process import RecordFacts
+from reference_server.rules.imported_record import (
+    ImportReplay,
+    RecordImport,
+    Trust,
+    trust_of,
+)
 from reference_server.storage.import_store import ImportStore
 from tests.mutants import mutant, put
 
@@ -25,7 +30,7 @@ def change_replay(**members: Any) -> None:
     """Let every replay be shown otherwise than it came out."""
     right = import_replays._replay_shown
 
-    def wrong(summary: ReplaySummary) -> Replay:
+    def wrong(summary: ReplaySummary) -> ImportReplay:
         return replace(right(summary), **members)
 
     put(import_replays, "_replay_shown", wrong)
@@ -46,7 +51,7 @@ def shows_another_run_of_an_import() -> None:
 
 @mutant("REC-113")
 def names_no_rule_of_a_broken_record() -> None:
-    """Nobody can see what is wrong with a file."""
+    """An author cannot see what is wrong with a file."""
     right = ImportFiles.examine
 
     async def wrong(self: ImportFiles, draft: Draft) -> RecordFacts:
@@ -119,7 +124,7 @@ def names_another_step_of_a_divergence() -> None:
 
 @mutant("REC-117")
 def believes_the_name_in_a_record() -> None:
-    """Whoever writes the name of a lab into a file is that lab."""
+    """A file with the name of a lab in it passes for one of that lab."""
     right = trust_of
 
     def wrong(one: RecordImport, names: Mapping[str, str], host: str) -> Trust:
@@ -139,7 +144,7 @@ def keeps_its_verdict_to_itself() -> None:
     put(record_imports, "_record_of", wrong)
 
 
-@mutant("REC-119")
+@mutant("REC-119", "REC-123")
 def makes_an_import_of_every_repeat() -> None:
     """A client that lost an answer has the record twice."""
 

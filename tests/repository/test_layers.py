@@ -150,7 +150,11 @@ def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
 @pytest.mark.parametrize(
     ("module", "owner", "files"),
     [
-        ("sqlalchemy", "reference_server/storage", ["board_store.py", "store.py"]),
+        (
+            "sqlalchemy",
+            "reference_server/storage",
+            ["board_store.py", "import_store.py", "store.py"],
+        ),
         ("mujoco", "reference_sim/mujoco", ["world.py"]),
     ],
 )

@@ -344,6 +344,8 @@ def test_a_route_speaks_what_is_described(at: tuple[str, str]) -> None:
     body = described.get("requestBody")
     if body is None:
         assert route.body is None
+    elif route.has_streamed_body:  # it is no message
+        assert tuple(body["content"]) == route.reads
     else:
         assert route.body is not None
         assert tuple(body["content"]) == route.reads

@@ -1,7 +1,7 @@
 """Records that are handed in: the profile `record_import` (REC-112 to REC-123).
 
 The kit fetches a record of its own run, and changes it where a rule is about records
-that are broken, or signed by a stranger.
+that are broken, or signed by an unknown key.
 """
 
 import hashlib
@@ -18,19 +18,19 @@ from conformance.profiles.changed_records import (
     with_changed_turn,
     without_verdicts,
 )
+from conformance.profiles.import_client import (
+    ZIP,
+    accepted,
+    finished,
+    listed_ids,
+    send_record,
+)
 from conformance.profiles.record_files import (
     STATEMENT,
     RecordFiles,
     fetched_record,
     keyid_of,
     verdicts_of,
-)
-from conformance.profiles.record_imports import (
-    ZIP,
-    accepted,
-    finished,
-    listed_ids,
-    send_record,
 )
 from conformance.runner.private_server import open_private_server
 from conformance.runner.requirement import background, requirement
@@ -163,8 +163,8 @@ def test_rec_116_a_false_record_is_found(context: CheckContext) -> None:
 
 
 @requirement("REC-117")
-def test_rec_117_a_stranger_has_no_name(context: CheckContext) -> None:
-    """A record of this server, and the same one signed by a key of nobody, which has
+def test_rec_117_an_unknown_key_has_no_name(context: CheckContext) -> None:
+    """A record of this server, and the same one signed by a key of the kit, which has
     the name of this server in it.
 
     Expect a signer of the first one alone, and levels that fit as long as there is no
@@ -180,7 +180,7 @@ def test_rec_117_a_stranger_has_no_name(context: CheckContext) -> None:
         if "replay" not in one:
             expect.equal(one["level"], level, "level before the replay")
     again = finished(context, foreign["import_id"])
-    expect.equal(again["signer"], None, "signer of a record by a key of nobody")
+    expect.equal(again["signer"], None, "signer of a record by a key of the kit")
 
 
 @requirement("REC-118")

@@ -16,7 +16,7 @@ TrustLevel: TypeAlias = Literal["reported", "signed", "replayed", "diverged"]
 
 
 @dataclass(frozen=True, slots=True)
-class Divergence:
+class FirstDivergence:
     """Where a replay was first in another state; step from 1, 0 for the start."""
 
     episode_index: int
@@ -25,7 +25,7 @@ class Divergence:
 
 
 @dataclass(frozen=True, slots=True)
-class Replay:
+class ImportReplay:
     """How many episodes were simulated again, and how they came out."""
 
     result: Literal["exact", "outcome", "diverged"]
@@ -33,7 +33,7 @@ class Replay:
     exact: int
     outcome: int
     diverged: int
-    first_divergence: Divergence | None
+    first_divergence: FirstDivergence | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +61,7 @@ class RecordImport:
     episodes: int
     imported_at_wall: float
     state: ImportState = "waiting"
-    replay: Replay | None = None
+    replay: ImportReplay | None = None
     verdict: bytes | None = None
     reason: str | None = None
     finished_at_wall: float | None = None

@@ -1,8 +1,7 @@
-"""`python -m reference_record.verify_process FILE`: verifies a record that is hostile.
+"""`python -m reference_server.records.verify_process FILE`: examines a record.
 
-A process of its own, with the lowest priority and a bound of its memory: whoever reads
-records of strangers in a server starts it and reads one JSON value from its output. It
-knows no server and no key but those in the file.
+A process of its own, with low priority and a bound of its memory, for files that may be
+hostile. It writes one JSON value, and knows no key but those in the file.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ class RecordFacts(msgspec.Struct, frozen=True):
     episodes: int
 
 
-class Fault(msgspec.Struct, frozen=True):
+class BrokenPart(msgspec.Struct, frozen=True):
     """What is wrong with a record: the file in it, the rule, a sentence."""
 
     file: str
@@ -50,7 +49,7 @@ class Found(msgspec.Struct, frozen=True):
     """One of the two is there."""
 
     facts: RecordFacts | None = None
-    fault: Fault | None = None
+    broken: BrokenPart | None = None
 
 
 def examine(path: Path) -> Found:
@@ -58,10 +57,10 @@ def examine(path: Path) -> Found:
     try:
         return Found(facts=_facts_of(verify(open_bundle(path))))
     except BrokenRecord as broken:
-        return Found(fault=Fault(broken.file, broken.rule, broken.detail))
+        return Found(broken=BrokenPart(broken.file, broken.rule, broken.detail))
     except MemoryError:
         detail = "it takes more memory than a verifier has for it"
-        return Found(fault=Fault(ARCHIVE, "REC-030", detail))
+        return Found(broken=BrokenPart(ARCHIVE, "REC-030", detail))
 
 
 def _facts_of(report: Report) -> RecordFacts:

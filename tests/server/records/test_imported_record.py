@@ -7,11 +7,11 @@ from typing import Literal
 
 import pytest
 
-from reference_server.rules.record_imports import (
-    Divergence,
+from reference_server.rules.imported_record import (
+    FirstDivergence,
+    ImportReplay,
     ImportUsage,
     RecordImport,
-    Replay,
     refuse_import,
     trust_of,
 )
@@ -34,14 +34,16 @@ ONE = RecordImport(
     episodes=4,
     imported_at_wall=0.0,
 )
+PARTED = "diverged when replayed by R"
 KNOWN = {"SHA256:c": "a lab"}
 
 
 def replay(
-    result: Literal["exact", "outcome", "diverged"], where: Divergence | None = None
-) -> Replay:
+    result: Literal["exact", "outcome", "diverged"],
+    where: FirstDivergence | None = None,
+) -> ImportReplay:
     counts = {"exact": 0, "outcome": 0, "diverged": 0} | {result: 3}
-    return Replay(result, 3, **counts, first_divergence=where)
+    return ImportReplay(result, 3, **counts, first_divergence=where)
 
 
 @pytest.mark.parametrize(
@@ -58,16 +60,15 @@ def replay(
         ),
         (replay("diverged"), {}, "diverged", "diverged when replayed by R"),
         (
-            replay("diverged", Divergence(2, 1, 7)),
+            replay("diverged", FirstDivergence(2, 1, 7)),
             KNOWN,
             "diverged",
-            "signed by a lab, diverged when replayed by R at episode 2, attempt 1, "
-            "step 7",
+            f"signed by a lab, {PARTED} at episode 2, attempt 1, step 7",
         ),
     ],
 )
 def test_the_level_says_what_is_known(
-    found: Replay | None, names: dict[str, str], level: str, text: str
+    found: ImportReplay | None, names: dict[str, str], level: str, text: str
 ) -> None:
     trust = trust_of(dataclasses.replace(ONE, replay=found), names, "R")
     assert (trust.level, trust.text) == (level, text)
