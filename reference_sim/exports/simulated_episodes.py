@@ -1,0 +1,137 @@
+"""Episodes of a record, simulated again, with what was seen after each step.
+
+Every start of an episode is simulated; what is seen is given of the last one, which has
+the result.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+from reference_record.broken import UnusableRecord
+from reference_record.formats.names import MANIFEST
+from reference_record.statement import EpisodeLine
+from reference_sim import benchmark_registry
+from reference_sim.episode import Episode
+from reference_sim.exports.job import Job
+from reference_sim.exports.source import Source
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.interface import Action, Observation, Simulator
+from reference_sim.replay.episode_replay import EpisodeReplay, replay_episode
+from reference_sim.replay.record_replay import (
+    ReplayedBenchmark,
+    replayable_lines,
+    resolve,
+)
+
+FAILED = ("failure", "abandoned")
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class SimulatedStep:
+    """One executed action, and what it came to."""
+
+    action: Action
+    reward: float
+    success: bool
+    ended: bool
+
+
+# The observation, and the step that led to it: None at step 0.
+See = Callable[[Observation, SimulatedStep | None], None]
+
+
+class Simulation:
+    """The benchmark of a record on this machine, with one simulator.
+
+    Raises UnusableRecord where this machine has another one, or none.
+    """
+
+    def __init__(self, source: Source, job: Job, say: Callable[[str], None]) -> None:
+        try:
+            benchmark_registry.add(job.benchmarks, say)
+        except BadBenchmark as error:
+            raise UnusableRecord(str(error)) from error
+        found = resolve(source.evaluation, source.bundle.read(MANIFEST))
+        self.manifest: Mapping[str, Any] = found.manifest
+        self._source = source
+        self._benchmark = found if job.size is None else _of_size(found, job.size)
+        self._simulator: Simulator | None = None
+
+    def lines(self, job: Job) -> list[EpisodeLine]:
+        """The episodes of the job; with `failures`, those of them that failed."""
+        lines = replayable_lines(self._source.path, self._benchmark, job.episodes)
+        if job.failures:
+            lines = [line for line in lines if line.outcome in FAILED]
+        return lines
+
+    def sealed_failures(self) -> int:
+        """How many failed episodes cannot be simulated: their seeds are secret."""
+        planned = self.manifest["episodes"]
+        return sum(
+            line.outcome in FAILED and "seed" not in planned[line.index]
+            for line in self._source.lines()
+        )
+
+    def cameras(self, task: str) -> list[str]:
+        """Names of the pictures that a policy sees in a task."""
+        images = self.manifest["observation_space"]["images"]
+        return [
+            name for name, space in images.items() if task in space.get("tasks", [task])
+        ]
+
+    def play(self, line: EpisodeLine, see: See) -> EpisodeReplay:
+        """Simulate an episode again. Raises what `see` raises."""
+        if self._simulator is None:
+            self._simulator = benchmark_registry.make(self._benchmark.config)
+        last = self._source.starts(line)
+        watcher = _LastStart(self._simulator, last, see)
+        path, plan = self._source.path, self._benchmark.plan_of(line.index)
+        return replay_episode(path, self._simulator, plan, line, watcher=watcher)
+
+    def close(self) -> None:
+        if self._simulator is not None:
+            self._simulator.close()
+
+
+@contextmanager
+def simulation(
+    source: Source, job: Job, say: Callable[[str], None]
+) -> Iterator[Simulation]:
+    made = Simulation(source, job, say)
+    try:
+        yield made
+    finally:
+        made.close()
+
+
+class _LastStart:
+    def __init__(self, simulator: Simulator, starts: int, see: See) -> None:
+        self._simulator = simulator
+        self._starts_left = starts
+        self._see = see
+        self._episode: Episode | None = None
+
+    def started(self, attempt: int, episode: Episode) -> None:
+        self._starts_left -= 1
+        self._episode = episode
+        if not self._starts_left:
+            self._see(self._simulator.observe(), None)
+
+    def stepped(self, action: Action, reward: float) -> None:
+        if not self._starts_left and self._episode is not None:
+            step = SimulatedStep(
+                action, reward, self._episode.success, self._episode.ended
+            )
+            self._see(self._simulator.observe(), step)
+
+
+def _of_size(benchmark: ReplayedBenchmark, size: tuple[int, int]) -> ReplayedBenchmark:
+    """The same benchmark with pictures of another size: nothing else changes."""
+    width, height = size
+    settings = {**benchmark.config.settings, "width": width, "height": height}
+    config = dataclasses.replace(benchmark.config, settings=settings)
+    return dataclasses.replace(benchmark, config=config)
