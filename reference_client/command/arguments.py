@@ -33,7 +33,7 @@ STATES = (
     *("stopped", "failed", "completed"),
 )
 SERVERLESS_COMMANDS = ("verify",)
-EXPORTS = ("parquet", "every-eval-ever")
+EXPORTS = ("parquet", "every-eval-ever", "lerobot")
 SIDE_MIN, SIDE_MAX = 16, 4096  # pixels of a video
 # Command → what it does; the last five are programs of their own.
 COMMANDS = {

@@ -52,6 +52,12 @@ def _every_eval_ever(source: Source, job: Job) -> Mapping[str, Any]:
     return _files(write_evaluation(source, _folder(job)))
 
 
+def _lerobot(source: Source, job: Job) -> Mapping[str, Any]:
+    from reference_sim.exports.lerobot_dataset import write_dataset
+
+    return write_dataset(source, _folder(job), job)
+
+
 def _video(source: Source, job: Job) -> Mapping[str, Any]:
     from reference_sim.exports.episode_videos import write_videos
 
@@ -61,6 +67,7 @@ def _video(source: Source, job: Job) -> Mapping[str, Any]:
 EXPORTS: Mapping[str, Export] = {
     "parquet": _parquet,
     "every-eval-ever": _every_eval_ever,
+    "lerobot": _lerobot,
     "video": _video,
 }
 

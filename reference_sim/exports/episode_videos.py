@@ -22,6 +22,8 @@ from reference_sim.exports.progress import ProgressBar
 from reference_sim.exports.simulated_episodes import (
     SimulatedStep,
     Simulation,
+    difference_text,
+    replay_facts,
     simulation,
 )
 from reference_sim.exports.source import Source
@@ -65,11 +67,11 @@ def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
         bar.begin(sum(line.steps for line in lines))
         for line, wanted in plan:
             found, drawn = _draw(source, replayed, line, wanted, bar)
-            if text := _difference(line, found):
+            if text := difference_text(line, found):
                 bar.say(text)
             if found.result == "diverged" and not (job.anyway and drawn):
                 _remove(wanted)
-                refused.append(_facts(line, found))
+                refused.append(replay_facts(line, found))
                 continue
             files += [_finish(one, line, found, drawn) for one in wanted]
         if refused:
@@ -153,19 +155,6 @@ def _texts(source: Source, line: EpisodeLine) -> dict[str, str]:
     return {"title": what, "comment": comment}
 
 
-def _difference(line: EpisodeLine, found: EpisodeReplay) -> str | None:
-    """Where the replay left the record; None if it did not."""
-    if found.where is None:
-        return None
-    text = (
-        f"episode {line.index} leaves the record at turn {found.seq} of attempt "
-        f"{found.where.attempt}, step {found.where.step}"
-    )
-    if found.result == "outcome":
-        return f"{text}; its result is the same"
-    return f"{text}, and its result is another{f': {found.error}' * bool(found.error)}"
-
-
 def _finish(
     one: Wanted, line: EpisodeLine, found: EpisodeReplay, pictures: int
 ) -> dict[str, Any]:
@@ -176,17 +165,7 @@ def _finish(
         "bytes": path.stat().st_size,
         "camera": one.camera,
         "pictures": pictures,
-        **_facts(line, found),
-    }
-
-
-def _facts(line: EpisodeLine, found: EpisodeReplay) -> dict[str, Any]:
-    where = found.where and {"turn": found.seq, "step": found.where.step}
-    return {
-        "episode": line.index,
-        "outcome": line.outcome,
-        "replay": found.result,
-        "leaves_the_record_at": where,
+        **replay_facts(line, found),
     }
 
 

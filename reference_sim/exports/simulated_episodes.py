@@ -60,6 +60,7 @@ class Simulation:
         self._source = source
         self._benchmark = found if job.size is None else _of_size(found, job.size)
         self._simulator: Simulator | None = None
+        self.instruction = ""  # of the episode that was played last
 
     def lines(self, job: Job) -> list[EpisodeLine]:
         """The episodes of the job; with `failures`, those of them that failed."""
@@ -90,7 +91,9 @@ class Simulation:
         last = self._source.starts(line)
         watcher = _LastStart(self._simulator, last, see)
         path, plan = self._source.path, self._benchmark.plan_of(line.index)
-        return replay_episode(path, self._simulator, plan, line, watcher=watcher)
+        found = replay_episode(path, self._simulator, plan, line, watcher=watcher)
+        self.instruction = watcher.instruction
+        return found
 
     def close(self) -> None:
         if self._simulator is not None:
@@ -114,10 +117,12 @@ class _LastStart:
         self._starts_left = starts
         self._see = see
         self._episode: Episode | None = None
+        self.instruction = ""
 
     def started(self, attempt: int, episode: Episode) -> None:
         self._starts_left -= 1
         self._episode = episode
+        self.instruction = episode.instruction
         if not self._starts_left:
             self._see(self._simulator.observe(), None)
 
@@ -135,3 +140,27 @@ def _of_size(benchmark: ReplayedBenchmark, size: tuple[int, int]) -> ReplayedBen
     settings = {**benchmark.config.settings, "width": width, "height": height}
     config = dataclasses.replace(benchmark.config, settings=settings)
     return dataclasses.replace(benchmark, config=config)
+
+
+def difference_text(line: EpisodeLine, found: EpisodeReplay) -> str | None:
+    """Where the replay left the record; None if it did not."""
+    if found.where is None:
+        return None
+    text = (
+        f"episode {line.index} leaves the record at turn {found.seq} of attempt "
+        f"{found.where.attempt}, step {found.where.step}"
+    )
+    if found.result == "outcome":
+        return f"{text}; its result is the same"
+    return f"{text}, and its result is another{f': {found.error}' * bool(found.error)}"
+
+
+def replay_facts(line: EpisodeLine, found: EpisodeReplay) -> dict[str, Any]:
+    """Of an episode, for scripts."""
+    where = found.where and {"turn": found.seq, "step": found.where.step}
+    return {
+        "episode": line.index,
+        "outcome": line.outcome,
+        "replay": found.result,
+        "leaves_the_record_at": where,
+    }

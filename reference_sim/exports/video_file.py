@@ -46,7 +46,7 @@ class VideoFile:
         fixed = f"keyint={keyframe_every}:min-keyint={keyframe_every}:scenecut=0"
         options = OPTIONS | {"x264-params": fixed}
         stream: Any = self._container.add_stream("libx264", rate=rate, options=options)
-        stream.width, stream.height = (side + side % 2 for side in size)
+        stream.width, stream.height = encoded_size(size)
         stream.pix_fmt = PIXEL_FORMAT
         stream.codec_context.max_b_frames = 0
         stream.codec_context.colorspace = _BT601
@@ -68,6 +68,12 @@ class VideoFile:
         """Write what the encoder still has, and the index."""
         self._container.mux(self._stream.encode())
         self._container.close()
+
+
+def encoded_size(size: tuple[int, int]) -> tuple[int, int]:
+    """Width and height of a video of pictures of this size."""
+    width, height = size
+    return width + width % 2, height + height % 2
 
 
 def _even_rgb(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:

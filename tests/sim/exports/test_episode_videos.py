@@ -8,51 +8,21 @@ from pathlib import Path
 from typing import Any
 
 import av
-import msgspec
 import numpy as np
 import pytest
 
-from reference_record.recording import Turn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main
 from reference_sim.interface import Simulator
-from tests.support.record.played_records import (
-    Change,
-    Chunk,
-    keep,
-    play_chunks,
-    save_played_record,
-)
-from tests.support.sim.calibration_action import calibration_action
-
-ECHO = {"tasks": ["echo", "echo", "score"], "max_steps": 45}
-
-
-def play_45_steps(_episode: Episode, _simulator: Simulator) -> Iterator[Chunk]:
-    """The first episode of a record fails, with chunks of 5 steps."""
-    for _ in range(9):
-        yield [calibration_action()] * 5
+from tests.support.record.played_records import Chunk, play_chunks, save_played_record
+from tests.support.sim.echo_records import other_action, other_digest, save_echo
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     (tmp_path / "recordings").mkdir()
     return tmp_path
-
-
-def save_echo(folder: Path, change: Change = keep, faults: int = 0) -> Path:
-    """calibration, 10 Hz, pictures of 16 x 12 in two of three episodes."""
-    found = benchmark_registry.resolve("calibration", ECHO)
-    return save_played_record(
-        folder / "run-1.proctor",
-        folder / "recordings",
-        found,
-        play_45_steps,
-        change=change,
-        options=ECHO,
-        faults=faults,
-    )
 
 
 def video(record: Path, **more: Any) -> int:
@@ -64,21 +34,6 @@ def decoded(path: Path) -> tuple[list[Any], Any]:
     with av.open(str(path)) as container:
         stream = container.streams.video[0]
         return list(container.decode(stream)), stream.average_rate
-
-
-def other_digest(index: int, number: int, turn: Turn) -> Turn:
-    """Of the third turn of episode 1."""
-    if (index, number) != (1, 3):
-        return turn
-    return msgspec.structs.replace(turn, state_digest="0" * 32)
-
-
-def other_action(index: int, number: int, turn: Turn) -> Turn:
-    """The third turn of episode 1 is recorded with another end."""
-    if (index, number) != (1, 3):
-        return turn
-    ending = [calibration_action(success=1, end=1)] * 5
-    return msgspec.structs.replace(turn, actions=ending)
 
 
 def test_a_picture_for_each_step_and_a_keyframe_for_each_second(folder: Path) -> None:
