@@ -312,7 +312,7 @@ def _add_export_options(
         help=f"convert the record: {', '.join(EXPORTS)}",
     )  # fmt: skip
     video.add_argument(
-        "--output", "-o", metavar="DIR", help="directory of the videos (.)"
+        "--output", "-o", metavar="DIR", help="directory of the videos (run-RUN-videos)"
     )
     video.add_argument("--force", action="store_true", help="replace files that exist")
 

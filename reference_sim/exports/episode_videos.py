@@ -57,7 +57,10 @@ def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
     """
     files: list[dict[str, Any]] = []
     refused: list[dict[str, Any]] = []
-    with ProgressBar("drawing") as bar, simulation(source, job, bar.say) as replayed:
+    with (
+        ProgressBar("drawing") as bar,
+        simulation(source, job, bar.say, draws=True) as replayed,
+    ):
         lines = replayed.lines(job)
         if job.failures and (sealed := replayed.sealed_failures()):
             bar.say(f"{sealed} episodes that failed have the secret seeds of the host")
@@ -93,13 +96,13 @@ def _wanted(replayed: Simulation, line: EpisodeLine, job: Job) -> list[Wanted]:
                 f"the task {line.task} has no camera {camera}; it has "
                 f"{', '.join(there)}"
             )
-    folder = Path(job.output or ".")
+    folder = Path(job.output or f"{job.stem}-videos")
     folder.mkdir(parents=True, exist_ok=True)
     wanted = []
     for camera in dict.fromkeys(cameras):
-        name = re.sub(r"[^A-Za-z0-9_.-]", "_", camera)
-        path = folder / f"{job.stem}-episode-{line.index:05d}-{name}.mp4"
-        one = Wanted(camera, path)
+        # The pages of `proctor report` look for the first form.
+        name = "" if len(cameras) == 1 else "-" + re.sub(r"[^\w.-]", "_", camera)
+        one = Wanted(camera, folder / f"{line.index:05d}{name}.mp4")
         for existing in (one.path, one.diverged):
             if existing.exists() and not job.force:
                 raise UnusableRecord(f"{existing} exists; --force replaces it")

@@ -13,11 +13,11 @@ Kind = Literal["video", "parquet", "every-eval-ever", "lerobot"]
 class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     """One export of one record.
 
-    record: its file or directory. output: the directory to write to; None: beside the
-    current one, by the name of the record. episodes: indices; None for all. failures:
-    those alone that failed. cameras: names; None for all. size: width and height in
-    pixels; None: as the policy saw it. anyway: keep what left the record. force:
-    replace files. benchmarks: the user's own, as for the server.
+    record: its file or directory. output: the directory to write to; None: one in the
+    current directory, by the name of the record. episodes: indices; None for all.
+    failures: those alone that failed. cameras: names; None for all. size: width and
+    height in pixels; None: as the policy saw it. anyway: keep what left the record.
+    force: replace files. benchmarks: the user's own, as for the server.
     """
 
     kind: Kind

@@ -15,6 +15,7 @@ from reference_record.broken import UnusableRecord
 from reference_record.formats.names import MANIFEST
 from reference_record.statement import EpisodeLine
 from reference_sim import benchmark_registry
+from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.episode import Episode
 from reference_sim.exports.job import Job
 from reference_sim.exports.source import Source
@@ -22,7 +23,6 @@ from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.replay.episode_replay import EpisodeReplay, replay_episode
 from reference_sim.replay.record_replay import (
-    ReplayedBenchmark,
     replayable_lines,
     resolve,
 )
@@ -47,20 +47,37 @@ See = Callable[[Observation, SimulatedStep | None], None]
 class Simulation:
     """The benchmark of a record on this machine, with one simulator.
 
+    draws: where the benchmark has no cameras, take those that it is drawn with.
     Raises UnusableRecord where this machine has another one, or none.
     """
 
-    def __init__(self, source: Source, job: Job, say: Callable[[str], None]) -> None:
+    def __init__(
+        self, source: Source, job: Job, say: Callable[[str], None], *, draws: bool
+    ) -> None:
         try:
             benchmark_registry.add(job.benchmarks, say)
         except BadBenchmark as error:
             raise UnusableRecord(str(error)) from error
         found = resolve(source.evaluation, source.bundle.read(MANIFEST))
         self.manifest: Mapping[str, Any] = found.manifest
-        self._source = source
-        self._benchmark = found if job.size is None else _of_size(found, job.size)
+        self._images: Mapping[str, Any] = found.manifest["observation_space"]["images"]
+        self._source, self._benchmark = source, found
+        config = found.config
+        if draws and not self._images:
+            config = self._with_cameras() or config
+        self._config = _with_pictures(config, job)
         self._simulator: Simulator | None = None
         self.instruction = ""  # of the episode that was played last
+
+    def _with_cameras(self) -> SimulatorConfig | None:
+        name = self._source.evaluation.benchmark.benchmark_id
+        other = benchmark_registry.drawn_as(name)
+        if other is None:
+            return None
+        if reason := benchmark_registry.unavailable_reason(other.world.benchmark_id):
+            raise UnusableRecord(f"{name} cannot be drawn here: {reason}")
+        self._images = other.manifest["observation_space"]["images"]
+        return other.world
 
     def lines(self, job: Job) -> list[EpisodeLine]:
         """The episodes of the job; with `failures`, those of them that failed."""
@@ -78,16 +95,17 @@ class Simulation:
         )
 
     def cameras(self, task: str) -> list[str]:
-        """Names of the pictures that a policy sees in a task."""
-        images = self.manifest["observation_space"]["images"]
+        """Names of the pictures that there are in a task."""
         return [
-            name for name, space in images.items() if task in space.get("tasks", [task])
+            name
+            for name, space in self._images.items()
+            if task in space.get("tasks", [task])
         ]
 
     def play(self, line: EpisodeLine, see: See) -> EpisodeReplay:
         """Simulate an episode again. Raises what `see` raises."""
         if self._simulator is None:
-            self._simulator = benchmark_registry.make(self._benchmark.config)
+            self._simulator = benchmark_registry.make(self._config)
         last = self._source.starts(line)
         watcher = _LastStart(self._simulator, last, see)
         path, plan = self._source.path, self._benchmark.plan_of(line.index)
@@ -102,9 +120,9 @@ class Simulation:
 
 @contextmanager
 def simulation(
-    source: Source, job: Job, say: Callable[[str], None]
+    source: Source, job: Job, say: Callable[[str], None], *, draws: bool = False
 ) -> Iterator[Simulation]:
-    made = Simulation(source, job, say)
+    made = Simulation(source, job, say, draws=draws)
     try:
         yield made
     finally:
@@ -134,12 +152,14 @@ class _LastStart:
             self._see(self._simulator.observe(), step)
 
 
-def _of_size(benchmark: ReplayedBenchmark, size: tuple[int, int]) -> ReplayedBenchmark:
-    """The same benchmark with pictures of another size: nothing else changes."""
-    width, height = size
-    settings = {**benchmark.config.settings, "width": width, "height": height}
-    config = dataclasses.replace(benchmark.config, settings=settings)
-    return dataclasses.replace(benchmark, config=config)
+def _with_pictures(config: SimulatorConfig, job: Job) -> SimulatorConfig:
+    """The same simulator with the pictures of the job: nothing else changes."""
+    settings = dict(config.settings)
+    if job.size is not None:
+        settings["width"], settings["height"] = job.size
+    if job.cameras is not None:
+        settings["cameras"] = job.cameras
+    return dataclasses.replace(config, settings=settings)
 
 
 def difference_text(line: EpisodeLine, found: EpisodeReplay) -> str | None:

@@ -39,7 +39,7 @@ def decoded(path: Path) -> tuple[list[Any], Any]:
 def test_a_picture_for_each_step_and_a_keyframe_for_each_second(folder: Path) -> None:
     record = save_echo(folder)
     assert video(record, episodes=[0]) == 0
-    frames, rate = decoded(folder / "v" / "run-1-episode-00000-pattern.mp4")
+    frames, rate = decoded(folder / "v" / "00000.mp4")
     assert (len(frames), rate) == (46, 10)
     keyframes = [number for number, frame in enumerate(frames) if frame.key_frame]
     assert keyframes == [0, 10, 20, 30, 40]
@@ -51,14 +51,14 @@ def test_a_picture_for_each_step_and_a_keyframe_for_each_second(folder: Path) ->
 
 def test_the_size_is_the_one_that_is_wanted(folder: Path) -> None:
     assert video(save_echo(folder), episodes=[1], size=[96, 64]) == 0
-    frames, _ = decoded(folder / "v" / "run-1-episode-00001-pattern.mp4")
+    frames, _ = decoded(folder / "v" / "00001.mp4")
     assert (frames[0].width, frames[0].height) == (96, 64)
 
 
 def test_what_came_before_a_fault_is_not_shown(folder: Path) -> None:
     """The start that counts has 45 steps; the one before it had 5."""
     assert video(save_echo(folder, faults=1), episodes=[0]) == 0
-    frames, _ = decoded(folder / "v" / "run-1-episode-00000-pattern.mp4")
+    frames, _ = decoded(folder / "v" / "00000.mp4")
     assert len(frames) == 46
 
 
@@ -85,17 +85,13 @@ def test_what_diverged_is_refused(
     assert said["refused"][0]["leaves_the_record_at"]["turn"] == 3
     assert "episode 1 leaves the record at turn 3" in err
     assert "--anyway keeps it" in err
-    assert [path.name for path in (folder / "v").iterdir()] == [
-        "run-1-episode-00000-pattern.mp4"
-    ]
+    assert [path.name for path in (folder / "v").iterdir()] == ["00000.mp4"]
 
 
 def test_what_diverged_is_kept_under_another_name(folder: Path) -> None:
     record = save_echo(folder, other_action)
     assert video(record, episodes=[1], anyway=True) == 0
-    assert [path.name for path in (folder / "v").iterdir()] == [
-        "run-1-episode-00001-pattern-diverged.mp4"
-    ]
+    assert [path.name for path in (folder / "v").iterdir()] == ["00001-diverged.mp4"]
 
 
 @pytest.mark.parametrize(
@@ -149,6 +145,31 @@ def test_a_sealed_seed_stays_a_secret(
 
 
 @pytest.mark.slow("draws with MuJoCo")
+@pytest.mark.parametrize(
+    ("benchmark", "camera"),
+    [("tabletop_state", "wrist"), ("mobile_bimanual_state", "front")],
+)
+def test_what_has_no_cameras_is_drawn_in_its_own_world(
+    benchmark: str, camera: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Every digest is the recorded one, with cameras, too."""
+    found = benchmark_registry.resolve(benchmark)
+    space = found.manifest["action_space"]
+    zero = {name: [0.0] * one["size"] for name, one in space.items()}
+
+    def play_zeros(episode: Episode, _simulator: Simulator) -> Iterator[Chunk]:
+        while not episode.ended:
+            yield [zero] * 50
+
+    record = folder / "run-1.proctor"
+    save_played_record(record, folder / "recordings", found, play_zeros, only={0})
+    assert video(record, episodes=[0], cameras=[camera], size=[64, 48]) == 0
+    (file,) = json.loads(capsys.readouterr().out)["files"]
+    steps = found.manifest["max_steps"]
+    assert (file["replay"], file["pictures"]) == ("exact", steps + 1)
+
+
+@pytest.mark.slow("draws with MuJoCo")
 def test_the_first_picture_is_the_simulator_s(folder: Path) -> None:
     """Within what H.264 loses, in both cameras; failures alone are drawn."""
     found = benchmark_registry.resolve("tabletop", images={
@@ -173,7 +194,7 @@ def test_the_first_picture_is_the_simulator_s(folder: Path) -> None:
     seen = {name: image.copy() for name, image in simulator.observe().images.items()}
     simulator.close()
     for camera in ("front", "wrist"):
-        frames, rate = decoded(folder / "v" / f"run-1-episode-00000-{camera}.mp4")
+        frames, rate = decoded(folder / "v" / f"00000-{camera}.mp4")
         assert (len(frames), rate) == (201, 20)
         keyframes = [number for number, frame in enumerate(frames) if frame.key_frame]
         assert keyframes == [*range(0, 201, 20)]
