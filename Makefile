@@ -58,7 +58,7 @@ metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benc
 metaworld-table: metaworld ## Play its experts both ways, rewrite their page
 	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/measurements/metaworld_table.py $(ARGS)
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
-lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/client/policies/lerobot_*checks.py ## Run the tests that need LeRobot
+lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*checks.py ## Run the tests that need LeRobot
 
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"

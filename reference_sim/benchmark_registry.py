@@ -136,6 +136,12 @@ def resolve(
     )
 
 
+def drawn_as(benchmark_id: str) -> ResolvedBenchmark | None:
+    """The benchmark that draws one without cameras; None where there is no such."""
+    other = _definition(benchmark_id).drawn_as
+    return None if other is None else resolve(other)
+
+
 @cache
 def unavailable_reason(benchmark_id: str) -> str | None:
     """Why the benchmark cannot be played, and the remedy; None when it can.

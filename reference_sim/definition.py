@@ -37,6 +37,8 @@ class BenchmarkDefinition:
     make: SimulatorConfig.settings → the simulator, in the process that runs it.
     unavailable: why the benchmark cannot be played on this machine, and the remedy, in
         one line; None if it can.
+    drawn_as: of a benchmark without cameras, the id of the one that has them and is
+        the same otherwise: in it the same actions lead to equal states.
     seed_block, seed_max: how a host may draw other seeds for the splits that
         `sealed_splits` of the manifest names: seeds belong together in blocks of so
         many, and none is larger.
@@ -47,6 +49,7 @@ class BenchmarkDefinition:
     make: Callable[[Mapping[str, Any]], Simulator]
     has_options: bool = False
     unavailable: Callable[[], str | None] = _always_available
+    drawn_as: str | None = None
     seed_block: int = 1
     seed_max: int = SEED_MAX
 

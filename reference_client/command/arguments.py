@@ -33,6 +33,8 @@ STATES = (
     *("stopped", "failed", "completed"),
 )
 SERVERLESS_COMMANDS = ("verify",)
+EXPORTS = ("parquet", "every-eval-ever", "lerobot")
+SIDE_MIN, SIDE_MAX = 16, 4096  # pixels of a video
 # Command → what it does; the last five are programs of their own.
 COMMANDS = {
     "submit": "submit a new run, or resume an existing one",
@@ -42,13 +44,14 @@ COMMANDS = {
     "resume": "resume a stopped or failed run",
     "results": "show the score of a run, by task and split",
     "compare": "compare runs with a baseline, with the release decision",
-    "export": "save the signed record of a completed run in a file",
+    "export": "save the signed record of a completed run in a file, or convert it",
     "verify": "check a record: signature, every episode, the score (no server needed)",
     "upload": "hand a record in at a server, which verifies it and replays it",
     "report": "write pages about runs, as files that any browser opens",
     "board": "show the leaderboard of a benchmark; `verify` checks its history",
     "publish": "publish a completed run on the leaderboard, or change its entry",
     "withdraw": "take the entry of a run off the leaderboard, for good",
+    "video": "draw episodes of a record again from their recorded actions",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
     "admin": "manage the tokens of a server on this machine (own flags)",
@@ -139,11 +142,11 @@ def build_parser() -> argparse.ArgumentParser:
     made["benchmarks"].add_argument(
         "benchmark", nargs="?", metavar="NAME", help="id of the benchmark to show"
     )
-    _add_run_id(made["export"], "id of the run")
     _add_record_options(made["export"], made["verify"])
     _add_upload_options(made["upload"])
     _add_report_options(made["report"])
     _add_board_options(made["board"], made["publish"], made["withdraw"])
+    _add_export_options(made["export"], made["video"])
     _add_submission_options(made["submit"])
     made["submit"].add_argument(
         "--push", metavar="URL",
@@ -219,8 +222,9 @@ def _add_record_options(
     export: argparse.ArgumentParser, verify: argparse.ArgumentParser
 ) -> None:
     export.add_argument(
-        "--output", "-o", metavar="FILE", help="file to write (run-RUN.proctor)"
-    )
+        "--output", "-o", metavar="FILE",
+        help="file to write (run-RUN.proctor); with --to, a new directory",
+    )  # fmt: skip
     export.add_argument("--force", action="store_true", help="replace the file")
     verify.add_argument("file", metavar="FILE", help="the record, or its directory")
     _add_key(verify)
@@ -295,6 +299,50 @@ def _add_key(parser: argparse.ArgumentParser) -> None:
         "--key", action="append", metavar="[NAME=]SHA256:…",
         help="a key that you know to be of the host, or of who replayed; repeatable",
     )  # fmt: skip
+
+
+def _add_export_options(
+    export: argparse.ArgumentParser, video: argparse.ArgumentParser
+) -> None:
+    for command in (export, video):
+        _add_run_id(command, "id of the run; or the file of its record")
+        _add_simulation_options(command)
+    export.add_argument(
+        "--to", choices=EXPORTS, metavar="FORMAT",
+        help=f"convert the record: {', '.join(EXPORTS)}",
+    )  # fmt: skip
+    video.add_argument(
+        "--output", "-o", metavar="DIR", help="directory of the videos (run-RUN-videos)"
+    )
+    video.add_argument("--force", action="store_true", help="replace files that exist")
+
+
+def _add_simulation_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("what is simulated again (video, --to lerobot)")
+    group.add_argument(
+        "--episode", type=_indices, action="extend", metavar="N,…",
+        help="this episode, by its index from 0; repeatable",
+    )  # fmt: skip
+    group.add_argument(
+        "--failures", action="store_true", help="every episode that failed"
+    )
+    group.add_argument(
+        "--camera", action="append", metavar="NAME",
+        help="this camera; repeatable (default: all)",
+    )  # fmt: skip
+    group.add_argument(
+        "--size", type=_size, metavar="WxH",
+        help="pixels of a picture (default: as the policy saw it)",
+    )  # fmt: skip
+    group.add_argument(
+        "--benchmarks", default="", metavar="REF,…",
+        help="your own benchmarks, as for the server",
+    )  # fmt: skip
+    group.add_argument(
+        "--anyway",
+        action="store_true",
+        help="keep episodes whose replay comes to another result, too",
+    )
 
 
 def _add_results_options(parser: argparse.ArgumentParser) -> None:
@@ -468,6 +516,25 @@ def _fraction(text: str) -> float:
     if not 0 <= number <= 1:
         raise argparse.ArgumentTypeError(f"{text}: expected a number from 0 to 1")
     return number
+
+
+def _indices(text: str) -> list[int]:
+    if not re.fullmatch(r"\d{1,5}(,\d{1,5})*", text):
+        raise argparse.ArgumentTypeError(f"{text}: expected indices such as 0,3,12")
+    return [int(index) for index in text.split(",")]
+
+
+def _size(text: str) -> tuple[int, int]:
+    found = re.fullmatch(r"(\d{2,4})x(\d{2,4})", text)
+    width, height = map(int, found.groups()) if found else (0, 0)
+    if not (min(width, height) >= SIDE_MIN and max(width, height) <= SIDE_MAX):
+        raise argparse.ArgumentTypeError(
+            f"{text}: expected WIDTHxHEIGHT, for example 640x480, "
+            f"each from {SIDE_MIN} to {SIDE_MAX}"
+        )
+    if width % 2 or height % 2:
+        raise argparse.ArgumentTypeError(f"{text}: a video has even sides")
+    return width, height
 
 
 def _json(text: str) -> dict[str, Any]:

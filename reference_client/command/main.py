@@ -6,7 +6,6 @@ Every error is one line on stderr; with --json it is a JSON value on stdout as w
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import os
 import sys
 import traceback
@@ -24,6 +23,7 @@ from reference_client.command.exit_codes import (
     message_of,
 )
 from reference_client.command.output import Printer
+from reference_client.command.programs import start
 from reference_client.errors import ProctorError
 from reference_client.protocol.local_token import find_token
 
@@ -51,22 +51,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "board": board_commands.board,
     "publish": board_commands.publish,
     "withdraw": board_commands.withdraw,
-}
-# Command → module to start, modules that it needs, and the extra that installs them.
-PROGRAMS = {
-    "serve": ("reference_server", ("reference_server", "uvicorn"), "server"),
-    "admin": (
-        "reference_server.http.tokens.admin_command",
-        ("reference_server", "starlette"),
-        "server",
-    ),
-    "serve-policy": (
-        "reference_client.policies.serve_command",
-        ("starlette", "uvicorn"),
-        "client",
-    ),
-    "replay": ("reference_sim.replay", ("reference_sim", "mujoco"), "server"),
-    "conformance": ("conformance", ("conformance", "hypothesis"), "kit"),
+    "video": records.video,
 }
 
 
@@ -92,18 +77,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # `proctor results | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return WRONG_USAGE_OR_NO_SERVER
-
-
-def start(command: str, arguments: Sequence[str]) -> int:
-    """Replaces this process by the program. Raises UsageError if it is missing."""
-    module, needed, extra = PROGRAMS[command]
-    missing = [name for name in needed if importlib.util.find_spec(name) is None]
-    if missing:
-        raise UsageError(
-            f"{command} needs {missing[0]}, which is not installed: "
-            f"pip install 'proctor-eval[{extra}]'"
-        )
-    os.execv(sys.executable, [sys.executable, "-m", module, *arguments])  # noqa: S606
 
 
 def _run_command(args: argparse.Namespace, printer: Printer) -> int:

@@ -1,6 +1,7 @@
-"""The commands export and verify: fetch the record of a run, check any record.
+"""The commands export, verify and video: fetch a record, check it, convert it.
 
-`verify` reads a file alone; it asks a server only for the keys of its host.
+`verify` reads a file alone; it asks a server only for the keys of its host. What is
+made of a record is made by reference_sim.exports, a program of its own.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import Any
 
 import msgspec
 
-from reference_client.command import control
+from reference_client.command import control, programs
 from reference_client.command.exit_codes import DONE, UsageError
 from reference_client.command.output import Printer
 from reference_client.command.text_tables import TextTable, fact_table
@@ -29,6 +30,7 @@ from reference_record.verification import Report, verify
 
 BROKEN = 1
 SUFFIX = ".proctor"
+SIMULATION_OPTIONS = ("episode", "failures", "camera", "size", "benchmarks", "anyway")
 _KEY = re.compile(r"(?:(?P<name>[^=]{1,64})=)?(?P<keyid>SHA256:[0-9a-f]{64})")
 NOT_SHOWN = (
     "whether the actions came from this policy: only evaluating it again shows that"
@@ -36,18 +38,83 @@ NOT_SHOWN = (
 
 
 def export(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor export`: the record itself, or with --to what is made of it."""
+    if args.to is not None:
+        if args.to != "lerobot":
+            _refuse_simulation_options(args)
+        if args.force:
+            raise UsageError("--to writes a new directory: --force replaces nothing")
+        return _convert(f"export --to {args.to}", args.to, args, printer)
+    _refuse_simulation_options(args)
     run_id = args.run or args.run_id
     if run_id is None:
         raise UsageError("export needs the id of a run: proctor export RUN")
-    control.check_run_id(run_id)
     path = Path(args.output or f"run-{run_id}{SUFFIX}")
     if path.exists() and not args.force:
         raise UsageError(f"{path} exists; --force replaces it")
+    keys = _fetch(run_id, path, args, printer)
+    return _verify(path, keys, printer)
+
+
+def video(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor video`."""
+    if args.episode is None and not args.failures:
+        raise UsageError("video needs --episode N, or --failures")
+    return _convert("video", "video", args, printer)
+
+
+def _convert(
+    command: str, kind: str, args: argparse.Namespace, printer: Printer
+) -> int:
+    """Becomes the program that makes the export."""
+    programs.require(command)
+    job = {
+        "kind": kind,
+        "record": str(_record_of(args, printer)),
+        "output": args.output,
+        "episodes": args.episode,
+        "failures": args.failures,
+        "cameras": args.camera,
+        "size": args.size,
+        "anyway": args.anyway,
+        "force": args.force,
+        "benchmarks": args.benchmarks,
+        "json": args.json,
+    }
+    return programs.start(command, [msgspec.json.encode(job).decode()])
+
+
+def _record_of(args: argparse.Namespace, printer: Printer) -> Path:
+    """The record that is named by its file or its run; fetched if it is not here."""
+    source = args.run or args.run_id
+    if source is None:
+        raise UsageError("name a run, or the file of its record")
+    if Path(source).exists():
+        return Path(source)
+    if source.endswith(SUFFIX) or "/" in source:
+        raise UsageError(f"{source}: no such file")
+    path = Path(f"run-{source}{SUFFIX}")
+    if not path.exists():
+        _fetch(source, path, args, printer)
+        printer.say(f"proctor: saved the record as {path}")
+    return path
+
+
+def _fetch(
+    run_id: str, path: Path, args: argparse.Namespace, printer: Printer
+) -> Mapping[str, str]:
+    """Save the record of a run; returns the keys of its host, keyid → name."""
+    control.check_run_id(run_id)
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
         with _usable(path):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
-        keys = names_of_host(connection, retry_policy)
-    return _verify(path, keys, printer)
+        return names_of_host(connection, retry_policy)
+
+
+def _refuse_simulation_options(args: argparse.Namespace) -> None:
+    given = [name for name in SIMULATION_OPTIONS if getattr(args, name)]
+    if given:
+        raise UsageError(f"--{given[0]} is an option of video and --to lerobot only")
 
 
 def check(args: argparse.Namespace, printer: Printer) -> int:

@@ -13,6 +13,7 @@ from typing import BinaryIO, Final
 import zstandard
 
 from reference_record.broken import BrokenRecord
+from reference_record.formats.bundle import Bundle
 
 MAGIC: Final = b"\x89MCAP0\r\n"
 _FOOTER, _SCHEMA, _CHANNEL, _MESSAGE, _CHUNK = 0x02, 0x03, 0x04, 0x05, 0x06
@@ -154,3 +155,9 @@ class McapReader:
         if len(self._topics) > CHANNELS_MAX:
             detail = f"at most {CHANNELS_MAX} channels are read"
             raise BrokenRecord(self._name, "REC-030", detail)
+
+
+def read_messages(bundle: Bundle, name: str) -> Iterator[tuple[str, memoryview]]:
+    """Topic and data of each message of a file in a record; raises as McapReader."""
+    with bundle.open(name) as file:
+        yield from McapReader(name, file, bundle.sizes[name]).messages()

@@ -1,7 +1,8 @@
 """One recorded episode, simulated again: exact, the same outcome, or diverged.
 
 Every attempt is played from its seed. After each turn the state digest is compared with
-the recorded one; the result decides between `outcome` and `diverged`.
+the recorded one; the result decides between `outcome` and `diverged`. A Watcher
+sees every step, to draw or to copy it.
 """
 
 from __future__ import annotations
@@ -9,17 +10,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 import msgspec
 
 from reference_record.formats.bundle import open_bundle
-from reference_record.formats.mcap_reader import McapReader
+from reference_record.formats.mcap_reader import read_messages
 from reference_record.recording import AttemptEvent, Turn
 from reference_record.replay_verdict import Divergence, Result
 from reference_record.score import TOLERANCE
 from reference_record.statement import EpisodeLine
 from reference_sim.episode import Episode
-from reference_sim.interface import Simulator
+from reference_sim.interface import Action, Simulator
 from reference_sim.process.recorder import state_digest
 
 _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
@@ -28,11 +30,39 @@ _TURN = msgspec.json.Decoder(Turn)
 
 @dataclass(frozen=True, slots=True)
 class EpisodeReplay:
-    """where: of the first state digest that differs. error: why it ended early."""
+    """where, seq: of the first state digest that differs, the step and the turn (0: the
+    start of the attempt). error: why it ended early.
+    """
 
     result: Result
     where: Divergence | None = None
     error: str | None = None
+    seq: int | None = None
+
+
+class Watcher(Protocol):
+    """Sees what is simulated, after the simulator did it."""
+
+    def started(self, attempt: int, episode: Episode) -> None:
+        """The attempt is at step 0, also again after a fault."""
+
+    def stepped(self, action: Action, reward: float) -> None:
+        """The action was executed; `episode` of the last start has what came of it."""
+
+
+class _Unwatched:
+    def started(self, attempt: int, episode: Episode) -> None:
+        pass
+
+    def stepped(self, action: Action, reward: float) -> None:
+        pass
+
+
+class _WatcherFailed(Exception):
+    """Its error is no divergence of the simulator."""
+
+    def __init__(self, error: Exception) -> None:
+        self.error = error
 
 
 class ReplayPlan(msgspec.Struct, frozen=True):
@@ -64,26 +94,35 @@ def replay_episode(
     plan: ReplayPlan,
     line: EpisodeLine,
     before_turn: Callable[[], object] = lambda: None,
+    *,
+    watcher: Watcher | None = None,
 ) -> EpisodeReplay:
-    """Simulate one recording of a verified record again. before_turn: is called."""
-    bundle = open_bundle(path)
+    """Simulate one recording of a verified record again. before_turn: is called.
+
+    Raises what the watcher raises.
+    """
     assert line.recording is not None
-    name = line.recording.path
-    with bundle.open(name) as file:
-        messages = McapReader(name, file, bundle.sizes[name]).messages()
-        replayer = Replayer(simulator, lambda: plan.begin(simulator), line)
-        return replayer.play(messages, before_turn)
+    messages = read_messages(open_bundle(path), line.recording.path)
+    replayer = Replayer(simulator, lambda: plan.begin(simulator), line, watcher)
+    return replayer.play(messages, before_turn)
 
 
 class Replayer:
     """Plays the messages of one recording. begin: makes the episode at step 0."""
 
     def __init__(
-        self, simulator: Simulator, begin: Callable[[], Episode], line: EpisodeLine
+        self,
+        simulator: Simulator,
+        begin: Callable[[], Episode],
+        line: EpisodeLine,
+        watcher: Watcher | None = None,
     ) -> None:
         self._simulator = simulator
         self._begin = begin
         self._line = line
+        self._watcher: Watcher = watcher or _Unwatched()
+        self._seq = 0
+        self._marked_seq: int | None = None
         self._episode: Episode | None = None
         self._attempt = 0
         self._where: Divergence | None = None
@@ -93,7 +132,10 @@ class Replayer:
         messages: Iterable[tuple[str, memoryview]],
         before_turn: Callable[[], object] = lambda: None,
     ) -> EpisodeReplay:
-        """Whatever the simulator raises is a divergence: it did not when recorded."""
+        """Whatever the simulator raises is a divergence: it did not when recorded.
+
+        What the watcher raises is raised.
+        """
         try:
             for topic, data in messages:
                 if topic == "/attempt":
@@ -103,26 +145,40 @@ class Replayer:
                 elif topic == "/turn":
                     before_turn()
                     self._execute(_TURN.decode(data))
+        except _WatcherFailed as failed:
+            raise failed.error from None
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             self._mark()
             text = f"{type(error).__name__}: {error}"
-            return EpisodeReplay("diverged", self._where, text)
+            return EpisodeReplay("diverged", self._where, text, self._marked_seq)
+        result: Result = "outcome" if self._where else "exact"
         if not self._has_same_result():
             self._mark()
-            return EpisodeReplay("diverged", self._where)
-        return EpisodeReplay("outcome" if self._where else "exact", self._where)
+            result = "diverged"
+        return EpisodeReplay(result, self._where, seq=self._marked_seq)
 
     def _start(self, event: AttemptEvent) -> None:
-        self._attempt = event.attempt
+        self._attempt, self._seq = event.attempt, 0
         self._episode = self._begin()
         self._compare(event.state_digest)
+        self._show(self._watcher.started, event.attempt, self._episode)
 
     def _execute(self, turn: Turn) -> None:
         assert self._episode is not None  # a verified recording starts first
-        executed = len(list(self._episode.play(turn.actions)))
+        self._seq, executed = turn.seq, 0
+        for reward in self._episode.play(turn.actions):
+            self._show(self._watcher.stepped, turn.actions[executed], reward)
+            executed += 1
         if executed != turn.steps:
             self._mark()
         self._compare(turn.state_digest)
+
+    @staticmethod
+    def _show(method: Callable[..., None], *what: object) -> None:
+        try:
+            method(*what)
+        except Exception as error:
+            raise _WatcherFailed(error) from error
 
     def _compare(self, recorded: str | None) -> None:
         if state_digest(self._simulator) != recorded:
@@ -133,6 +189,7 @@ class Replayer:
         if self._where is None:
             steps = self._episode.steps if self._episode else 0
             self._where = Divergence(self._line.index, self._attempt, steps)
+            self._marked_seq = self._seq
 
     def _has_same_result(self) -> bool:
         """An abandoned episode has its result from its attempts, not from a state."""

@@ -156,6 +156,7 @@ def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
             ["board_store.py", "import_store.py", "store.py"],
         ),
         ("mujoco", "reference_sim/mujoco", ["world.py"]),
+        ("av", "reference_sim/exports", ["video_file.py"]),
     ],
 )
 def test_a_big_dependency_has_one_owner(
@@ -169,6 +170,8 @@ def test_a_big_dependency_has_one_owner(
     ("package", "forbidden_imports"),
     [
         ("reference_sim", ["reference_server", "reference_client", "conformance"]),
+        ("reference_client", ["reference_sim.exports"]),
+        ("reference_server", ["reference_sim.exports"]),
         ("reference_sim", ["proctor_client", "starlette", "uvicorn", "httpx"]),
         (
             "reference_record",

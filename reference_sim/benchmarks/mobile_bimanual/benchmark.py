@@ -125,11 +125,13 @@ def make_simulator(variant: Variant, settings: Mapping[str, Any]) -> Simulator:
     """The simulator of a variant.
 
     settings: width and height of an image in pixels, and optionally its quality (for
-    the documentation's pictures; no choice of a submitter sets it).
+    the documentation's pictures) and its cameras (for videos); no choice of a submitter
+    sets them.
     """
     from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
     from reference_sim.mujoco.task_simulator import PhysicalSimulator
 
+    cameras = tuple(c for c in CAMERAS if c in settings.get("cameras", CAMERAS))
     return PhysicalSimulator(
         MobileBimanualScene(
             settings.get("quality", QUALITY),
@@ -138,7 +140,7 @@ def make_simulator(variant: Variant, settings: Mapping[str, Any]) -> Simulator:
         ),
         {name: TASKS[name] for name in TRACKS[variant.track]},
         substeps=SUBSTEPS,
-        cameras=tuple(CAMERAS) if variant.cameras else (),
+        cameras=cameras if variant.cameras else (),
         camera_size=(settings["width"], settings["height"]),
     )
 
@@ -149,6 +151,7 @@ BENCHMARKS = {
         dict,
         partial(make_simulator, variant),
         unavailable=without_pictures if variant.cameras else without_mujoco,
+        drawn_as=None if variant.cameras else "mobile_bimanual",
     )
     for benchmark_id, variant in VARIANTS.items()
 }

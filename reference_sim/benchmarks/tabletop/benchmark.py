@@ -95,9 +95,11 @@ def _describe_tabletop_state(options: Mapping[str, Any], max_chunk: int) -> Json
 
 
 def _make_tabletop(settings: Mapping[str, Any]) -> Simulator:
-    # Another quality is for documents only: no choice of a submitter sets it.
+    # Another quality is for documents, fewer cameras are for videos: no choice of a
+    # submitter sets them.
+    cameras = tuple(c for c in CAMERAS if c in settings.get("cameras", CAMERAS))
     quality = settings.get("quality", QUALITY)
-    return _make(CAMERAS, (settings["width"], settings["height"]), quality)
+    return _make(cameras, (settings["width"], settings["height"]), quality)
 
 
 def _make_tabletop_state(settings: Mapping[str, Any]) -> Simulator:  # noqa: ARG001 - no pictures
@@ -122,6 +124,10 @@ BENCHMARKS = {
         _describe_tabletop, dict, _make_tabletop, unavailable=without_pictures
     ),
     "tabletop_state": BenchmarkDefinition(
-        _describe_tabletop_state, dict, _make_tabletop_state, unavailable=without_mujoco
+        _describe_tabletop_state,
+        dict,
+        _make_tabletop_state,
+        unavailable=without_mujoco,
+        drawn_as="tabletop",
     ),
 }

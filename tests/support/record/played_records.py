@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -68,8 +69,14 @@ def save_played_record(
     *,
     only: Container[int] = range(10**5),
     change: Change = keep,
+    options: Mapping[str, Any] = OPTIONS,
+    faults: int = 0,
 ) -> Path:
-    """Play episodes, sign the record, save it. only: indices; others have no result."""
+    """Play episodes, sign the record, save it. only: indices; others have no result.
+
+    options: those of `found`, if it is calibration. faults: how often each episode
+    begins again after its first chunk.
+    """
     manifest = msgspec.json.encode(found.manifest, order="deterministic")
     lines, recordings = [], {}
     for index in range(len(found.episodes)):
@@ -78,8 +85,10 @@ def save_played_record(
             continue
         name = recording_name(index)
         recordings[name] = folder / f"{index}.mcap"
-        lines.append(_play(found, index, recordings[name], player, change))
-    evaluation = _evaluation(found, manifest, lines)
+        lines.append(
+            _play(found, index, recordings[name], player, change, faults=faults)
+        )
+    evaluation = _evaluation(found, manifest, lines, options)
     record = build_record(
         evaluation, manifest=manifest, lines=lines, recordings=recordings, key=HOST_KEY
     )
@@ -99,29 +108,33 @@ def _play(
     path: Path,
     player: Player,
     change: Change,
+    *,
+    faults: int,
 ) -> EpisodeLine:
     simulator, plan = benchmark_registry.make(found.world), found.episodes[index]
-    episode = Episode(
-        simulator,
-        plan.task,
-        plan.seed,
-        split=plan.split,
-        max_steps=found.manifest["max_steps"],
-        success_rule=found.manifest["success_rule"],
-        score_is_success=plan.task in found.world.success_scored_tasks,
-    )
     parts = path.with_suffix("")
-    recorder = EpisodeRecorder(RecordingPlan(str(parts), 1), simulator)
-    for seq, chunk in enumerate(player(episode, simulator), 1):
-        recorder.add_turn(
-            seq=seq,
-            think_ms=1.0,
-            actions=chunk,
-            rewards=list(episode.play(chunk)),
-            episode=episode,
-            simulate_s=0.001,
+    for chunks in (*[1] * faults, None):
+        episode = Episode(
+            simulator,
+            plan.task,
+            plan.seed,
+            split=plan.split,
+            max_steps=found.manifest["max_steps"],
+            success_rule=found.manifest["success_rule"],
+            score_is_success=plan.task in found.world.success_scored_tasks,
         )
-    recorder.close()
+        recorder = EpisodeRecorder(RecordingPlan(str(parts), 1), simulator)
+        played = islice(player(episode, simulator), chunks)
+        for seq, chunk in enumerate(played, 1):
+            recorder.add_turn(
+                seq=seq,
+                think_ms=1.0,
+                actions=chunk,
+                rewards=list(episode.play(chunk)),
+                episode=episode,
+                simulate_s=0.001,
+            )
+        recorder.close()
     outcome: Outcome = "success" if episode.success else "failure"
     result = EpisodeResult(
         outcome, episode.success, episode.score, episode.steps, 1, at(9)
@@ -171,6 +184,7 @@ def _evaluation(
     found: benchmark_registry.ResolvedBenchmark,
     manifest: bytes,
     lines: Sequence[EpisodeLine],
+    options: Mapping[str, Any],
 ) -> Evaluation:
     sha256 = hashlib.sha256(manifest).hexdigest()
     benchmark_id = found.manifest["benchmark_id"]
@@ -180,7 +194,7 @@ def _evaluation(
         run=RunFacts(
             "r",
             "pull",
-            OPTIONS if benchmark_id == "calibration" else None,
+            dict(options) if benchmark_id == "calibration" else None,
             found.images,
         ),
         benchmark=BenchmarkFacts(benchmark_id, found.manifest["version"]),

@@ -1,0 +1,53 @@
+"""Programs that `proctor` starts in its place, and what each needs to be installed."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from collections.abc import Sequence
+
+from reference_client.command.exit_codes import UsageError
+
+# Command → module to start, modules that it needs, and the extras that install them.
+PROGRAMS = {
+    "serve": ("reference_server", ("reference_server", "uvicorn"), "server"),
+    "admin": (
+        "reference_server.http.tokens.admin_command",
+        ("reference_server", "starlette"),
+        "server",
+    ),
+    "serve-policy": (
+        "reference_client.policies.serve_command",
+        ("starlette", "uvicorn"),
+        "client",
+    ),
+    "replay": ("reference_sim.replay", ("reference_sim", "mujoco"), "server"),
+    "conformance": ("conformance", ("conformance", "hypothesis"), "kit"),
+    "export --to every-eval-ever": ("reference_sim.exports", (), "client"),
+    "export --to parquet": ("reference_sim.exports", ("pyarrow",), "client,parquet"),
+    "export --to lerobot": (
+        "reference_sim.exports",
+        ("mujoco", "av", "pyarrow"),
+        "server,parquet,video",
+    ),
+    "video": ("reference_sim.exports", ("mujoco", "av"), "server,video"),
+}
+
+
+def start(command: str, arguments: Sequence[str]) -> int:
+    """Replaces this process by the program. Raises UsageError if it is missing."""
+    module = require(command)
+    os.execv(sys.executable, [sys.executable, "-m", module, *arguments])  # noqa: S606
+
+
+def require(command: str) -> str:
+    """The module of a program. Raises UsageError if something it needs is missing."""
+    module, needed, extra = PROGRAMS[command]
+    missing = [name for name in needed if importlib.util.find_spec(name) is None]
+    if missing:
+        raise UsageError(
+            f"{command} needs {missing[0]}, which is not installed: "
+            f"pip install 'proctor-eval[{extra}]'"
+        )
+    return module

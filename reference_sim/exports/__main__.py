@@ -1,0 +1,104 @@
+"""`python -m reference_sim.exports JOB`: makes one export of one record.
+
+JOB is the JSON of `job.Job`, as `proctor export --to` and `proctor video` write it.
+Exit codes: 0 done; 1 the record is broken, or a replay left it; 2 it cannot be done
+here.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_sim.exports.job import Job
+from reference_sim.exports.source import Source, new_folder, open_source
+
+DONE, BROKEN, IMPOSSIBLE = 0, 1, 2
+Export = Callable[[Source, Job], Mapping[str, Any]]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    (text,) = sys.argv[1:] if arguments is None else arguments
+    job = msgspec.json.decode(text, type=Job)
+    try:
+        said = EXPORTS[job.kind](open_source(Path(job.record)), job)
+    except BrokenRecord as broken:
+        text = f"{job.record}: do not trust it: {broken}"
+        return _refuse(job, BROKEN, "broken_record", text)
+    except UnusableRecord as unusable:
+        return _refuse(job, IMPOSSIBLE, "usage", str(unusable))
+    except OSError as error:
+        text = f"{error.filename or job.record}: {error.strerror or error}"
+        return _refuse(job, IMPOSSIBLE, "usage", text)
+    _print(said, job)
+    return BROKEN if said.get("refused") else DONE
+
+
+def _parquet(source: Source, job: Job) -> Mapping[str, Any]:
+    from reference_sim.exports.parquet_tables import write_tables
+
+    return _files(write_tables(source, _folder(job)))
+
+
+def _every_eval_ever(source: Source, job: Job) -> Mapping[str, Any]:
+    from reference_sim.exports.every_eval_ever import write_evaluation
+
+    return _files(write_evaluation(source, _folder(job)))
+
+
+def _lerobot(source: Source, job: Job) -> Mapping[str, Any]:
+    from reference_sim.exports.lerobot_dataset import write_dataset
+
+    return write_dataset(source, _folder(job), job)
+
+
+def _video(source: Source, job: Job) -> Mapping[str, Any]:
+    from reference_sim.exports.episode_videos import write_videos
+
+    return write_videos(source, job)
+
+
+EXPORTS: Mapping[str, Export] = {
+    "parquet": _parquet,
+    "every-eval-ever": _every_eval_ever,
+    "lerobot": _lerobot,
+    "video": _video,
+}
+
+
+def _folder(job: Job) -> Path:
+    return new_folder(Path(job.output or f"{job.stem}-{job.kind}"))
+
+
+def _files(paths: list[Path]) -> Mapping[str, Any]:
+    return {"files": [{"path": str(one), "bytes": one.stat().st_size} for one in paths]}
+
+
+def _print(said: Mapping[str, Any], job: Job) -> None:
+    if job.json:
+        sys.stdout.write(json.dumps(said, indent=2) + "\n")
+        return
+    for one in said["files"]:
+        sys.stdout.write(f"{_printable(one['path'])}  {one['bytes']:,} bytes\n")
+
+
+def _refuse(job: Job, exit_code: int, code: str, text: str) -> int:
+    sys.stderr.write(f"proctor: {_printable(text)}\n")
+    if job.json:
+        sys.stdout.write(json.dumps({"error": {"code": code, "detail": text}}) + "\n")
+    return exit_code
+
+
+def _printable(text: str) -> str:
+    """Without control characters: texts of a record may have them."""
+    return "".join(c if c.isprintable() else "?" for c in text)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

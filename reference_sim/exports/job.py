@@ -1,0 +1,38 @@
+"""What to export, as the command `proctor` says it: one JSON value."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+import msgspec
+
+Kind = Literal["video", "parquet", "every-eval-ever", "lerobot"]
+
+
+class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
+    """One export of one record.
+
+    record: its file or directory. output: the directory to write to; None: one in the
+    current directory, by the name of the record. episodes: indices; None for all.
+    failures: those alone that failed. cameras: names; None for all. size: width and
+    height in pixels; None: as the policy saw it. anyway: keep what left the record.
+    force: replace files. benchmarks: the user's own, as for the server.
+    """
+
+    kind: Kind
+    record: str
+    output: str | None = None
+    episodes: list[int] | None = None
+    failures: bool = False
+    cameras: list[str] | None = None
+    size: tuple[int, int] | None = None
+    anyway: bool = False
+    force: bool = False
+    benchmarks: str = ""
+    json: bool = False
+
+    @property
+    def stem(self) -> str:
+        """The name of the record without its suffix: what names of files begin with."""
+        return Path(self.record).resolve().name.removesuffix(".proctor")

@@ -1,0 +1,186 @@
+"""Episodes of a record, simulated again, with what was seen after each step.
+
+Every start of an episode is simulated; what is seen is given of the last one, which has
+the result.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import Any
+
+from reference_record.broken import UnusableRecord
+from reference_record.formats.names import MANIFEST
+from reference_record.statement import EpisodeLine
+from reference_sim import benchmark_registry
+from reference_sim.benchmark_registry import SimulatorConfig
+from reference_sim.episode import Episode
+from reference_sim.exports.job import Job
+from reference_sim.exports.source import Source
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.interface import Action, Observation, Simulator
+from reference_sim.replay.episode_replay import EpisodeReplay, replay_episode
+from reference_sim.replay.record_replay import (
+    replayable_lines,
+    resolve,
+)
+
+FAILED = ("failure", "abandoned")
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class SimulatedStep:
+    """One executed action, and what it came to."""
+
+    action: Action
+    reward: float
+    success: bool
+    ended: bool
+
+
+# The observation, and the step that led to it: None at step 0.
+See = Callable[[Observation, SimulatedStep | None], None]
+
+
+class Simulation:
+    """The benchmark of a record on this machine, with one simulator.
+
+    draws: where the benchmark has no cameras, take those that it is drawn with.
+    Raises UnusableRecord where this machine has another one, or none.
+    """
+
+    def __init__(
+        self, source: Source, job: Job, say: Callable[[str], None], *, draws: bool
+    ) -> None:
+        try:
+            benchmark_registry.add(job.benchmarks, say)
+        except BadBenchmark as error:
+            raise UnusableRecord(str(error)) from error
+        found = resolve(source.evaluation, source.bundle.read(MANIFEST))
+        self.manifest: Mapping[str, Any] = found.manifest
+        self._images: Mapping[str, Any] = found.manifest["observation_space"]["images"]
+        self._source, self._benchmark = source, found
+        config = found.config
+        if draws and not self._images:
+            config = self._with_cameras() or config
+        self._config = _with_pictures(config, job)
+        self._simulator: Simulator | None = None
+        self.instruction = ""  # of the episode that was played last
+
+    def _with_cameras(self) -> SimulatorConfig | None:
+        name = self._source.evaluation.benchmark.benchmark_id
+        other = benchmark_registry.drawn_as(name)
+        if other is None:
+            return None
+        if reason := benchmark_registry.unavailable_reason(other.world.benchmark_id):
+            raise UnusableRecord(f"{name} cannot be drawn here: {reason}")
+        self._images = other.manifest["observation_space"]["images"]
+        return other.world
+
+    def lines(self, job: Job) -> list[EpisodeLine]:
+        """The episodes of the job; with `failures`, those of them that failed."""
+        lines = replayable_lines(self._source.path, self._benchmark, job.episodes)
+        if job.failures:
+            lines = [line for line in lines if line.outcome in FAILED]
+        return lines
+
+    def sealed_failures(self) -> int:
+        """How many failed episodes cannot be simulated: their seeds are secret."""
+        planned = self.manifest["episodes"]
+        return sum(
+            line.outcome in FAILED and "seed" not in planned[line.index]
+            for line in self._source.lines()
+        )
+
+    def cameras(self, task: str) -> list[str]:
+        """Names of the pictures that there are in a task."""
+        return [
+            name
+            for name, space in self._images.items()
+            if task in space.get("tasks", [task])
+        ]
+
+    def play(self, line: EpisodeLine, see: See) -> EpisodeReplay:
+        """Simulate an episode again. Raises what `see` raises."""
+        if self._simulator is None:
+            self._simulator = benchmark_registry.make(self._config)
+        last = self._source.starts(line)
+        watcher = _LastStart(self._simulator, last, see)
+        path, plan = self._source.path, self._benchmark.plan_of(line.index)
+        found = replay_episode(path, self._simulator, plan, line, watcher=watcher)
+        self.instruction = watcher.instruction
+        return found
+
+    def close(self) -> None:
+        if self._simulator is not None:
+            self._simulator.close()
+
+
+@contextmanager
+def simulation(
+    source: Source, job: Job, say: Callable[[str], None], *, draws: bool = False
+) -> Iterator[Simulation]:
+    made = Simulation(source, job, say, draws=draws)
+    try:
+        yield made
+    finally:
+        made.close()
+
+
+class _LastStart:
+    def __init__(self, simulator: Simulator, starts: int, see: See) -> None:
+        self._simulator = simulator
+        self._starts_left = starts
+        self._see = see
+        self._episode: Episode | None = None
+        self.instruction = ""
+
+    def started(self, attempt: int, episode: Episode) -> None:
+        self._starts_left -= 1
+        self._episode = episode
+        self.instruction = episode.instruction
+        if not self._starts_left:
+            self._see(self._simulator.observe(), None)
+
+    def stepped(self, action: Action, reward: float) -> None:
+        if not self._starts_left and self._episode is not None:
+            step = SimulatedStep(
+                action, reward, self._episode.success, self._episode.ended
+            )
+            self._see(self._simulator.observe(), step)
+
+
+def _with_pictures(config: SimulatorConfig, job: Job) -> SimulatorConfig:
+    """The same simulator with the pictures of the job: nothing else changes."""
+    settings = dict(config.settings)
+    if job.size is not None:
+        settings["width"], settings["height"] = job.size
+    if job.cameras is not None:
+        settings["cameras"] = job.cameras
+    return dataclasses.replace(config, settings=settings)
+
+
+def difference_text(line: EpisodeLine, found: EpisodeReplay) -> str | None:
+    """Where the replay left the record; None if it did not."""
+    if found.where is None:
+        return None
+    text = (
+        f"episode {line.index} leaves the record at turn {found.seq} of attempt "
+        f"{found.where.attempt}, step {found.where.step}"
+    )
+    if found.result == "outcome":
+        return f"{text}; its result is the same"
+    return f"{text}, and its result is another{f': {found.error}' * bool(found.error)}"
+
+
+def replay_facts(line: EpisodeLine, found: EpisodeReplay) -> dict[str, Any]:
+    """Of an episode, for scripts."""
+    where = found.where and {"turn": found.seq, "step": found.where.step}
+    return {
+        "episode": line.index,
+        "outcome": line.outcome,
+        "replay": found.result,
+        "leaves_the_record_at": where,
+    }

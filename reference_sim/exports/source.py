@@ -1,0 +1,111 @@
+"""The record that is exported, verified, as the exports read it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from reference_record.broken import UnusableRecord
+from reference_record.formats.bundle import Bundle, open_bundle
+from reference_record.formats.mcap_reader import read_messages
+from reference_record.formats.names import EPISODES, MANIFEST
+from reference_record.recording import AttemptEvent, Turn
+from reference_record.statement import EpisodeLine, Evaluation, read_lines
+from reference_record.verification import verify
+
+_ATTEMPT = msgspec.json.Decoder(AttemptEvent)
+_TURN = msgspec.json.Decoder(Turn)
+
+
+class SeededEpisode(msgspec.Struct):
+    """seed: absent while it is the secret of the host."""
+
+    task: str
+    split: str
+    seed: int | None = None
+
+
+class ExportedManifest(msgspec.Struct):
+    """What is read of manifest.json; action_space: name → schema VectorSpace."""
+
+    episodes: list[SeededEpisode]
+    action_space: dict[str, dict[str, Any]] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A record in which nothing is wrong. statement_sha256: what it is known by."""
+
+    path: Path
+    bundle: Bundle
+    evaluation: Evaluation
+    manifest: ExportedManifest
+    statement_sha256: str
+
+    def lines(self) -> Iterator[EpisodeLine]:
+        """Every episode of the run, one after another."""
+        return read_lines(self.bundle.blocks(EPISODES))
+
+    def turns(self, line: EpisodeLine) -> Iterator[tuple[int, Turn]]:
+        """The executed turns of all attempts at an episode, each with the number of the
+        start before it: a fault starts an attempt again.
+        """
+        if line.recording is None:
+            return
+        start = 0
+        for topic, data in read_messages(self.bundle, line.recording.path):
+            if topic == "/attempt":
+                start += _ATTEMPT.decode(data).event == "started"
+            elif topic == "/turn":
+                yield start, _TURN.decode(data)
+
+    def starts(self, line: EpisodeLine) -> int:
+        """How often the episode was begun at step 0."""
+        assert line.recording is not None
+        messages = read_messages(self.bundle, line.recording.path)
+        return sum(
+            _ATTEMPT.decode(data).event == "started"
+            for topic, data in messages
+            if topic == "/attempt"
+        )
+
+    @property
+    def provenance(self) -> Mapping[str, str]:
+        """Texts that say in an export which record it is of."""
+        said = self.evaluation
+        return {
+            "run_id": said.run.run_id,
+            "benchmark_id": said.benchmark.benchmark_id,
+            "benchmark_version": said.benchmark.version,
+            "manifest_sha256": said.manifest_sha256,
+            "statement_sha256": self.statement_sha256,
+            "policy_name": said.policy.name,
+            "policy_version": said.policy.version or "",
+            "note": "an export of a record, without a signature; the record is "
+            "what can be verified and replayed",
+        }
+
+
+def open_source(path: Path) -> Source:
+    """Verify a record. Raises BrokenRecord, UnusableRecord, OSError."""
+    bundle = open_bundle(path)
+    report = verify(bundle)
+    try:
+        manifest = msgspec.json.decode(bundle.read(MANIFEST), type=ExportedManifest)
+    except msgspec.ValidationError as error:
+        raise UnusableRecord(f"{MANIFEST} is none of this protocol: {error}") from error
+    return Source(path, bundle, report.evaluation, manifest, report.statement_sha256)
+
+
+def new_folder(path: Path) -> Path:
+    """An empty directory to write to. Raises UnusableRecord where it has files."""
+    if path.exists() and (not path.is_dir() or any(path.iterdir())):
+        raise UnusableRecord(
+            f"{path} exists and is not empty: remove it, or name another with -o"
+        )
+    path.mkdir(parents=True, exist_ok=True)
+    return path

@@ -1,0 +1,131 @@
+"""`proctor export --to` and `proctor video`: what they make, and what they refuse."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pyarrow.parquet as pq
+import pytest
+
+from reference_client.command.main import main
+from tests.support.client.command import ProctorCommand, options
+from tests.support.paths import ROOT
+from tests.support.record.played_records import save_calibration_record
+from tests.support.servers import ReferenceServer
+
+Done = subprocess.CompletedProcess[str]
+
+
+@pytest.fixture
+def record(tmp_path: Path) -> Path:
+    (tmp_path / "recordings").mkdir()
+    return save_calibration_record(tmp_path / "run-1.proctor", tmp_path / "recordings")
+
+
+def proctor(folder: Path, *words: str) -> Done:
+    return subprocess.run(
+        [sys.executable, "-m", "reference_client.command", *words],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.slow("starts programs")
+def test_a_record_in_a_file_needs_no_server(record: Path) -> None:
+    folder = record.parent
+    done = proctor(folder, "export", "run-1.proctor", "--to", "parquet")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.splitlines()[1].startswith("run-1-parquet/turns.parquet")
+    assert pq.read_table(folder / "run-1-parquet" / "turns.parquet").num_rows == 6
+    again = proctor(folder, "export", "run-1.proctor", "--to", "parquet")
+    assert again.returncode == 2
+    assert "run-1-parquet exists and is not empty" in again.stderr
+    drawn = proctor(folder, "video", "run-1.proctor", "--episode", "2", "--json")
+    assert drawn.returncode == 0, drawn.stderr
+    (file,) = json.loads(drawn.stdout)["files"]
+    assert (folder / file["path"]).stat().st_size == file["bytes"]
+    assert file["replay"] == "exact"
+
+
+@pytest.mark.slow("starts a server and programs")
+def test_the_record_of_a_run_is_saved_beside_its_export(
+    server: ReferenceServer,
+    policy_folder: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    command = ProctorCommand(server.url, capsys)
+    played = ("run", "--policy", "policies:best", *options("score", "echo"))
+    assert command(*played) == 0
+    run_id = command.json("status", "--state", "completed")[0]["run_id"]
+    words = ("export", run_id, "--to", "every-eval-ever", "--url", server.url)
+    done = proctor(policy_folder, *words)
+    assert done.returncode == 0, done.stderr
+    assert f"saved the record as run-{run_id}.proctor" in done.stderr
+    assert (policy_folder / f"run-{run_id}.proctor").is_file()
+    folder = policy_folder / f"run-{run_id}-every-eval-ever"
+    assert len([*folder.rglob("*.json")]) == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["video", "run-1.proctor"], "needs --episode N, or --failures"),
+        (["video", "run-1.proctor", "--episode", "one"], "expected indices"),
+        (["video", "run-1.proctor", "--size", "8x8"], "each from 16 to 4096"),
+        (["video", "run-1.proctor", "--size", "33x32"], "a video has even sides"),
+        (["video", "absent.proctor", "--failures"], "absent.proctor: no such file"),
+        (["export", "run-1.proctor", "--to", "csv"], "--to cannot be csv"),
+        (["export", "--to", "parquet"], "name a run, or the file of its record"),
+        (["export", "RUN", "--failures"], "--failures is an option of video"),
+        (
+            ["export", "RUN", "--to", "parquet", "--size", "64x64"],
+            "--size is an option of video",
+        ),
+    ],
+)
+def test_a_wrong_use_is_said_in_one_line(
+    words: list[str],
+    text: str,
+    record: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(record.parent)
+    assert main(words) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert text in line
+
+
+@pytest.mark.parametrize(
+    ("words", "missing", "extra"),
+    [
+        (["export", "RUN", "--to", "parquet"], "pyarrow", "client,parquet"),
+        (["video", "RUN", "--failures"], "av", "server,video"),
+        (["video", "RUN", "--failures"], "mujoco", "server,video"),
+    ],
+)
+def test_what_is_not_installed_is_named_before_anything_is_fetched(
+    words: list[str],
+    missing: str,
+    extra: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    find_spec = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util,
+        "find_spec",
+        lambda name: None if name == missing else find_spec(name),
+    )
+    assert main(words) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert f"needs {missing}, which is not installed" in line
+    assert f"'proctor-eval[{extra}]'" in line

@@ -1,0 +1,204 @@
+"""Videos of recorded episodes: the right pictures, and none of what left the record."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import av
+import numpy as np
+import pytest
+
+from reference_sim import benchmark_registry
+from reference_sim.episode import Episode
+from reference_sim.exports.__main__ import main
+from reference_sim.interface import Simulator
+from tests.support.record.played_records import Chunk, play_chunks, save_played_record
+from tests.support.sim.echo_records import other_action, other_digest, save_echo
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "recordings").mkdir()
+    return tmp_path
+
+
+def video(record: Path, **more: Any) -> int:
+    job = {"kind": "video", "record": str(record), "output": str(record.parent / "v")}
+    return main([json.dumps(job | {"json": True} | more)])
+
+
+def decoded(path: Path) -> tuple[list[Any], Any]:
+    with av.open(str(path)) as container:
+        stream = container.streams.video[0]
+        return list(container.decode(stream)), stream.average_rate
+
+
+def test_a_picture_for_each_step_and_a_keyframe_for_each_second(folder: Path) -> None:
+    record = save_echo(folder)
+    assert video(record, episodes=[0]) == 0
+    frames, rate = decoded(folder / "v" / "00000.mp4")
+    assert (len(frames), rate) == (46, 10)
+    keyframes = [number for number, frame in enumerate(frames) if frame.key_frame]
+    assert keyframes == [0, 10, 20, 30, 40]
+    assert (frames[0].width, frames[0].height) == (16, 12)
+    assert [frame.time for frame in frames] == pytest.approx(
+        [number / 10 for number in range(46)]
+    )
+
+
+def test_the_size_is_the_one_that_is_wanted(folder: Path) -> None:
+    assert video(save_echo(folder), episodes=[1], size=[96, 64]) == 0
+    frames, _ = decoded(folder / "v" / "00001.mp4")
+    assert (frames[0].width, frames[0].height) == (96, 64)
+
+
+def test_what_came_before_a_fault_is_not_shown(folder: Path) -> None:
+    """The start that counts has 45 steps; the one before it had 5."""
+    assert video(save_echo(folder, faults=1), episodes=[0]) == 0
+    frames, _ = decoded(folder / "v" / "00000.mp4")
+    assert len(frames) == 46
+
+
+def test_a_state_that_differs_is_said(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert video(save_echo(folder, other_digest), episodes=[1]) == 0
+    out, err = capsys.readouterr()
+    (file,) = json.loads(out)["files"]
+    assert file["replay"] == "outcome"
+    assert file["leaves_the_record_at"] == {"turn": 3, "step": 15}
+    assert "episode 1 leaves the record at turn 3 of attempt 1, step 15" in err
+    assert "its result is the same" in err
+
+
+def test_what_diverged_is_refused(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The other episode is drawn all the same; nothing is left of the refused one."""
+    assert video(save_echo(folder, other_action), episodes=[0, 1]) == 1
+    out, err = capsys.readouterr()
+    said = json.loads(out)
+    assert [one["episode"] for one in said["refused"]] == [1]
+    assert said["refused"][0]["leaves_the_record_at"]["turn"] == 3
+    assert "episode 1 leaves the record at turn 3" in err
+    assert "--anyway keeps it" in err
+    assert [path.name for path in (folder / "v").iterdir()] == ["00000.mp4"]
+
+
+def test_what_diverged_is_kept_under_another_name(folder: Path) -> None:
+    record = save_echo(folder, other_action)
+    assert video(record, episodes=[1], anyway=True) == 0
+    assert [path.name for path in (folder / "v").iterdir()] == ["00001-diverged.mp4"]
+
+
+@pytest.mark.parametrize(
+    ("more", "text"),
+    [
+        ({"episodes": [2]}, "no camera in the task score"),
+        ({"episodes": [0], "cameras": ["front"]}, "no camera front; it has pattern"),
+        ({"episodes": [7]}, "no episode 7 that can be simulated"),
+        ({"episodes": [0], "benchmarks": "absent.toml"}, "absent.toml"),
+    ],
+)
+def test_what_cannot_be_drawn_is_said(
+    more: dict[str, Any],
+    text: str,
+    folder: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    record = save_echo(folder)
+    assert video(record, **more) == 2
+    assert text in capsys.readouterr().err
+    assert video(record, episodes=[0]) == 0
+
+
+def test_a_file_is_replaced_when_that_is_wanted(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    record = save_echo(folder)
+    assert video(record, episodes=[0]) == 0
+    assert video(record, episodes=[0]) == 2
+    assert "exists; --force replaces it" in capsys.readouterr().err
+    assert video(record, episodes=[0], force=True) == 0
+
+
+def test_a_sealed_seed_stays_a_secret(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = {"tasks": ["echo", "echo"], "sealed": True}
+    found = benchmark_registry.resolve("calibration", options)
+    seedless = [
+        one if one["split"] == "even" else {k: one[k] for k in ("task", "split")}
+        for one in found.manifest["episodes"]
+    ]
+    found.manifest["episodes"] = seedless
+    record = folder / "run-1.proctor"
+    save_played_record(
+        record, folder / "recordings", found, play_chunks, options=options
+    )
+    assert video(record, episodes=[1]) == 2
+    assert "no episode 1 that can be simulated" in capsys.readouterr().err
+    assert video(record, episodes=[0]) == 0
+
+
+@pytest.mark.slow("draws with MuJoCo")
+@pytest.mark.parametrize(
+    ("benchmark", "camera"),
+    [("tabletop_state", "wrist"), ("mobile_bimanual_state", "front")],
+)
+def test_what_has_no_cameras_is_drawn_in_its_own_world(
+    benchmark: str, camera: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Every digest is the recorded one, with cameras, too."""
+    found = benchmark_registry.resolve(benchmark)
+    space = found.manifest["action_space"]
+    zero = {name: [0.0] * one["size"] for name, one in space.items()}
+
+    def play_zeros(episode: Episode, _simulator: Simulator) -> Iterator[Chunk]:
+        while not episode.ended:
+            yield [zero] * 50
+
+    record = folder / "run-1.proctor"
+    save_played_record(record, folder / "recordings", found, play_zeros, only={0})
+    assert video(record, episodes=[0], cameras=[camera], size=[64, 48]) == 0
+    (file,) = json.loads(capsys.readouterr().out)["files"]
+    steps = found.manifest["max_steps"]
+    assert (file["replay"], file["pictures"]) == ("exact", steps + 1)
+
+
+@pytest.mark.slow("draws with MuJoCo")
+def test_the_first_picture_is_the_simulator_s(folder: Path) -> None:
+    """Within what H.264 loses, in both cameras; failures alone are drawn."""
+    found = benchmark_registry.resolve("tabletop", images={
+        "codec": "raw", "width": 224, "height": 224
+    })  # fmt: skip
+    space = found.manifest["action_space"]
+    middle = {
+        name: np.mean([one["minimum"], one["maximum"]], axis=0).tolist()
+        for name, one in space.items()
+    }
+
+    def play_200_steps(_episode: Episode, _simulator: Simulator) -> Iterator[Chunk]:
+        for _ in range(4):
+            yield [middle] * 50
+
+    record = folder / "run-1.proctor"
+    save_played_record(record, folder / "recordings", found, play_200_steps, only={0})
+    assert video(record, failures=True) == 0
+    simulator = benchmark_registry.make(found.world)
+    plan = found.episodes[0]
+    simulator.reset(plan.task, plan.seed, plan.split)
+    seen = {name: image.copy() for name, image in simulator.observe().images.items()}
+    simulator.close()
+    for camera in ("front", "wrist"):
+        frames, rate = decoded(folder / "v" / f"00000-{camera}.mp4")
+        assert (len(frames), rate) == (201, 20)
+        keyframes = [number for number, frame in enumerate(frames) if frame.key_frame]
+        assert keyframes == [*range(0, 201, 20)]
+        shown = frames[0].to_ndarray(format="rgb24")
+        difference = np.abs(shown.astype(int) - seen[camera])
+        assert difference.mean() < 3
+        assert np.quantile(difference, 0.99) < 40
