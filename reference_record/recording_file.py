@@ -17,6 +17,7 @@ from typing import BinaryIO
 import msgspec
 import zstandard
 
+from reference_record.formats.recording_parts import parts_of, read_part
 from reference_record.recording import (
     CHANNEL,
     CHANNELS,
@@ -41,7 +42,6 @@ from reference_record.recording import (
     schema_record,
     text,
 )
-from reference_record.recording_parts import parts_of, read_part
 
 CHUNK_BYTES = 1 << 20
 _LEVEL = 3

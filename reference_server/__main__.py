@@ -21,8 +21,11 @@ from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_server.app import build
 from reference_server.http.auth import BadTokens, Tokens
-from reference_server.http.bounded_connection import connection_factory
-from reference_server.http.connection_limits import ConnectionLimiter, ConnectionLimits
+from reference_server.http.connections.bounded_connection import connection_factory
+from reference_server.http.connections.connection_limits import (
+    ConnectionLimiter,
+    ConnectionLimits,
+)
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import TokenFile
 from reference_server.push.key_encryption import KeyEncryption

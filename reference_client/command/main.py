@@ -30,9 +30,9 @@ from reference_client.protocol.local_token import find_token
 
 def _report(args: argparse.Namespace, printer: Printer) -> int:
     # The templates take longer to import than most commands take.
-    from reference_client.command import report_pages
+    from reference_client.view import report_command
 
-    return report_pages.report(args, printer)
+    return report_command.report(args, printer)
 
 
 COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {

@@ -22,7 +22,7 @@ from reference_server.generated import models
 from reference_server.http import codec
 from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.codec import JSON, MSGPACK
-from reference_server.http.connection_limits import HEADER_BYTES
+from reference_server.http.connections.connection_limits import HEADER_BYTES
 from reference_server.http.dispatch import (
     ANY_HOST,
     VERSION_MAX,

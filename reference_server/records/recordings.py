@@ -26,6 +26,7 @@ from weakref import WeakValueDictionary
 
 import msgspec
 
+from reference_record.formats.recording_parts import append_part, parts_of
 from reference_record.recording import (
     AttemptEvent,
     EpisodeResult,
@@ -34,7 +35,6 @@ from reference_record.recording import (
     timestamp,
 )
 from reference_record.recording_file import join_parts
-from reference_record.recording_parts import append_part, parts_of
 from reference_server.rules.run import Episode, Recording, Result, Run
 from reference_server.storage.store import StoreFailed
 from reference_sim.process.pool import RecordingPlan

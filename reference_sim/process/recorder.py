@@ -16,6 +16,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from reference_record.formats.recording_parts import PartWriter
 from reference_record.recording import (
     CAMERA,
     AttemptEvent,
@@ -24,7 +25,6 @@ from reference_record.recording import (
     Turn,
     timestamp,
 )
-from reference_record.recording_parts import PartWriter
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator
 from reference_sim.process.encoding import encode_image

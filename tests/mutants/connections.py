@@ -14,7 +14,7 @@ from reference_server import app
 from reference_server.app import Application
 from reference_server.http import dispatch
 from reference_server.http.auth import Tokens
-from reference_server.http.connection_limits import ConnectionLimits
+from reference_server.http.connections.connection_limits import ConnectionLimits
 from reference_server.http.dispatch import Operation
 from reference_server.rules import capacity, effects
 from reference_server.rules.capacity import Quota

@@ -12,7 +12,8 @@ import msgspec
 import sqlalchemy as sa
 from starlette.responses import Response
 
-from reference_record import export, recording_file, recording_parts
+from reference_record import export, recording_file
+from reference_record.formats import recording_parts
 from reference_record.recording import MESSAGE_HEAD
 from reference_record.statement import EpisodeLine, Evaluation
 from reference_server.http import handlers

@@ -14,6 +14,12 @@ from typing import Any
 import pytest
 from mcap.reader import make_reader
 
+from reference_record.formats.recording_parts import (
+    PartWriter,
+    append_part,
+    parts_of,
+    read_part,
+)
 from reference_record.recording import (
     AttemptEvent,
     EpisodeResult,
@@ -23,12 +29,6 @@ from reference_record.recording import (
     Turn,
 )
 from reference_record.recording_file import join_parts
-from reference_record.recording_parts import (
-    PartWriter,
-    append_part,
-    parts_of,
-    read_part,
-)
 from tests.support.paths import ROOT
 from tests.support.sim.recorded_turn import make_turn
 
@@ -171,7 +171,7 @@ WRITE_AND_SAY = """
 import sys
 from pathlib import Path
 from tests.support.sim.recorded_turn import make_turn
-from reference_record.recording_parts import PartWriter
+from reference_record.formats.recording_parts import PartWriter
 part = PartWriter(Path(sys.argv[1]))
 for seq in range(1_000_000):
     part.write("/turn", make_turn(seq))

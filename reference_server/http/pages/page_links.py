@@ -11,7 +11,7 @@ from urllib.parse import quote, urlencode
 from reference_record.pages.page_templates import asset_version
 
 # A path of these pages, with a query at most: never another site.
-_NEXT = re.compile(r"/pages(/[A-Za-z0-9_.-]+)*/?(\?[A-Za-z0-9_.=&%+-]*)?")
+_NEXT = re.compile(r"/pages(/[A-Za-z0-9_-]+)*(\?[A-Za-z0-9_.=&%+-]*)?")
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,8 @@ import pytest
 from mcap.records import Channel, Message
 from mcap.stream_reader import StreamReader
 
-from reference_record import recording_file, recording_parts
+from reference_record import recording_file
+from reference_record.formats import recording_parts
 from reference_record.recording import MESSAGE_HEAD
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import RecordingFailed, Recordings

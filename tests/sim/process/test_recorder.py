@@ -9,8 +9,8 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from reference_record.formats.recording_parts import parts_of, read_part
 from reference_record.recording import MESSAGE_HEAD
-from reference_record.recording_parts import parts_of, read_part
 from reference_sim.benchmark_registry import resolve
 from reference_sim.process.pool import (
     RecordingPlan,

@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import tempfile
 import time
+from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -54,7 +55,10 @@ class Browser:
         (address,) = [
             one["webSocketDebuggerUrl"] for one in targets if one["type"] == "page"
         ]
-        self._socket = connect(address, max_size=None, proxy=None)
+        self._open = ExitStack()
+        self._socket = self._open.enter_context(
+            connect(address, max_size=None, proxy=None)
+        )
         self._number = 0
         self.errors: list[str] = []
         for domain in ("Page", "Runtime", "Log", "Network"):
@@ -69,7 +73,7 @@ class Browser:
         _error: BaseException | None,
         _traceback: TracebackType | None,
     ) -> None:
-        self._socket.close()
+        self._open.close()
         self._process.terminate()
         self._process.wait(TIMEOUT_S)
         shutil.rmtree(self._folder, ignore_errors=True)

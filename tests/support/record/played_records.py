@@ -12,9 +12,9 @@ import msgspec
 
 from reference_record.export import build_record, host_of, save_blocks
 from reference_record.formats.names import recording_name
+from reference_record.formats.recording_parts import append_part, parts_of, read_part
 from reference_record.recording import EpisodeResult, Message, Turn
 from reference_record.recording_file import join_parts
-from reference_record.recording_parts import append_part, parts_of, read_part
 from reference_record.score import Outcome, compute_score
 from reference_record.statement import (
     BenchmarkFacts,

@@ -18,6 +18,7 @@ from reference_record.export import Record, build_record, host_of
 from reference_record.formats.archive import Content
 from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.names import recording_name
+from reference_record.formats.recording_parts import PartWriter
 from reference_record.keys import SigningKey
 from reference_record.recording import (
     AttemptEvent,
@@ -28,7 +29,6 @@ from reference_record.recording import (
     timestamp,
 )
 from reference_record.recording_file import join_parts
-from reference_record.recording_parts import PartWriter
 from reference_record.replay_verdict import ReplaySummary, replay_of, write_verdict
 from reference_record.score import Outcome, compute_score
 from reference_record.statement import (

@@ -16,11 +16,14 @@ from typing import Any
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
-from reference_server.http.bounded_connection import (
+from reference_server.http.connections.bounded_connection import (
     BoundedConnection,
     connection_factory,
 )
-from reference_server.http.connection_limits import ConnectionLimiter, ConnectionLimits
+from reference_server.http.connections.connection_limits import (
+    ConnectionLimiter,
+    ConnectionLimits,
+)
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
 

@@ -20,7 +20,7 @@ from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 from uvicorn.server import ServerState
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
-from reference_server.http.connection_limits import (
+from reference_server.http.connections.connection_limits import (
     ConnectionLimiter,
     ConnectionLimits,
     shared_address,

@@ -1,0 +1,1 @@
+"""Connections of clients: how many there are, and what each may take."""

@@ -1,0 +1,284 @@
+"""The pages of a server, without a browser: what they show, and to whom."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from tests.support.pages.page_reader import (
+    PageReader,
+    elements_of,
+    inline_code_of,
+    links_of,
+)
+from tests.support.server.http_runs import predict_body
+from tests.support.servers import TOKENS, ReferenceServer
+
+pytestmark = pytest.mark.slow("a server is started")
+
+EVIL = "\"'><script>alert(1)</script><b onmouseover=x>"
+TASKS = ("score", "score", "score")
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    with ReferenceServer(tmp_path_factory.mktemp("pages")) as server:
+        yield server
+
+
+@pytest.fixture(scope="module")
+def run_id(server: ReferenceServer) -> str:
+    """A run of alice with markup in every text: one success, two failures."""
+    return submit_and_play(server, successes={1})
+
+
+def submit_and_play(server: ReferenceServer, successes: set[int]) -> str:
+    with server.client() as client:
+        body = {
+            "benchmark_id": "calibration",
+            "policy": {
+                "name": EVIL,
+                "version": EVIL,
+                "submitter": EVIL,
+                "homepage": f"javascript:alert(1)//{EVIL}",
+            },
+            "options": {"tasks": TASKS},
+        }
+        run: dict[str, Any] = client.post("/v1/runs", json=body).json()
+        path = f"/v1/runs/{run['run_id']}/workers/w"
+        player = {"name": EVIL, "version": EVIL, "client": EVIL}
+        turn = client.put(path, json={"attach_key": "k", "player": player}).json()
+        for index in range(len(TASKS)):
+            won = float(index in successes)
+            values = {"score": won, "success": won, "end": 1.0}
+            answer = client.post(f"{path}/predict", json=predict_body(turn, **values))
+            assert answer.status_code == 200, answer.text
+            turn = answer.json() | {"session_id": turn["session_id"]}
+    return str(run["run_id"])
+
+
+def pages_of(run_id: str, other: str) -> list[str]:
+    return [
+        "/pages",
+        "/pages/runs",
+        f"/pages/runs?benchmark={EVIL}&policy={EVIL}&state={EVIL}",
+        "/pages/benchmarks/calibration",
+        f"/pages/runs/{run_id}",
+        f"/pages/runs/{run_id}?outcome={EVIL}&task={EVIL}",
+        f"/pages/runs/{run_id}/episodes/e0000",
+        f"/pages/compare?baseline={run_id}&run={other}&kind={EVIL}",
+        f"/pages/compare/episode?baseline={run_id}&run={other}&episode=e0000",
+    ]
+
+
+def test_texts_of_others_are_texts(server: ReferenceServer, run_id: str) -> None:
+    """Markup in every field. Expect no element, handler or link made of it."""
+    reader = PageReader(server.url, "alice")
+    other = submit_and_play(server, successes={0})
+    for path in pages_of(run_id, other):
+        page = reader.text(path)
+        assert inline_code_of(page) == [], path
+        assert "<script>alert" not in page, path
+        assert not [link for link in links_of(page) if "javascript" in link], path
+    about = reader.text(f"/pages/runs/{run_id}")
+    assert "&lt;script&gt;alert(1)" in about, "the control: the text is on the page"
+
+
+def test_links_to_elsewhere_give_nothing_away(server: ReferenceServer) -> None:
+    policy = {"name": "p", "homepage": "https://example.org/a"}
+    body = {"benchmark_id": "calibration", "policy": policy}
+    with server.client() as client:
+        run_id = client.post("/v1/runs", json=body).json()["run_id"]
+    page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}")
+    (link,) = [
+        one for _, one in elements_of(page) if one.get("href", "").startswith("http")
+    ]
+    assert link["href"] == "https://example.org/a"
+    assert {"noopener", "nofollow"} <= set(link["rel"].split())
+
+
+def test_pages_say_what_the_api_says(server: ReferenceServer, run_id: str) -> None:
+    page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}")
+    with server.client() as client:
+        score = client.get(f"/v1/runs/{run_id}/score").json()
+    assert f"<b>{100 * score['success_rate']:.1f} %</b>" in page
+    assert "1 of 3 episodes" in page
+    outcomes = re.findall(r'<tr data-outcome="(\w+)"', page)
+    assert outcomes == ["failure", "failure", "success"], "failures stand first"
+
+
+def test_filters_select_and_pages_end(server: ReferenceServer, run_id: str) -> None:
+    reader = PageReader(server.url, "alice")
+    page = reader.text(f"/pages/runs/{run_id}?outcome=success")
+    assert re.findall(r'<tr data-outcome="(\w+)"', page) == ["success"]
+    for wrong in ("page=2", "page=0", "page=x", "page=99999999"):
+        assert reader.get(f"/pages/runs/{run_id}?{wrong}").status_code == 404
+
+
+def test_other_accounts_see_nothing(server: ReferenceServer, run_id: str) -> None:
+    """Bob, and a path that nothing has. Expect the same answer."""
+    bob = PageReader(server.url, "bob")
+    run = f"/pages/runs/{run_id}"
+    paths = [run, f"{run}/live", f"{run}/record", f"{run}/episodes/e0000"]
+    paths += [f"{run}/episodes/e0000/pictures/0"]
+    paths += [f"/pages/compare?baseline={run_id}&run={run_id}"]
+    paths += [f"/pages/compare/episode?baseline={run_id}&run={run_id}&episode=e0000"]
+    for path in paths:
+        there = bob.get(path)
+        absent = bob.get(path.replace(run_id, "run_absent"))
+        assert there.status_code == absent.status_code == 404, path
+        assert there.text.replace(run_id, "run_absent") == absent.text, path
+    assert run_id not in bob.text("/pages") + bob.text("/pages/runs")
+    assert PageReader(server.url, "alice").get(run).status_code == 200
+
+
+def test_without_a_session_there_is_the_sign_in(
+    server: ReferenceServer, run_id: str
+) -> None:
+    reader = PageReader(server.url)
+    for path in ("/pages", f"/pages/runs/{run_id}?outcome=failure"):
+        answer = reader.get(path)
+        assert answer.status_code == 303
+        target = httpx.URL(answer.headers["location"])
+        assert target.path == "/pages/login"
+        assert target.params["next"] == path
+    assert reader.get(f"/pages/runs/{run_id}/live").status_code == 401
+    reader.client.cookies.set("proctor_session", "x" * 43, path="/pages")
+    assert reader.get("/pages").status_code == 303
+
+
+def test_the_session_is_a_cookie_that_scripts_cannot_read(
+    server: ReferenceServer,
+) -> None:
+    reader = PageReader(server.url)
+    answer = reader.sign_in(TOKENS["alice"], "/pages/runs")
+    assert answer.headers["location"] == "/pages/runs"
+    (cookie,) = [
+        text
+        for text in answer.headers.get_list("set-cookie")
+        if text.startswith("proctor_session=") and "Max-Age=0" not in text
+    ]
+    attributes = {part.strip().lower() for part in cookie.split(";")[1:]}
+    assert {"httponly", "samesite=strict", "path=/pages"} <= attributes
+    assert TOKENS["alice"] not in cookie + answer.headers["location"] + answer.text
+
+
+def test_wrong_tokens_make_no_session(server: ReferenceServer) -> None:
+    for token in ("wrong", "", "tóken", "a\r\nb", "x" * 4000):
+        reader = PageReader(server.url)
+        assert reader.sign_in(token).status_code == 403
+        assert reader.get("/pages").status_code == 303
+
+
+@pytest.mark.parametrize(
+    "target",
+    [
+        *("//evil.example", "https://evil.example", "/\\evil.example", "javascript:a"),
+        *("/pages//evil.example", "/pages/../v1", "/pages\n/x", "/pages@evil", ""),
+        "/pages/login",
+    ],
+)
+def test_the_sign_in_leads_nowhere_else(server: ReferenceServer, target: str) -> None:
+    answer = PageReader(server.url).sign_in(TOKENS["alice"], target)
+    assert answer.headers["location"] == "/pages"
+
+
+def test_forms_of_other_sites_are_refused(server: ReferenceServer) -> None:
+    """Without the secret, or sent by another site. The control signs out."""
+    reader = PageReader(server.url, "alice")
+    assert reader.sign_out(csrf="x").status_code == 403
+    for headers in ({"sec-fetch-site": "cross-site"}, {"origin": "https://evil"}):
+        form = {"csrf": reader.csrf()}
+        answer = reader.client.post("/pages/logout", data=form, headers=headers)
+        assert answer.status_code == 403
+    other = PageReader(server.url)
+    stolen = {"csrf": "y", "token": TOKENS["alice"], "next": "/pages"}
+    assert other.client.post("/pages/login", data=stolen).status_code == 403
+    answer = reader.sign_out()
+    assert (answer.status_code, answer.headers["location"]) == (303, "/pages/login")
+    assert reader.get("/pages").status_code == 303
+
+
+def test_only_forms_are_read(server: ReferenceServer) -> None:
+    client = PageReader(server.url).client
+    assert client.post("/pages/login", json={"token": "x"}).status_code == 415
+    big = client.post("/pages/login", data={"token": "x" * 20_000})
+    assert big.status_code == 400
+    many = "&".join(f"a{n}=1" for n in range(100))
+    kind = {"content-type": "application/x-www-form-urlencoded"}
+    answer = client.post("/pages/login", content=many, headers=kind)
+    assert answer.status_code == 400
+    assert client.put("/pages").status_code == 405
+
+
+def test_each_answer_keeps_others_out(server: ReferenceServer, run_id: str) -> None:
+    """No frame, no foreign script, no sniffing, no copy in a cache."""
+    reader = PageReader(server.url, "alice")
+    paths = ["/pages", f"/pages/runs/{run_id}", "/pages/nothing", "/pages/login"]
+    for path in [*paths, f"/pages/runs/{run_id}/record"]:
+        headers = reader.get(path).headers
+        policy = headers["content-security-policy"]
+        assert "default-src 'none'" in policy, path
+        assert "frame-ancestors 'none'" in policy, path
+        assert "unsafe" not in policy, path
+        assert headers["x-frame-options"] == "DENY", path
+        assert headers["x-content-type-options"] == "nosniff", path
+        assert headers["cache-control"] == "no-store", path
+
+
+def test_what_pages_load_is_here(server: ReferenceServer, run_id: str) -> None:
+    """Every script and style of a page is of this server, and kept for good."""
+    reader = PageReader(server.url, "alice")
+    page = reader.text(f"/pages/runs/{run_id}/episodes/e0000")
+    loaded = [
+        one.get("src") or one["href"]
+        for tag, one in elements_of(page)
+        if tag == "link" or (tag == "script" and "src" in one)
+    ]
+    assert len(loaded) == 4
+    for address in loaded:
+        answer = reader.get(address)
+        assert answer.status_code == 200
+        assert "immutable" in answer.headers["cache-control"]
+    for wrong in ("../page_templates.py", "%2e%2e/page_templates.py", "none.js"):
+        assert reader.get(f"/pages/static/{wrong}").status_code == 404
+
+
+def test_bad_addresses_are_not_found(server: ReferenceServer) -> None:
+    reader = PageReader(server.url, "alice")
+    for path in (
+        *("/pages/runs/a%2Fb", "/pages/runs/%00", f"/pages/runs/{'x' * 99}"),
+        *("/pages/compare", "/pages/compare?baseline=a&run=%0a", "/pages/x"),
+        *("/pages/benchmarks/none", "/pages/runs/x/episodes"),
+    ):
+        assert reader.get(path).status_code == 404, path
+
+
+def test_a_browser_at_the_root_is_led_to_the_pages(server: ReferenceServer) -> None:
+    """A program is refused there as before."""
+    client = PageReader(server.url).client
+    answer = client.get("/", headers={"accept": "text/html,*/*"})
+    assert (answer.status_code, answer.headers["location"]) == (303, "/pages")
+    assert client.get("/").json()["code"] == "not_found"
+    assert client.post("/", headers={"accept": "text/html"}).status_code == 404
+
+
+def test_the_record_can_be_downloaded(server: ReferenceServer, run_id: str) -> None:
+    answer = PageReader(server.url, "alice").get(f"/pages/runs/{run_id}/record")
+    with server.client() as client:
+        assert answer.content == client.get(f"/v1/runs/{run_id}/record").content
+    assert answer.headers["content-disposition"].startswith("attachment")
+
+
+def test_pages_can_be_off(tmp_path: Path) -> None:
+    with ReferenceServer(tmp_path, PROCTOR_PAGES="off") as server:
+        client = PageReader(server.url).client
+        for path in ("/", "/pages", "/pages/login"):
+            answer = client.get(path, headers={"accept": "text/html"})
+            assert answer.status_code == 404
+            assert answer.json()["code"] == "not_found"

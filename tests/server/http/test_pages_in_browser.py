@@ -1,0 +1,221 @@
+"""The pages in a real browser: watch a run, open a failure, compare, read a report."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from reference_client.command.main import main
+from tests.support.pages.browser import Browser
+from tests.support.pages.page_reader import PageReader
+from tests.support.server.http_runs import predict_body, submit
+from tests.support.servers import TOKENS, ReferenceServer
+
+pytestmark = pytest.mark.slow("a server and a browser are started")
+
+TASKS = ("score", "score", "count")
+# Contrast of texts with their ground, as WCAG 2.2 defines it; labels of fields.
+FAULTS = """
+(() => {
+  const parts = text => text.match(/[\\d.]+/g).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map(v => v / 255)
+    .map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const ground = element => {
+    for (let one = element; one; one = one.parentElement) {
+      const found = parts(getComputedStyle(one).backgroundColor);
+      if (found.length < 4 || found[3] === 1) return found;
+    }
+    return [255, 255, 255];
+  };
+  const faults = [];
+  for (const element of document.querySelectorAll("body *")) {
+    const texts = [...element.childNodes].filter(n => n.nodeType === 3);
+    const hasText = texts.some(n => n.data.trim());
+    if (!hasText || !element.getClientRects().length) continue;
+    const [a, b] = [parts(getComputedStyle(element).color), ground(element)].map(light);
+    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (contrast < 4.5) faults.push(`${contrast.toFixed(2)}: ${element.textContent}`);
+  }
+  for (const field of document.querySelectorAll("input:not([type=hidden]), select"))
+    if (!field.labels.length) faults.push(`no label: ${field.name}`);
+  for (const picture of document.querySelectorAll("img:not([alt])"))
+    faults.push(`no text: ${picture.src}`);
+  if (document.querySelectorAll("h1").length !== 1) faults.push("not one heading");
+  const {scrollWidth} = document.documentElement;
+  if (scrollWidth > innerWidth) faults.push(`${scrollWidth} pixels wide`);
+  return faults;
+})()
+"""
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
+    with ReferenceServer(tmp_path_factory.mktemp("pages")) as server:
+        yield server
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with Browser() as browser:
+        yield browser
+
+
+class Played:
+    """A run that is played turn by turn."""
+
+    def __init__(self, client: httpx.Client) -> None:
+        self.run_id = submit(client, *TASKS)
+        self._client = client
+        self._path = f"/v1/runs/{self.run_id}/workers/w"
+        self._turn: dict[str, Any] = {}
+
+    def attach(self) -> None:
+        body = {"attach_key": "k"}
+        self._turn = self._client.put(self._path, json=body).json()
+
+    def play(self, **values: float) -> None:
+        """A turn with one action."""
+        body = predict_body(self._turn, **values)
+        answer = self._client.post(f"{self._path}/predict", json=body)
+        assert answer.status_code == 200, answer.text
+        self._turn = answer.json() | {"session_id": self._turn["session_id"]}
+
+    def play_to_the_end(self, *scores: float, shift: float = 0.0) -> None:
+        """Each episode: three turns, the last one with its score."""
+        self.attach()
+        for score in scores:
+            self.play(vector=0.5)
+            self.play(vector=0.25 + shift)
+            self.play(score=score, success=score, end=1)
+
+
+@pytest.fixture(scope="module")
+def runs(server: ReferenceServer) -> tuple[str, str]:
+    """A baseline that wins the first episode, and a run that wins the second."""
+    with server.client() as client:
+        first, second = Played(client), Played(client)
+        first.play_to_the_end(1, 0, 0)
+        second.play_to_the_end(0, 1, 0, shift=0.5)
+        return first.run_id, second.run_id
+
+
+def test_a_run_is_watched_live(server: ReferenceServer, browser: Browser) -> None:
+    """Submitted, attached, scored, ended: the page shows each without being loaded."""
+    with server.client() as client:
+        played = Played(client)
+        browser.sign_in(server.url, TOKENS["alice"])
+        browser.open(f"{server.url}/pages/runs/{played.run_id}")
+        browser.evaluate("window.isSame = true")
+        says = "document.querySelector('#summary').innerText.includes('{}')"
+        browser.wait_for(says.format("ready"))
+        played.attach()
+        browser.wait_for(says.format("running"))
+        played.play(score=1, success=1, end=1)
+        browser.wait_for(says.format("1/3"))
+        browser.wait_for(says.format("Latest results"))
+        assert browser.evaluate("window.isSame"), "the page was loaded again"
+        for _ in range(2):
+            played.play(end=1)
+        browser.wait_for("!window.isSame")  # at the end it has the list of episodes
+        browser.wait_for(says.format("completed"))
+    assert browser.errors == []
+
+
+def test_a_failure_is_opened_and_stepped_through(
+    server: ReferenceServer, browser: Browser, runs: tuple[str, str]
+) -> None:
+    browser.sign_in(server.url, TOKENS["alice"])
+    browser.open(f"{server.url}/pages/runs/{runs[0]}")
+    browser.follow("document.querySelector('.episodes tbody a').click()")
+    assert "failure" in browser.text
+    browser.wait_for("document.querySelectorAll('.plots canvas').length > 1")
+    browser.press("ArrowRight")
+    browser.press("ArrowRight")
+    browser.wait_for("location.hash === '#step=2'")
+    assert "0.25" in browser.evaluate("document.querySelector('#readout').innerText")
+    browser.follow("document.querySelector('a[rel=prev]').click()")
+    assert "e0000" in browser.text
+    browser.open(f"{server.url}/pages/runs/{runs[0]}/episodes/e0001#step=3")
+    browser.wait_for("document.querySelector('#step').value === '3'")
+    browser.press("Home")
+    browser.wait_for("document.querySelector('#step').value === '0'")
+    assert browser.errors == []
+
+
+def test_two_runs_are_compared(
+    server: ReferenceServer, browser: Browser, runs: tuple[str, str]
+) -> None:
+    """Expect the lost episode first, and the step that differs marked."""
+    browser.sign_in(server.url, TOKENS["alice"])
+    browser.open(f"{server.url}/pages/runs/{runs[1]}")
+    chosen = "document.querySelector('form[action=\"/pages/compare\"]')"
+    browser.evaluate(f"{chosen}.baseline.value = '{runs[0]}'")
+    browser.follow(f"{chosen}.requestSubmit()")
+    assert "1 episodes won, 1 lost" in browser.text
+    kinds = "[...document.querySelectorAll('.pairs tbody tr')].map(r => r.dataset.kind)"
+    assert browser.evaluate(kinds) == ["lost", "won", "neither"]
+    browser.follow("document.querySelector('.pairs tbody a').click()")
+    assert "Step 2" in browser.text
+    browser.wait_for("document.querySelectorAll('.plots canvas').length > 3")
+    assert browser.errors == []
+
+
+@pytest.mark.parametrize("width", [400, 1280])
+@pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
+def test_everyone_can_read_the_pages(
+    server: ReferenceServer,
+    browser: Browser,
+    runs: tuple[str, str],
+    width: int,
+    dark: bool,
+) -> None:
+    """Contrast, labels, one heading; and no page is wider than its window."""
+    browser.sign_in(server.url, TOKENS["alice"])
+    browser.resize(width, dark=dark)
+    pair = f"baseline={runs[0]}&run={runs[1]}"
+    for path in (
+        *("", "/runs", f"/runs/{runs[0]}", f"/runs/{runs[0]}/episodes/e0001"),
+        *("/benchmarks/tabletop", f"/compare?{pair}", "/login", "/nothing"),
+        f"/compare/episode?{pair}&episode=e0000",
+    ):
+        browser.open(f"{server.url}/pages{path}")
+        assert browser.evaluate(FAULTS) == [], path
+
+
+def test_a_report_opens_without_a_server(
+    server: ReferenceServer,
+    browser: Browser,
+    runs: tuple[str, str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """One run of the server and one record, both in one report."""
+    record = tmp_path / "first.proctor"
+    reader = PageReader(server.url, "alice")
+    record.write_bytes(reader.get(f"/pages/runs/{runs[0]}/record").content)
+    order = ["--url", server.url, "--token", TOKENS["alice"]]
+    folder = tmp_path / "out"
+    command = ["report", str(record), runs[1], "-o", str(folder), *order]
+    assert main(command) == 0
+    assert str(folder / "index.html") in capsys.readouterr().out
+    assert main(command) == 2, "the folder is not empty"
+
+    browser.open(f"file://{folder}/index.html")
+    browser.follow("document.querySelectorAll('tbody a')[1].click()")
+    browser.evaluate("document.querySelector('[name=outcome]').value = 'success'")
+    browser.evaluate("document.forms[0].dispatchEvent(new Event('change'))")
+    shown = "document.querySelectorAll('.episodes tbody tr:not([hidden])').length"
+    browser.wait_for(f"{shown} === 1")
+    browser.follow("document.querySelector('ul a[href*=comparisons]').click()")
+    assert "1 episodes won, 1 lost" in browser.text
+    browser.follow("document.querySelector('.pairs tbody a').click()")
+    assert "Step 2" in browser.text
+    browser.follow("document.querySelector('.sides a').click()")
+    browser.wait_for("document.querySelectorAll('.plots canvas').length > 1")
+    assert browser.evaluate("location.protocol") == "file:"
+    assert browser.errors == []
