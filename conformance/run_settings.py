@@ -12,6 +12,7 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from conformance.specification.ledger import Requirement, load_ledger
+from conformance.specification.stages import stage_of
 
 VARIABLE = "PROCTOR_KIT_SETTINGS"
 
@@ -28,6 +29,7 @@ class Settings:
     restart_cmd: str | None = None
     seed: int = 0
     quick: bool = False
+    stage: int | None = None
     fail_fast: bool = False
     stress: bool = False
     exchanges: bool = False
@@ -48,6 +50,7 @@ class Settings:
             row
             for row in load_ledger().values()
             if row.profile in self.profiles
+            and (self.stage is None or stage_of(row) <= self.stage)
             and (not self.only or row.id.startswith(tuple(self.only)))
         ]
 

@@ -10,6 +10,7 @@ from typing import NoReturn
 
 from conformance.run_settings import Settings
 from conformance.specification.ledger import PROFILES, load_ledger
+from conformance.specification.stages import STAGES
 
 
 class BadArguments(Exception):
@@ -71,6 +72,13 @@ def _add_selection(parser: argparse.ArgumentParser) -> None:
         "--quick",
         action="store_true",
         help="skip checks that wait, kill the server or play a long run",
+    )
+    selection.add_argument(
+        "--stage",
+        type=int,
+        choices=[stage.number for stage in STAGES],
+        help="the rules that a server of so many stages can obey: "
+        + ", ".join(f"{stage.number} {stage.name}" for stage in STAGES),
     )
     selection.add_argument(
         "--list", action="store_true", help="print the rules and exit"
@@ -151,6 +159,7 @@ def read_selection(options: argparse.Namespace) -> Settings:
             )
     return Settings(
         quick=options.quick,
+        stage=options.stage,
         only=only,
         profiles=profiles or list(PROFILES),
         report=options.report,

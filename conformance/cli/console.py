@@ -87,6 +87,8 @@ class Terminal:
             self.say(f"note: {note}", "yellow")
         style = {0: "bold green", 1: "bold red"}.get(result.exit_code, "bold yellow")
         self.say(result.conclusion(), style)
+        if (advice := result.advice()) is not None:
+            self._wrapped(advice)
 
     def _rows(self, result: Result) -> None:
         ledger = load_ledger()

@@ -19,6 +19,7 @@ from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedCont
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
+from conformance.specification.stages import BENCHMARKS, LAST, RUNS
 from conformance.verdicts.expect import SetUpFailed, Violation, describe_answer
 
 _PROBES = 12
@@ -61,6 +62,17 @@ def _inspect(context: CheckContext, settings: Settings) -> Findings:
         _TOLERANCE_MIN_S, TOLERANCE_ROUND_TRIPS * findings.round_trip_p95_s
     )
     _require_version_overlap(settings.service)
+    stage = settings.stage or LAST
+    if stage >= RUNS:
+        _require_accounts(context, settings)
+    if stage >= BENCHMARKS:
+        settings.benchmark = _read_calibration(context)
+    if stage >= RUNS:
+        _require_submit_allowed(context)
+    return findings
+
+
+def _require_accounts(context: CheckContext, settings: Settings) -> None:
     _require_admitted(context.http_client, "--token or PROCTOR_TOKEN")
     if settings.token_2 is not None:
         if settings.token_2 == settings.token:
@@ -73,9 +85,6 @@ def _inspect(context: CheckContext, settings: Settings) -> Findings:
         _require_admitted(
             context.read_only_account, "--token-read or PROCTOR_TOKEN_READ"
         )
-    settings.benchmark = _read_calibration(context)
-    _require_submit_allowed(context)
-    return findings
 
 
 def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Answer:

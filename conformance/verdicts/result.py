@@ -15,6 +15,7 @@ from conformance.specification.ledger import (
     Requirement,
     load_ledger,
 )
+from conformance.specification.stages import LAST, advice
 from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
@@ -61,7 +62,8 @@ class Result:
         settings = self.settings
         is_policy = settings.profiles == [POLICY]
         is_narrow = not is_policy and bool(set(PROFILES) - set(settings.profiles))
-        return bool(settings.only or settings.quick or is_narrow)
+        is_stage = settings.stage not in (None, LAST)
+        return bool(settings.only or settings.quick or is_narrow or is_stage)
 
     def counts(self, level: str) -> Counter[Outcome]:
         """Count the outcomes of the rows of a level."""
@@ -151,6 +153,23 @@ class Result:
                 return f"known failures that now pass: {self.stale}"
             return f"NOT conformant{scope}"
         return f"not decided: {self._undecided()}"
+
+    def advice(self) -> str | None:
+        """Say what to do next, where the kit was run with --stage."""
+        stage = self.settings.stage
+        if stage is None:
+            return None
+        levels = {row.id: row.level for row in load_ledger().values()}
+        wrong = [
+            one.requirement_id
+            for one in self.rows.values()
+            if one.outcome not in (Outcome.PASSED, Outcome.NOT_APPLICABLE)
+            and not one.allowed
+            and levels[one.requirement_id] == "MUST"
+        ]
+        is_done = self.exit_code == 0
+        first = next(iter(wrong), None) if self.problem is None else None
+        return advice(stage, is_done=is_done, first=first)
 
     def _undecided(self) -> str:
         """Name the rules that were not decided, with the reason of the first."""
@@ -286,6 +305,7 @@ def as_plain(result: Result) -> dict[str, Any]:
         "only": settings.only,
         "profiles": settings.profiles,
         "quick": settings.quick,
+        "stage": settings.stage,
         "max_time_s": settings.max_time_s,
         "round_trip_p50_s": result.round_trip_p50_s,
         "round_trip_p95_s": settings.round_trip_s,

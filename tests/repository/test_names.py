@@ -75,6 +75,10 @@ MAY_SAY = {
     ("docs/evaluate/metaworld.md", "door shelf"): "names of its tasks",
     ("tests/sim/benchmarks/metaworld_checks.py", "door"): "an environment's name",
     ("reference_sim/benchmarks/mobile_bimanual/*", "shelf shelves"): "in its scene",
+    ("conformance/*", "stage stages"): "a server is written in stages: --stage",
+    ("docs/implement/*", "stage stages"): "the same",
+    ("spec/CONFORMANCE.md", "stage"): "the same",
+    ("tests/kit/test_stages.py", "stage stages"): "the same",
     (HERE, " ".join(BANNED)): "the list itself",
 }
 WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")

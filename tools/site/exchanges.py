@@ -205,7 +205,7 @@ def _fixed(value: Any, name: str = "") -> Any:
     if isinstance(value, str):
         fixed = DRAWN.get(name) or _fixed_text(value)
         return fixed if len(fixed) <= 300 else f"{fixed[:300]} …"
-    if isinstance(value, float) and MEASURED.search(name) and value % 0.001:
+    if isinstance(value, float) and MEASURED.search(name) and value != round(value, 3):
         return 0.001
     if name == "attempts_by_submitter":
         return 1

@@ -1,0 +1,117 @@
+"""The stages of a server: each rule is in one, and a server of a stage can obey it."""
+
+from __future__ import annotations
+
+import http.server
+import json
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from conformance.run_settings import Settings
+from conformance.specification import stages
+from conformance.specification.ledger import PROFILES, load_ledger
+from conformance.specification.stages import LAST, STAGES, advice, stage_of
+from tests.support.paths import ROOT
+
+SERVICE = {
+    "name": "first stage",
+    "version": "1",
+    "protocol": {"min": "1.0", "max": "1.0"},
+    "profiles": ["core"],
+    "encodings": ["application/json"],
+    "image_codecs": ["raw"],
+    "server_time": "2026-01-01T00:00:00Z",
+    "limits": {
+        "max_body_bytes": 1000000,
+        "max_chunk": 4,
+        "idle_timeout_s_min": 1.0,
+        "idle_timeout_s_max": 600.0,
+        "max_workers": 2,
+        "wait_s_max": 30,
+    },
+}
+
+
+def selected(stage: int | None) -> set[str]:
+    settings = Settings(stage=stage, profiles=list(PROFILES))
+    return {row.id for row in settings.selected_rules}
+
+
+def test_stages_grow_to_the_whole() -> None:
+    sizes = [len(selected(stage.number)) for stage in STAGES]
+    assert sizes == sorted(set(sizes))
+    assert selected(LAST) == selected(None)
+
+
+def test_exceptions_are_rules_that_their_area_places_elsewhere() -> None:
+    rules = load_ledger()
+    for id_, number in stages._BY_ID.items():
+        assert number != stages._BY_AREA.get(rules[id_].area, LAST), id_
+
+
+def test_profiles_belong_to_the_last_stage() -> None:
+    assert stage_of(load_ledger()["EVT-001"]) == LAST
+    assert stage_of(load_ledger()["CRASH-001"]) == LAST
+
+
+def test_advice_names_what_comes_next() -> None:
+    assert "--stage 2" in advice(1, is_done=True, first=None)
+    assert "--only RUN-004" in advice(3, is_done=False, first="RUN-004")
+    assert "without --stage" in advice(LAST, is_done=True, first=None)
+
+
+class _FirstStage(http.server.BaseHTTPRequestHandler):
+    """Serves `describe_service` and nothing else."""
+
+    protocol_version = "HTTP/1.1"
+
+    def do_GET(self) -> None:
+        body = json.dumps(SERVICE if self.path == "/v1" else {}).encode()
+        self.send_response(200 if self.path == "/v1" else 404)
+        self.send_header("Content-Type", "application/json")
+        self.send_header("Content-Length", str(len(body)))
+        self.send_header("Proctor-Version", "1.0")
+        self.end_headers()
+        self.wfile.write(body)
+
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+        """Print nothing."""
+
+
+@pytest.fixture
+def url() -> Iterator[str]:
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), _FirstStage)
+    thread = threading.Thread(target=server.serve_forever)
+    thread.start()
+    yield f"http://127.0.0.1:{server.server_address[1]}"
+    server.shutdown()
+    thread.join()
+    server.server_close()
+
+
+@pytest.mark.slow("starts kits")
+@pytest.mark.parametrize(
+    ("stage", "code", "says"),
+    [(1, 0, "stage 1 of 6 (describe) is done; next,"), (2, 2, "stage 2 of 6")],
+)
+def test_a_server_of_the_first_stage(
+    url: str, tmp_path: Path, stage: int, code: int, says: str
+) -> None:
+    """Nothing else is needed to be judged: no token, no benchmark."""
+    command = [sys.executable, "-m", "conformance", "--url", url, "--report"]
+    done = subprocess.run(
+        [*command, str(tmp_path), "--stage", str(stage)],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == code, done.stdout
+    assert says in done.stdout
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert report["stage"] == stage
