@@ -45,14 +45,12 @@ CSV_COLUMNS = (
 def publish(args: argparse.Namespace, printer: Printer) -> int:
     """`proctor publish`: the entry of a completed run."""
     run_id = _run_of(args)
+    description = _description(args)
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
-        name = (
-            args.name
-            or retry_policy.call(lambda: connection.control.get_run(run_id)).policy.name
-        )
-        entry = BoardClient(connection, retry_policy).publish(
-            run_id, _description(args, name)
-        )
+        if args.name is None:
+            run = retry_policy.call(lambda: connection.control.get_run(run_id))
+            description.model_name = run.policy.name
+        entry = BoardClient(connection, retry_policy).publish(run_id, description)
     printer.answer(entry.to_dict(), _entry_facts(entry))
     return DONE
 
@@ -91,9 +89,9 @@ def _run_of(args: argparse.Namespace) -> str:
     return str(run_id)
 
 
-def _description(args: argparse.Namespace, name: str) -> PublishEntry:
+def _description(args: argparse.Namespace) -> PublishEntry:
     members = {
-        "model_name": name,
+        "model_name": args.name or "unnamed",
         "is_public": not args.private,
         "model_type": args.type,
         "organisation": args.organisation,
@@ -125,7 +123,7 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "manifest": entry.manifest_sha256,
             "score": f"{entry.score.score:.4f}",
             "seen by": seen,
-            "attempts": f"{entry.attempts} runs of this benchmark by {entry.submitter}",
+            "attempts": f"{entry.attempts}, of {entry.submitter} on this benchmark",
         }
     )
 
@@ -177,7 +175,7 @@ def _notes(ranking: Ranking) -> str:
         lines.append(
             "A rank is an interval: entries with a letter in common cannot be "
             "distinguished\n"
-            f"(exact McNemar, Holm over {ranking.comparisons} pairs, "
+            f"(exact McNemar with Holm's correction, pairs: {ranking.comparisons}, "
             f"alpha {ranking.alpha:g})."
         )
     if ranking.differing_min is None:

@@ -1,0 +1,146 @@
+"""`proctor publish`, `board` and `withdraw`: a ranking for people, scripts, sheets."""
+
+from __future__ import annotations
+
+import csv
+import io
+import sqlite3
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.support.client.command import ProctorCommand, options
+from tests.support.servers import ReferenceServer
+
+pytestmark = pytest.mark.usefixtures("policy_folder")
+EPISODES = 12
+# Succeeds in the first episodes, as many as the file `successes` says.
+FIRST_ONES = """
+import pathlib
+import policies
+
+
+def first_ones(observation):
+    many = int(pathlib.Path("successes").read_text())
+    success = float(int(observation.episode_id[1:]) < many)
+    return policies.action(score=success, success=success, end=1.0)
+"""
+
+
+@pytest.fixture(autouse=True)
+def state(policy_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (policy_folder / "first_ones.py").write_text(FIRST_ONES)
+    monkeypatch.setenv("XDG_STATE_HOME", str(policy_folder / "state"))
+
+
+def play(proctor: ProctorCommand, successes: int, max_steps: int) -> str:
+    """A completed run. max_steps: each test has a manifest of its own."""
+    Path("successes").write_text(str(successes))
+    tasks = options(*["score"] * EPISODES, max_steps=max_steps)
+    made = proctor.json("run", "--policy", "first_ones.py:first_ones", *tasks)
+    assert proctor.code == 0
+    run_id: str = made["run_id"]
+    return run_id
+
+
+def publish(proctor: ProctorCommand, run_id: str, *flags: str) -> dict[str, Any]:
+    entry: dict[str, Any] = proctor.json("publish", run_id, *flags)
+    assert proctor.code == 0, entry
+    return entry
+
+
+def test_people_and_scripts_read_a_ranking(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect intervals of ranks in 80 columns, all of the answer as JSON, and CSV
+    that a spreadsheet does not execute."""
+    runs = [play(proctor, many, 21) for many in (12, 11, 0)]
+    names = ["best", "=SUM(A1)", "a name that is much too long for a column"]
+    flags = ["--organisation", "Lab", "--code-url", "https://example.org/c"]
+    entries = [
+        publish(proctor, run, "--name", name, *flags)
+        for run, name in zip(runs, names, strict=True)
+    ]
+    manifest = ["--manifest", entries[0]["manifest_sha256"]]
+    monkeypatch.setenv("COLUMNS", "80")
+    assert proctor("board", "calibration", *manifest) == 0
+    lines = proctor.out.splitlines()
+    assert max(map(len, lines)) <= 80
+    assert [line.split()[1] for line in lines[1:3]] == ["1–2", "1–2"]
+    assert lines[3].startswith("a name that is much too lon…")
+    assert " 3  b " in lines[3]
+    found = proctor.json("board", "calibration", *manifest)
+    assert [row["rank"]["high"] for row in found["rows"]] == [2, 2, 3]
+    assert proctor("board", "calibration", *manifest, "--csv") == 0
+    rows = list(csv.DictReader(io.StringIO(proctor.out)))
+    assert [row["model_name"] for row in rows] == [names[0], f"'{names[1]}", names[2]]
+    assert [row["entry_id"] for row in rows] == [one["entry_id"] for one in entries]
+    assert (rows[0]["rank_low"], rows[0]["rank_high"]) == ("1", "2")
+
+
+def test_an_entry_is_private_public_and_withdrawn(proctor: ProctorCommand) -> None:
+    run_id = play(proctor, 6, 22)
+    entry = publish(proctor, run_id, "--private")
+    assert (entry["model_name"], entry["is_public"]) == ("first_ones", False)
+    manifest = ["--manifest", entry["manifest_sha256"]]
+    assert proctor("board", "calibration", *manifest) == 0
+    assert "no public entry" in proctor.out
+    assert publish(proctor, run_id)["is_public"]
+    assert len(proctor.json("board", "calibration", *manifest)["rows"]) == 1
+    assert proctor.json("withdraw", run_id)["state"] == "withdrawn"
+    assert proctor.json("board", "calibration", *manifest)["rows"] == []
+    assert proctor("publish", run_id) == 2
+    assert "entry_withdrawn" in proctor.err
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["publish", "run_1", "--homepage", "javascript:x"], "--homepage"),
+        (["publish", "run_1", "--name", "x" * 201], "--name"),
+        (["publish"], "needs the id of a completed run"),
+        (["publish", "run_1"], "not_found"),
+        (["withdraw", "run_1"], "not_found"),
+        (["board", "nothing"], "not_found"),
+    ],
+)
+def test_what_cannot_be_is_said_in_one_line(
+    proctor: ProctorCommand, words: list[str], said: str
+) -> None:
+    assert proctor(*words) == 2
+    assert said in proctor.err
+    assert len(proctor.err.splitlines()) == 1
+
+
+def test_a_rewritten_history_is_seen(
+    proctor: ProctorCommand, server: ReferenceServer
+) -> None:
+    """Whole at first and when it has grown; then a leaf is changed in the database,
+    then a row is removed from it. Expect 1 for both, and 0 when it is as it was."""
+    run_id = play(proctor, 3, 23)
+    publish(proctor, run_id, "--notes", "before")
+    assert proctor("board", "verify") == 0
+    assert "nothing; from now on" in proctor.out
+    publish(proctor, run_id, "--notes", "after")
+    grown = proctor.json("board", "verify")
+    assert (grown["is_whole"], proctor.code) == (True, 0)
+    assert grown["seen_before"] == grown["tree_size"] - 1
+    last = grown["tree_size"] - 1
+
+    def change(statement: str, *values: object) -> None:
+        with closing(sqlite3.connect(server.database)) as database, database:
+            database.execute(statement, values)
+
+    leaf = 'UPDATE history SET leaf = replace(leaf, ?, ?) WHERE "index" = ?'
+    change(leaf, "after", "other", last)
+    assert proctor("board", "verify") == 1
+    assert "not those that it signed" in proctor.err
+    change(leaf, "other", "after", last)
+    listed = "UPDATE entries SET is_listed = ? WHERE run_id = ?"
+    change(listed, False, run_id)
+    assert proctor("board", "verify") == 1
+    assert "is in the history, and not shown" in proctor.err
+    change(listed, True, run_id)
+    assert proctor("board", "verify") == 0
