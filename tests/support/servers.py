@@ -35,7 +35,7 @@ class ReferenceServer:
 
     def __init__(self, directory: Path, **settings: str) -> None:
         self._directory = directory
-        self.database = directory / "proctor.sqlite"
+        self.database_file = directory / "proctor.sqlite"
         self._settings = settings
         self._port = "0"
         self.start()
@@ -45,7 +45,7 @@ class ReferenceServer:
         tokens = "alice:read+run:{alice},bob:read+run:{bob},alice:read:{reader}"
         settings = {
             "PROCTOR_PORT": self._port,
-            "PROCTOR_DATABASE": str(self.database),
+            "PROCTOR_DATABASE": str(self.database_file),
             "PROCTOR_TOKENS": tokens.format(**TOKENS),
         } | self._settings
         with (self._directory / "log").open("ab") as log:

@@ -130,7 +130,7 @@ def test_a_rewritten_history_is_seen(
     last = grown["tree_size"] - 1
 
     def change(statement: str, *values: object) -> None:
-        with closing(sqlite3.connect(server.database)) as database, database:
+        with closing(sqlite3.connect(server.database_file)) as database, database:
             database.execute(statement, values)
 
     leaf = 'UPDATE history SET leaf = replace(leaf, ?, ?) WHERE "index" = ?'
