@@ -17,6 +17,8 @@ from reference_server.rules.scoring import ScoredEpisode, score_of
 Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]
 EntryState = Literal["published", "withdrawn"]
 Level = Literal["reported", "signed"]
+# Of one entry: each is kept for good. It can be withdrawn all the same.
+CHANGES_MAX = 1000
 SHOWN_OF_SCORE = (
     *("score", "success_rate", "success_interval", "mean_interval", "counts"),
 )
@@ -35,7 +37,7 @@ class BoardEntry:
     """One entry; it has all that is shown of it and ranked, and needs its run no more.
 
     number: grows with every entry; 0 before it is stored. description: schema
-    PublishEntry. score: schema EntryScore. successes: 1 or 0 for each episode, in the
+    PublishEntry. score: schema EntryScore. changes: of its description. successes: 1 or 0 for each episode, in the
     order of the manifest.
     """
 
@@ -56,6 +58,7 @@ class BoardEntry:
     changed_at_wall: float
     state: EntryState = "published"
     flag: Flag | None = None
+    changes: int = 0
 
     @property
     def is_public(self) -> bool:
@@ -126,8 +129,15 @@ def publish(
         return Refuse("entry_withdrawn", detail, "BRD-006")
     if stored.description == description:
         return Change(stored)
-    at = max(fresh.changed_at_wall, stored.changed_at_wall)
-    entry = replace(stored, description=description, changed_at_wall=at)
+    if stored.changes >= CHANGES_MAX:
+        detail = f"{stored.entry_id} was changed {CHANGES_MAX} times, the most."
+        return Refuse("quota_exceeded", detail, "BRD-001")
+    entry = replace(
+        stored,
+        description=description,
+        changed_at_wall=max(fresh.changed_at_wall, stored.changed_at_wall),
+        changes=stored.changes + 1,
+    )
     kind = _kind_of_change(stored, entry)
     return Change(entry, None if kind is None else _leaf(kind, entry))
 

@@ -91,6 +91,19 @@ def test_the_history_has_what_others_could_see(
     assert entry.entry_id == ("entry_2" if stored is None else "entry_1")
 
 
+def test_what_is_kept_for_good_is_bounded() -> None:
+    """An account cannot fill the disk with changes; a withdrawal is always possible."""
+    entry = replace(published(), changes=entry_changes.CHANGES_MAX - 1)
+    entry, kind = change(
+        entry_changes.publish(fresh_entry(), entry, PUBLIC | {"notes": "n"})
+    )
+    assert kind == "change"
+    refused = entry_changes.publish(fresh_entry(), entry, PUBLIC)
+    assert isinstance(refused, Refuse)
+    assert refused.code == "quota_exceeded"
+    assert change(entry_changes.withdraw(entry, LATER))[1] == "withdraw"
+
+
 def test_a_leaf_says_all_that_a_ranking_needs() -> None:
     verdict = entry_changes.publish(fresh_entry(), None, PUBLIC)
     assert isinstance(verdict, Change)

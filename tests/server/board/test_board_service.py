@@ -1,0 +1,234 @@
+"""The use cases of a leaderboard over its tables: at once, after a restart, in an old
+database, and how often a ranking is computed."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import sqlite3
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+
+from reference_record.formats.checkpoint import read
+from reference_record.formats.merkle_tree import is_consistent, leaf_hash
+from reference_record.keys import SigningKey
+from reference_server.records.board_history import BoardHistory
+from reference_server.records.run_records import RunRecords
+from reference_server.rules.board import ranking
+from reference_server.runs import board_service
+from reference_server.runs.board_service import BoardService
+from reference_server.storage.board_store import BoardStore
+from reference_server.storage.store import StoreFailed
+from tests.support.server.server_parts import (
+    RESULT,
+    ServerParts,
+    calibration_run,
+    count_rows,
+    expect_refusal,
+    run_scenarios,
+)
+
+KEY = SigningKey(bytes(32))
+PUBLIC = {"model_name": "A", "is_public": True}
+PRIVATE = {"model_name": "A", "is_public": False}
+
+Story = Callable[[ServerParts, BoardService], Awaitable[None]]
+
+
+def run_stories(path: Path, *stories: Story) -> None:
+    """Each with a server of its own, over the same database."""
+
+    def scenario(story: Story) -> Callable[[ServerParts], Awaitable[None]]:
+        async def open_and_run(parts: ServerParts) -> None:
+            store = BoardStore(parts.store, leaf_hash)
+            records = SimpleNamespace(key=KEY, host_name="https://eval.example.org/a b")
+            history = BoardHistory(store, cast("RunRecords", records))
+            service = parts.service
+            board = BoardService(service.registry, service.benchmarks, store, history)
+            await board.open()
+            await story(parts, board)
+
+        return open_and_run
+
+    run_scenarios(path, *map(scenario, stories))
+
+
+async def completed(parts: ServerParts, run_id: str, account: str = "alice") -> str:
+    """The manifest of a run that is completed."""
+    run = calibration_run("score", run_id=run_id, account=account, state="completed")
+    assert await parts.store.insert(run, None, "")
+    run.episodes[0].result = RESULT
+    run.changed = {0}
+    await parts.store.save(run)
+    return run.manifest_sha256
+
+
+def test_an_entry_outlives_a_restart(tmp_path: Path) -> None:
+    """With its leaf; the history goes on where it was."""
+    seen: dict[str, Any] = {}
+
+    async def before(parts: ServerParts, board: BoardService) -> None:
+        seen["manifest"] = await completed(parts, "run_1")
+        seen["entry"], is_new = await board.publish("alice", "run_1", PUBLIC)
+        assert is_new
+        seen["checkpoint"] = await board.checkpoint()
+
+    async def after(_: ServerParts, board: BoardService) -> None:
+        entry_id = seen["entry"]["entry_id"]
+        assert await board.get("bob", entry_id) == seen["entry"]
+        found, total = await board.rank("calibration", seen["manifest"], 0, 10)
+        assert (total, found["rows"][0]["entry"]) == (1, seen["entry"])
+        assert await board.checkpoint() == seen["checkpoint"]
+        await board.withdraw("alice", "run_1")
+        later = await board.checkpoint()
+        proof = await board.consistency(1, 2)
+        old, new = (
+            read(one["note"], KEY.public_key) for one in (seen["checkpoint"], later)
+        )
+        hashes = [bytes.fromhex(one) for one in proof["hashes"]]
+        assert is_consistent(1, old.root, 2, new.root, hashes)
+        assert new.origin == "eval.example.org/a_b/board"
+
+    run_stories(tmp_path, before, after)
+
+
+def test_a_database_without_a_leaderboard_gets_one(tmp_path: Path) -> None:
+    async def before(parts: ServerParts, _: BoardService) -> None:
+        await completed(parts, "run_1")
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("DROP TABLE entries")
+            database.execute("DROP TABLE history")
+
+    async def after(_: ServerParts, board: BoardService) -> None:
+        assert (await board.checkpoint())["tree_size"] == 0
+        await board.publish("alice", "run_1", PUBLIC)
+        assert len(await board.leaves(0, 10)) == 1
+
+    run_stories(tmp_path, before, after)
+
+
+def test_requests_at_once_make_one_entry(tmp_path: Path) -> None:
+    """And each change one leaf, in one order."""
+
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        await completed(parts, "run_1")
+        described = [PUBLIC | {"notes": str(number)} for number in range(20)]
+        made = await asyncio.gather(
+            *(board.publish("alice", "run_1", one) for one in described)
+        )
+        assert sum(is_new for _, is_new in made) == 1
+        assert len({entry["entry_id"] for entry, _ in made}) == 1
+        assert count_rows(parts.path, "entries") == 1
+        assert len(await board.leaves(0, 100)) == 20
+
+    run_stories(tmp_path, story)
+
+
+def test_a_ranking_is_computed_once_for_its_entries(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also when a description changes; again when an entry comes, is flagged, goes."""
+    counted: list[int] = []
+
+    def count(contenders: Any, episodes_total: int) -> ranking.Ranking:
+        counted.append(len(contenders))
+        return ranking.rank(contenders, episodes_total)
+
+    monkeypatch.setattr(board_service, "rank", count)
+
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        manifest = await completed(parts, "run_1")
+        await completed(parts, "run_2", "bob")
+
+        async def read_twice() -> list[Any]:
+            for _ in range(2):
+                found, _ = await board.rank("calibration", manifest, 0, 10)
+            return [
+                (row.get("rank"), row["entry"]["model_name"]) for row in found["rows"]
+            ]
+
+        entry, _ = await board.publish("alice", "run_1", PUBLIC)
+        await read_twice()
+        await board.publish("alice", "run_1", PUBLIC | {"model_name": "B"})
+        assert await read_twice() == [({"low": 1, "high": 1}, "B")]
+        assert counted == [1]
+        await board.publish("bob", "run_2", PUBLIC)
+        both = {"low": 1, "high": 2}
+        assert await read_twice() == [(both, "B"), (both, "A")]
+        await board.flag(entry["entry_id"], flagged=True, reason="odd")
+        assert await read_twice() == [({"low": 1, "high": 1}, "A"), (None, "B")]
+        await board.withdraw("alice", "run_1")
+        assert await read_twice() == [({"low": 1, "high": 1}, "A")]
+        assert counted == [1, 2, 2, 1]
+
+    run_stories(tmp_path, story)
+
+
+def test_cached_rankings_are_bounded(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Readers may name any manifest."""
+    monkeypatch.setattr(board_service, "CACHED_RANKINGS_MAX", 3)
+
+    async def story(_: ServerParts, board: BoardService) -> None:
+        for number in range(10):
+            await board.rank("calibration", f"{number:064x}", 0, 10)
+        assert len(board._rankings) == 3
+
+    run_stories(tmp_path, story)
+
+
+def test_private_entries_are_seen_by_their_account_and_a_reader_of_all(
+    tmp_path: Path,
+) -> None:
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        await completed(parts, "run_1")
+        entry, _ = await board.publish("alice", "run_1", PRIVATE)
+        for account in ("alice", None):
+            assert await board.get(account, entry["entry_id"]) == entry
+            assert len(await board.page(account, None, None, 10)) == 1
+        for account in ("bob", ""):
+            with expect_refusal("not_found"):
+                await board.get(account, entry["entry_id"])
+            assert await board.page(account, None, None, 10) == []
+        with expect_refusal("not_found"):
+            await board.flag(entry["entry_id"], flagged=True, reason="odd")
+
+    run_stories(tmp_path, story)
+
+
+def test_runs_of_other_accounts_are_not_published(tmp_path: Path) -> None:
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        await completed(parts, "run_1")
+        with expect_refusal("not_found"):
+            await board.publish("bob", "run_1", PUBLIC)
+        with expect_refusal("not_found"):
+            await board.withdraw("bob", "run_1")
+        assert count_rows(parts.path, "entries") == 0
+
+    run_stories(tmp_path, story)
+
+
+def test_a_leaf_that_is_not_stored_stores_no_entry(tmp_path: Path) -> None:
+    """The disk is full between both. Expect neither, and both at the next try."""
+
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        await completed(parts, "run_1")
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute(
+                "CREATE TRIGGER full BEFORE INSERT ON history "
+                "BEGIN SELECT RAISE(ABORT, 'the disk is full'); END"
+            )
+        with pytest.raises(StoreFailed, match="full"):
+            await board.publish("alice", "run_1", PUBLIC)
+        assert count_rows(parts.path, "entries") == 0
+        with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            database.execute("DROP TRIGGER full")
+        _, is_new = await board.publish("alice", "run_1", PUBLIC)
+        assert is_new
+
+    run_stories(tmp_path, story)
