@@ -37,8 +37,8 @@ class BoardEntry:
     """One entry; it has all that is shown of it and ranked, and needs its run no more.
 
     number: grows with every entry; 0 before it is stored. description: schema
-    PublishEntry. score: schema EntryScore. changes: of its description. successes: 1 or 0 for each episode, in the
-    order of the manifest.
+    PublishEntry. score: schema EntryScore. successes: 1 or 0 for each episode, in the
+    order of the manifest. changes: how often its description was changed.
     """
 
     entry_id: str
