@@ -67,8 +67,7 @@ class Handlers:
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; equal to the spec, as a test proves."""
         run, worker = "/v1/runs/{run_id}", "/v1/runs/{run_id}/workers/{worker_id}"
-        pages = ("cursor", "limit")
-        both = (JSON, MSGPACK)
+        pages, both = ("cursor", "limit"), (JSON, MSGPACK)
         # Everything but a predict is short.
         control = partial(
             Operation, max_body_bytes=self.settings.max_control_body_bytes

@@ -125,6 +125,7 @@ MORE_SIBLINGS = {
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server/rules": "a file for each subject that is decided",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
+    "spec": "a document for each subject; docs/README.md names them",
     "spec/vectors/record": "a file for each way in which a record can be broken",
     "tests": "a folder for each package, and what judges the kit",
     "tests/mutants": "a file for each area of the rules",

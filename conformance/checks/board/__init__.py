@@ -1,0 +1,1 @@
+"""Checks of entries, rankings and the history of a leaderboard."""
