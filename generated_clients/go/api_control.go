@@ -3166,7 +3166,7 @@ func (r ApiPublishEntryRequest) Execute() (*BoardEntry, *http.Response, error) {
 /*
 PublishEntry Publish a completed run on the leaderboard, or change what its entry says
 
-A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. An entry that was changed 1,000 times may be refused further changes with `quota_exceeded`. Offered with the profile `board`, as are the operations on entries, rankings and history.
+A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. How often is bounded (BRD-001). Offered with the profile `board`, as are the operations on entries, rankings and history.
 
  @param ctx context.Context - for authentication, logging, cancellation, deadlines, tracing, etc. Passed from http.Request or context.Background().
  @param runId

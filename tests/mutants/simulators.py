@@ -81,7 +81,21 @@ def spoil_image(change: Callable[[dict[str, Any]], None], codec: str) -> None:
     spoil_observations(wrong)
 
 
-@mutant("ATR-004", "ATR-006", "CAL-007", "CAL-008", "FAULT-012", "PRED-001", "PRED-006", "PRED-007", "PRED-012", "PRED-018", "PRED-021", "SCORE-002", "SCORE-003")
+@mutant(
+    "ATR-004",
+    "ATR-006",
+    "CAL-007",
+    "CAL-008",
+    "FAULT-012",
+    "PRED-001",
+    "PRED-006",
+    "PRED-007",
+    "PRED-012",
+    "PRED-018",
+    "PRED-021",
+    "SCORE-002",
+    "SCORE-003",
+)
 def executes_a_chunk_backwards() -> None:
     """The robot puts an object down before it picks it up."""
     spoil_play(lambda actions: actions[::-1])

@@ -4267,7 +4267,7 @@ class ControlApi:
     ) -> BoardEntry:
         """Publish a completed run on the leaderboard, or change what its entry says
 
-        A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. An entry that was changed 1,000 times may be refused further changes with `quota_exceeded`. Offered with the profile `board`, as are the operations on entries, rankings and history.
+        A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. How often is bounded (BRD-001). Offered with the profile `board`, as are the operations on entries, rankings and history.
 
         :param run_id: (required)
         :type run_id: str
@@ -4329,7 +4329,7 @@ class ControlApi:
     ) -> ApiResponse[BoardEntry]:
         """Publish a completed run on the leaderboard, or change what its entry says
 
-        A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. An entry that was changed 1,000 times may be refused further changes with `quota_exceeded`. Offered with the profile `board`, as are the operations on entries, rankings and history.
+        A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. How often is bounded (BRD-001). Offered with the profile `board`, as are the operations on entries, rankings and history.
 
         :param run_id: (required)
         :type run_id: str

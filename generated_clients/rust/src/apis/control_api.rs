@@ -1277,7 +1277,7 @@ pub async fn prove_inclusion(configuration: &configuration::Configuration, leaf_
     }
 }
 
-/// A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. An entry that was changed 1,000 times may be refused further changes with `quota_exceeded`. Offered with the profile `board`, as are the operations on entries, rankings and history.
+/// A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. How often is bounded (BRD-001). Offered with the profile `board`, as are the operations on entries, rankings and history.
 pub async fn publish_entry(configuration: &configuration::Configuration, run_id: &str, publish_entry: models::PublishEntry, proctor_version: Option<&str>) -> Result<models::BoardEntry, Error<PublishEntryError>> {
     // add a prefix to parameters to efficiently prevent name collisions
     let p_path_run_id = run_id;

@@ -3474,7 +3474,7 @@ public class ControlApi {
 
     /**
      * Publish a completed run on the leaderboard, or change what its entry says
-     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. An entry that was changed 1,000 times may be refused further changes with &#x60;quota_exceeded&#x60;. Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. How often is bounded (BRD-001). Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
      * @param runId  (required)
      * @param publishEntry  (required)
      * @param proctorVersion The protocol version the caller was written for. (optional)
@@ -3497,7 +3497,7 @@ public class ControlApi {
 
     /**
      * Publish a completed run on the leaderboard, or change what its entry says
-     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. An entry that was changed 1,000 times may be refused further changes with &#x60;quota_exceeded&#x60;. Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. How often is bounded (BRD-001). Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
      * @param runId  (required)
      * @param publishEntry  (required)
      * @param proctorVersion The protocol version the caller was written for. (optional)
@@ -3521,7 +3521,7 @@ public class ControlApi {
 
     /**
      * Publish a completed run on the leaderboard, or change what its entry says (asynchronously)
-     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. An entry that was changed 1,000 times may be refused further changes with &#x60;quota_exceeded&#x60;. Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
+     * A run has one entry. A repeat with the same body changes nothing; with another body it replaces the description, which has the defaults for what is left out. The score follows from the run and never changes. How often is bounded (BRD-001). Offered with the profile &#x60;board&#x60;, as are the operations on entries, rankings and history.
      * @param runId  (required)
      * @param publishEntry  (required)
      * @param proctorVersion The protocol version the caller was written for. (optional)
