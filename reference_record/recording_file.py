@@ -91,6 +91,7 @@ def join_parts(
 ) -> RecordingSummary:
     """Write all parts in `folder`, and then these messages, to the file `target`.
 
+    REC-124: also the parts that a process wrote which has been killed.
     last: topic, nanoseconds since 1970, message. steps: those that the turns of the
     last attempt must have, None for any. Raises OSError; then `target` is what it was.
     """

@@ -54,7 +54,7 @@ COMMANDS = {
     "video": "draw episodes of a record again from their recorded actions",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "serve": "start the reference server (own flags)",
-    "admin": "manage the tokens of a server on this machine (own flags)",
+    "admin": "manage tokens, keys and recordings of a server here (own flags)",
     "serve-policy": "serve a policy over HTTP, for push mode (own flags)",
     "replay": "simulate the actions of a record again, sign what came out (own flags)",
     "conformance": "run the conformance kit against a server (own flags)",

@@ -121,8 +121,12 @@ class RunRecords:
                 log.warning("old recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)
 
-    async def remove_old(self, now_wall: float) -> None:
-        """Remove the recordings of runs that ended too long ago."""
+    async def remove_old(self, now_wall: float, *, is_dry: bool = False) -> list[str]:
+        """Remove the recordings of runs that ended too long ago; gives their ids.
+
+        is_dry: removes nothing.
+        """
+        removed: list[str] = []
         before = now_wall - self._settings.keep_days * 86_400
         run_ids = await asyncio.to_thread(self._recordings.run_ids)
         for start in range(0, len(run_ids), RUNS_PER_READ):
@@ -131,7 +135,10 @@ class RunRecords:
                 # It may have been resumed while others were removed.
                 for head in (await self._store.heads([run_id])).values():
                     if _ended_since(head, before):
-                        await self._recordings.remove_run(run_id)
+                        if not is_dry:
+                            await self._recordings.remove_run(run_id)
+                        removed.append(run_id)
+        return removed
 
     async def remove_run(self, run_id: str) -> None:
         """The run was deleted: remove its recordings."""

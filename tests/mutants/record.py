@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import secrets
+import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -235,3 +236,16 @@ def digests_that_are_never_equal() -> None:
             event["state_digest"] = f"{next(numbers):032x}"
 
     change_messages("/attempt", wrong)
+
+
+@mutant("REC-124")
+def loses_what_was_in_play_at_a_restart() -> None:
+    """Of an episode that a crash cut off, the record shows the second half alone."""
+    right = Recordings.open
+
+    def wrong(self: Recordings) -> None:
+        right(self)
+        for parts in self._folder.glob("*/*.parts"):
+            shutil.rmtree(parts)
+
+    put(Recordings, "open", wrong)

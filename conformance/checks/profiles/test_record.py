@@ -5,6 +5,7 @@ recording says. `play_everything` plays each kind of episode once.
 """
 
 import base64
+import hashlib
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -18,8 +19,10 @@ from conformance.profiles.record_files import (
     fetched_recording,
     keyid_of,
 )
-from conformance.runner.requirement import requirement
+from conformance.runner.private_server import open_private_server
+from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
+from conformance.verdicts.expect import SetUpFailed
 
 RESULT_MEMBERS = ("outcome", "score", "steps")
 
@@ -349,3 +352,39 @@ def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
         expect.true(turns, f"a turn of episode {index}")
         last = turns[-1]["state_digest"]
         expect.equal(facts["last_digest"], last, "last_digest")
+
+
+@background
+@requirement("REC-124")
+def test_rec_124_turns_outlive_a_crash(context: CheckContext) -> None:
+    """A private server is killed in an episode, twice, and restarted; then the run is
+    played to its end.
+
+    Expect every turn that was received in the recording, in order, and each start; and
+    the same bytes in the record.
+    """
+    if context.shared.settings.restart_cmd is not None:
+        text = "requires --start-cmd: --restart-cmd disturbs other checks"
+        raise SetUpFailed(text, allowed=True)
+    with open_private_server(context) as server:
+        played = PlayedRun(server.context.submit("score"))
+        for score in (0.25, 0.5):
+            worker = played.run.worker()
+            worker.attach()
+            for vector in (ramp(score), ramp(1)):
+                played.predict(worker, context.action(score=score, vector=vector))
+            server.kill9()
+            server.restart()
+        worker = played.run.worker()
+        worker.attach()
+        played.predict(worker, context.action(score=1, success=1, end=1))
+        played.run.until("completed")
+        recording = played.recording(0)
+        found = [(turn["actions"], turn["rewards"]) for turn in recording.turns]
+        received = [(turn.actions, turn.rewards) for turn in played.turns[0]]
+        expect.equal(found, received, "turns that were received")
+        starts = [start["attempt"] for start in recording.started]
+        expect.equal(starts, [1, 1, 1], "attempts that started")
+        line = played.record().lines[0]["recording"]
+        digest = hashlib.sha256(recording.data).hexdigest()
+        expect.equal(line["sha256"], digest, "SHA-256 of the recording in the record")

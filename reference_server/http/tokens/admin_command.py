@@ -1,6 +1,7 @@
-"""`proctor admin token add|list|revoke`: who may use a server of this machine.
+"""`proctor admin`: tokens, signing keys and recordings of a server of this machine.
 
-It edits the file of tokens, which the server reads again within seconds: no restart.
+`token add|list|revoke` edits the file of tokens, which the server reads again within
+seconds: no restart.
 A new token is printed once; the file has its hash alone.
 """
 
@@ -15,6 +16,7 @@ from pathlib import Path
 from pydantic import ValidationError
 from pydantic_settings import SettingsError
 
+from reference_record.broken import UnusableRecord
 from reference_server.http.auth import (
     HOST,
     READ_ALL,
@@ -29,7 +31,9 @@ from reference_server.http.tokens.token_file import (
     read_bytes,
     token_id,
 )
+from reference_server.records.admin_areas import CannotDo, RecordFiles, add_areas
 from reference_server.settings import Settings
+from reference_server.storage.store import StoreFailed
 
 _SCOPES = ("read", "run", READ_ALL, HOST)
 _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
@@ -43,8 +47,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     args = _parser().parse_args(arguments)
     try:
-        args.do(_path(args), args)
-    except (AdminError, BadTokens, OSError) as error:
+        if hasattr(args, "do_with_files"):
+            args.do_with_files(_record_files(), args)
+        else:
+            args.do(_path(args), args)
+    except (AdminError, CannotDo, BadTokens, OSError) as error:
+        print(f"proctor: {error}", file=sys.stderr)
+        return 2
+    except (StoreFailed, UnusableRecord) as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
     return 0
@@ -55,6 +65,16 @@ def _path(args: argparse.Namespace) -> Path:
     if path is None:
         raise AdminError("the database is no file; name a file with --file")
     return path
+
+
+def _record_files() -> RecordFiles:
+    settings = _settings()
+    return RecordFiles(
+        settings.database_url,
+        settings.signing_key_path,
+        settings.records_path,
+        settings.records_keep_days,
+    )
 
 
 def _settings() -> Settings:
@@ -91,6 +111,7 @@ def _parser() -> argparse.ArgumentParser:
         "which", metavar="ID|ACCOUNT", help="id of one, or the account for all of its"
     )
     revoke.set_defaults(do=_revoke)
+    add_areas(areas)
     for command in (add, listed, revoke):
         command.add_argument(
             "--file",

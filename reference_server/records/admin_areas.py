@@ -1,0 +1,220 @@
+"""`proctor admin keys` and `proctor admin records`: keys that sign, and disk space.
+
+They work on the files and the database of a server, which may run meanwhile.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import time
+from collections import defaultdict
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from reference_record.keys import load_or_make
+from reference_record.recording import timestamp
+from reference_server.records.recordings import Recordings
+from reference_server.records.run_records import HostSettings, RunRecords
+from reference_server.rules.run import PublicKey, RunHead
+from reference_server.storage.store import Store
+
+DAY_S = 86_400.0
+RUNS_PER_READ = 200
+
+
+class CannotDo(Exception):
+    """What was asked cannot be done; the text says why, in one line."""
+
+
+@dataclass(frozen=True, slots=True)
+class RecordFiles:
+    """Where a server has what it signs and records; keep_days: its promise, 0 all.
+
+    key_path, folder: None where they last as long as the server.
+    """
+
+    database_url: str
+    key_path: Path | None
+    folder: Path | None
+    keep_days: float
+
+
+def add_areas(areas: Any) -> None:
+    """Add both areas to those of `proctor admin`; `do_with_files` is the command."""
+    keys = areas.add_parser("keys", help="the keys that sign records")
+    commands = keys.add_subparsers(metavar="COMMAND", required=True)
+    listed = commands.add_parser("list", help="every key that signed, newest first")
+    listed.set_defaults(do_with_files=list_keys)
+    rotate = commands.add_parser(
+        "rotate",
+        help="make a new key, which signs from the next start of the server on",
+    )
+    rotate.set_defaults(do_with_files=rotate_key)
+    records = areas.add_parser("records", help="disk space of recordings")
+    commands = records.add_subparsers(metavar="COMMAND", required=True)
+    usage = commands.add_parser("usage", help="bytes by benchmark, with the oldest run")
+    usage.add_argument("--runs", action="store_true", help="by run, largest first")
+    usage.set_defaults(do_with_files=show_usage)
+    prune = commands.add_parser("prune", help="remove the recordings of old runs")
+    prune.add_argument(
+        "--older-than", type=float, required=True, metavar="DAYS",
+        help="days since the run ended; no fewer than records_keep_days, which is a "
+        "promise (0: to keep all)",
+    )  # fmt: skip
+    prune.add_argument("--dry-run", action="store_true", help="only list the runs")
+    prune.set_defaults(do_with_files=prune_old)
+
+
+# --- keys ---
+
+
+def list_keys(files: RecordFiles, _args: argparse.Namespace) -> None:
+    """REC-101: what `list_keys` of the server shows."""
+    for key in asyncio.run(_keys_of(files.database_url)):
+        end = key.retired_at_wall
+        until = "in use" if end is None else f"until {timestamp(int(end * 1e9))}"
+        since = timestamp(int(key.created_at_wall * 1e9))
+        print(f"{key.keyid}  since {since}  {until}")
+
+
+async def _keys_of(url: str) -> list[PublicKey]:
+    async with _opened(url) as store:
+        return await store.keys()
+
+
+def rotate_key(files: RecordFiles, _args: argparse.Namespace) -> None:
+    """Old statements stay valid: the server goes on to publish the old key."""
+    path = files.key_path
+    if path is None:
+        raise CannotDo("the key is in memory alone: name a file with signing_key")
+    if not path.exists():
+        raise CannotDo(f"there is no key in {path} yet; the server makes one")
+    old = load_or_make(path)
+    draft = path.with_name(f"{path.name}.next")
+    draft.unlink(missing_ok=True)
+    new = load_or_make(draft)
+    # The old secret signs nothing any more; what it signed needs its public key alone.
+    draft.replace(path)
+    print(f"old {old.keyid}\nnew {new.keyid}")
+    print("the new key signs from the next start of the server on: restart it")
+
+
+# --- disk space ---
+
+
+@dataclass(frozen=True, slots=True)
+class RunUsage:
+    """head: None for a folder of a run that the database does not have."""
+
+    run_id: str
+    size_bytes: int
+    head: RunHead | None
+
+    @property
+    def benchmark(self) -> str:
+        return "(no run)" if self.head is None else self.head.manifest["benchmark_id"]
+
+    def age_days(self, now_wall: float) -> float:
+        if self.head is None:
+            return 0.0
+        return max(0.0, now_wall - self.head.updated_at_wall) / DAY_S
+
+
+def show_usage(files: RecordFiles, args: argparse.Namespace) -> None:
+    found, now = asyncio.run(_usage_of(files)), time.time()
+    if args.runs:
+        for one in sorted(found, key=lambda one: -one.size_bytes):
+            state = "-" if one.head is None else one.head.state
+            print(
+                f"{_shown(one.size_bytes):>10}  {one.age_days(now):7.1f} days  "
+                f"{state:<9}  {one.benchmark:<24}  {one.run_id}"
+            )
+    else:
+        by_benchmark: dict[str, list[RunUsage]] = defaultdict(list)
+        for one in found:
+            by_benchmark[one.benchmark].append(one)
+        for name, runs in sorted(by_benchmark.items()):
+            oldest = max(run.age_days(now) for run in runs)
+            size = _shown(sum(run.size_bytes for run in runs))
+            print(f"{size:>10}  {len(runs):6} runs  oldest {oldest:.1f} days  {name}")
+    print(f"{_shown(sum(one.size_bytes for one in found)):>10}  in all")
+
+
+async def _usage_of(files: RecordFiles) -> list[RunUsage]:
+    folder = _folder_of(files)
+    names = sorted(path.name for path in folder.iterdir() if path.is_dir())
+    found: list[RunUsage] = []
+    async with _opened(files.database_url) as store:
+        for start in range(0, len(names), RUNS_PER_READ):
+            page = names[start : start + RUNS_PER_READ]
+            heads = await store.heads(page)
+            found += [
+                RunUsage(name, sum(_sizes(folder / name)), heads.get(name))
+                for name in page
+            ]
+    return found
+
+
+def prune_old(files: RecordFiles, args: argparse.Namespace) -> None:
+    """As the server does it after `records_keep_days`: ended runs alone."""
+    days, kept = args.older_than, files.keep_days
+    if not kept:
+        raise CannotDo("records_keep_days is 0, a promise to keep all recordings")
+    if days < kept:
+        raise CannotDo(
+            f"records_keep_days is {kept:g}: runs that ended less than {kept:g} days "
+            "ago keep their recordings"
+        )
+    before = {one.run_id: one.size_bytes for one in asyncio.run(_usage_of(files))}
+    removed = asyncio.run(_prune(files, days, is_dry=args.dry_run))
+    for run_id in removed:
+        print(f"{'would remove' if args.dry_run else 'removed'} {run_id}")
+    freed = sum(before.get(run_id, 0) for run_id in removed)
+    print(f"{len(removed)} runs, {_shown(freed)}")
+
+
+async def _prune(files: RecordFiles, days: float, *, is_dry: bool) -> list[str]:
+    recordings = Recordings(_folder_of(files))
+    async with _opened(files.database_url) as store:
+        records = RunRecords(store, recordings, HostSettings("", None, keep_days=days))
+        try:
+            return await records.remove_old(time.time(), is_dry=is_dry)
+        finally:
+            await recordings.close()
+
+
+def _folder_of(files: RecordFiles) -> Path:
+    if files.folder is None or not files.folder.is_dir():
+        raise CannotDo("there is no folder of recordings; see the setting records_dir")
+    return files.folder
+
+
+@asynccontextmanager
+async def _opened(url: str) -> AsyncIterator[Store]:
+    store = Store(url)
+    try:
+        await store.open()
+        yield store
+    finally:
+        await store.close()
+
+
+def _sizes(folder: Path) -> Iterator[int]:
+    for path in folder.rglob("*"):
+        # A file may be finished, or removed, meanwhile.
+        try:
+            yield path.stat().st_size if path.is_file() else 0
+        except FileNotFoundError:
+            continue
+
+
+def _shown(size: float) -> str:
+    for unit in ("B", "KiB", "MiB", "GiB"):
+        if size < 1024 or unit == "GiB":
+            break
+        size /= 1024
+    return f"{size:.0f} B" if unit == "B" else f"{size:.1f} {unit}"
