@@ -9,18 +9,18 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
 from reference_record.broken import BrokenRecord, UnusableRecord
-from reference_sim.exports.job import Job
+from reference_sim.exports.job import Job, printable
 from reference_sim.exports.source import Source, new_folder, open_source
 
-DONE, BROKEN, IMPOSSIBLE = 0, 1, 2
-Export = Callable[[Source, Job], Mapping[str, Any]]
+DONE, BROKEN, IMPOSSIBLE, INTERRUPTED = 0, 1, 2, 130
+Export = Mapping[str, Any]
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -36,35 +36,42 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         text = f"{error.filename or job.record}: {error.strerror or error}"
         return _refuse(job, IMPOSSIBLE, "usage", text)
+    except KeyboardInterrupt:
+        return INTERRUPTED
     _print(said, job)
     return BROKEN if said.get("refused") else DONE
 
 
-def _parquet(source: Source, job: Job) -> Mapping[str, Any]:
+def _parquet(source: Source, job: Job) -> Export:
     from reference_sim.exports.parquet_tables import write_tables
 
-    return _files(write_tables(source, _folder(job)))
+    with new_folder(_folder(job)) as folder:
+        return {"files": _files(job, folder, write_tables(source, folder))}
 
 
-def _every_eval_ever(source: Source, job: Job) -> Mapping[str, Any]:
+def _every_eval_ever(source: Source, job: Job) -> Export:
     from reference_sim.exports.every_eval_ever import write_evaluation
 
-    return _files(write_evaluation(source, _folder(job)))
+    with new_folder(_folder(job)) as folder:
+        return {"files": _files(job, folder, write_evaluation(source, folder))}
 
 
-def _lerobot(source: Source, job: Job) -> Mapping[str, Any]:
+def _lerobot(source: Source, job: Job) -> Export:
     from reference_sim.exports.lerobot_dataset import write_dataset
 
-    return write_dataset(source, _folder(job), job)
+    with new_folder(_folder(job)) as folder:
+        said = write_dataset(source, folder, job)
+        size = sum(file["bytes"] for file in _files(job, folder, folder.rglob("*.*")))
+    return {"files": [{"path": str(_folder(job)), "bytes": size}], **said}
 
 
-def _video(source: Source, job: Job) -> Mapping[str, Any]:
+def _video(source: Source, job: Job) -> Export:
     from reference_sim.exports.episode_videos import write_videos
 
     return write_videos(source, job)
 
 
-EXPORTS: Mapping[str, Export] = {
+EXPORTS: Mapping[str, Callable[[Source, Job], Export]] = {
     "parquet": _parquet,
     "every-eval-ever": _every_eval_ever,
     "lerobot": _lerobot,
@@ -73,31 +80,33 @@ EXPORTS: Mapping[str, Export] = {
 
 
 def _folder(job: Job) -> Path:
-    return new_folder(Path(job.output or f"{job.stem}-{job.kind}"))
+    return Path(job.output or f"{job.stem}-{job.kind}")
 
 
-def _files(paths: list[Path]) -> Mapping[str, Any]:
-    return {"files": [{"path": str(one), "bytes": one.stat().st_size} for one in paths]}
+def _files(job: Job, folder: Path, paths: Iterable[Path]) -> list[dict[str, Any]]:
+    """What is in the folder, by the names that it has when the folder is whole."""
+    return [
+        {
+            "path": str(_folder(job) / path.relative_to(folder)),
+            "bytes": path.stat().st_size,
+        }
+        for path in paths
+    ]
 
 
-def _print(said: Mapping[str, Any], job: Job) -> None:
+def _print(said: Export, job: Job) -> None:
     if job.json:
         sys.stdout.write(json.dumps(said, indent=2) + "\n")
         return
     for one in said["files"]:
-        sys.stdout.write(f"{_printable(one['path'])}  {one['bytes']:,} bytes\n")
+        sys.stdout.write(f"{printable(one['path'])}  {one['bytes']:,} bytes\n")
 
 
 def _refuse(job: Job, exit_code: int, code: str, text: str) -> int:
-    sys.stderr.write(f"proctor: {_printable(text)}\n")
+    sys.stderr.write(f"proctor: {printable(text)}\n")
     if job.json:
         sys.stdout.write(json.dumps({"error": {"code": code, "detail": text}}) + "\n")
     return exit_code
-
-
-def _printable(text: str) -> str:
-    """Without control characters: texts of a record may have them."""
-    return "".join(c if c.isprintable() else "?" for c in text)
 
 
 if __name__ == "__main__":

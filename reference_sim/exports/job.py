@@ -36,3 +36,8 @@ class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     def stem(self) -> str:
         """The name of the record without its suffix: what names of files begin with."""
         return Path(self.record).resolve().name.removesuffix(".proctor")
+
+
+def printable(text: str) -> str:
+    """Without control characters: texts of a record may have them."""
+    return "".join(c if c.isprintable() else "?" for c in text)

@@ -68,13 +68,8 @@ def write_dataset(source: Source, folder: Path, job: Job) -> Mapping[str, Any]:
         if not dataset.episodes:
             raise UnusableRecord("no episode is left")
         dataset.close(refused)
-    files = [path for path in folder.rglob("*") if path.is_file()]
-    size = sum(path.stat().st_size for path in files)
     counts = {"episodes": len(dataset.episodes), "frames": dataset.frames}
-    return {
-        "files": [{"path": str(folder), "bytes": size, **counts}],
-        "refused": refused,
-    }
+    return {**counts, "refused": refused}
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,9 @@ what comes of it with LeRobot itself. Knows no record and no simulator.
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping, Sequence
+from io import FileIO
 from pathlib import Path
 from typing import Any
 
@@ -80,11 +82,11 @@ class DataFiles:
         )
         self._number = -1
         self._writer: pq.ParquetWriter | None = None
-        self._sink: Any = None
+        self._sink: FileIO | None = None
 
     def add(self, columns: Mapping[str, NDArray[Any]]) -> dict[str, int]:
         """One episode. columns: name → (frames, n) or (frames,). Returns its place."""
-        if self._writer is None or self._sink.tell() > DATA_BYTES_MAX:
+        if self._writer is None or self._bytes_written() > DATA_BYTES_MAX:
             self._begin_file()
         assert self._writer is not None
         arrays = [
@@ -96,15 +98,19 @@ class DataFiles:
     def close(self) -> None:
         if self._writer is not None:
             self._writer.close()
+        if self._sink is not None:
             self._sink.close()
         self._writer = None
+
+    def _bytes_written(self) -> int:
+        return 0 if self._sink is None else os.fstat(self._sink.fileno()).st_size
 
     def _begin_file(self) -> None:
         self.close()
         self._number += 1
         path = self._folder / DATA_PATH.format(**file_place(self._number))
         path.parent.mkdir(parents=True, exist_ok=True)
-        self._sink = path.open("wb")
+        self._sink = path.open("wb", buffering=0)
         self._writer = pq.ParquetWriter(self._sink, self._schema)
 
 

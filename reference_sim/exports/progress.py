@@ -9,6 +9,8 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeRemainingColumn
 from rich.progress import Progress as Bars
 
+from reference_sim.exports.job import printable
+
 LOG_S = 10.0
 
 
@@ -48,5 +50,4 @@ class ProgressBar:
             self.say(f"{self._what}: {self._done} of {self._total} steps")
 
     def say(self, line: str) -> None:
-        shown = "".join(c if c.isprintable() else "?" for c in line)
-        self._console.print(f"proctor: {shown}", soft_wrap=True)
+        self._console.print(f"proctor: {printable(line)}", soft_wrap=True)

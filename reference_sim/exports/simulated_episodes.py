@@ -142,14 +142,21 @@ class _LastStart:
         self._episode = episode
         self.instruction = episode.instruction
         if not self._starts_left:
-            self._see(self._simulator.observe(), None)
+            self._see(self._observe(), None)
 
     def stepped(self, action: Action, reward: float) -> None:
         if not self._starts_left and self._episode is not None:
             step = SimulatedStep(
                 action, reward, self._episode.success, self._episode.ended
             )
-            self._see(self._simulator.observe(), step)
+            self._see(self._observe(), step)
+
+    def _observe(self) -> Observation:
+        try:
+            return self._simulator.observe()
+        except Exception as error:
+            text = f"{type(error).__name__}: {error}"
+            raise UnusableRecord(f"what was seen cannot be drawn: {text}") from error
 
 
 def _with_pictures(config: SimulatorConfig, job: Job) -> SimulatorConfig:

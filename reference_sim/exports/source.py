@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import shutil
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -101,11 +104,23 @@ def open_source(path: Path) -> Source:
     return Source(path, bundle, report.evaluation, manifest, report.statement_sha256)
 
 
-def new_folder(path: Path) -> Path:
-    """An empty directory to write to. Raises UnusableRecord where it has files."""
-    if path.exists() and (not path.is_dir() or any(path.iterdir())):
+@contextmanager
+def new_folder(target: Path) -> Iterator[Path]:
+    """A directory that is `target` in the end, or gone if anything is raised.
+
+    Raises UnusableRecord where the target has files.
+    """
+    if target.exists() and (not target.is_dir() or any(target.iterdir())):
         raise UnusableRecord(
-            f"{path} exists and is not empty: remove it, or name another with -o"
+            f"{target} exists and is not empty: remove it, or name another with -o"
         )
-    path.mkdir(parents=True, exist_ok=True)
-    return path
+    unfinished = target.parent / f".{target.name}-{os.getpid()}"
+    unfinished.mkdir(parents=True)
+    try:
+        yield unfinished
+        if target.exists():
+            target.rmdir()
+        unfinished.rename(target)
+    except BaseException:
+        shutil.rmtree(unfinished, ignore_errors=True)
+        raise

@@ -6,7 +6,8 @@ there. Pictures that browsers play have even sides and a quarter of the colours.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -38,9 +39,11 @@ class VideoFile:
     ) -> None:
         self.size = size
         self.pictures = 0
-        self._container = av.open(
-            str(path), "w", format="mp4", options={"movflags": "+faststart"}
-        )
+        self._path = path
+        with self._encoding():
+            self._container = av.open(
+                str(path), "w", format="mp4", options={"movflags": "+faststart"}
+            )
         self._container.metadata.update(texts)
         # One where the picture changes much would stand at no fixed distance.
         fixed = f"keyint={keyframe_every}:min-keyint={keyframe_every}:scenecut=0"
@@ -54,20 +57,29 @@ class VideoFile:
         self._stream = stream
         self._time_base = 1 / rate
 
-    def add(self, picture: NDArray[np.uint8], *, keyframe: bool = False) -> None:
+    def add(self, picture: NDArray[np.uint8]) -> None:
         """picture: (height, width, 1 or 3), grey or RGB."""
         frame: Any = av.VideoFrame.from_ndarray(_even_rgb(picture), format="rgb24")
         frame = frame.reformat(format=PIXEL_FORMAT, dst_colorspace="ITU601")
         frame.pts, frame.time_base = self.pictures, self._time_base
-        if keyframe:
-            frame.pict_type = av.video.frame.PictureType.I
-        self._container.mux(self._stream.encode(frame))
+        with self._encoding():
+            self._container.mux(self._stream.encode(frame))
         self.pictures += 1
 
     def close(self) -> None:
         """Write what the encoder still has, and the index."""
-        self._container.mux(self._stream.encode())
-        self._container.close()
+        with self._encoding():
+            self._container.mux(self._stream.encode())
+            self._container.close()
+
+    @contextmanager
+    def _encoding(self) -> Iterator[None]:
+        """The library's errors are of a class of their own."""
+        try:
+            yield
+        except av.FFmpegError as error:
+            text = f"the video could not be written: {error.strerror}"
+            raise OSError(error.errno, text, str(self._path)) from error
 
 
 def encoded_size(size: tuple[int, int]) -> tuple[int, int]:

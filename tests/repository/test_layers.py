@@ -157,6 +157,11 @@ def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
         ),
         ("mujoco", "reference_sim/mujoco", ["world.py"]),
         ("av", "reference_sim/exports", ["video_file.py"]),
+        (
+            "pyarrow",
+            "reference_sim/exports",
+            ["lerobot_format.py", "parquet_tables.py"],
+        ),
     ],
 )
 def test_a_big_dependency_has_one_owner(

@@ -125,6 +125,43 @@ def test_a_file_is_replaced_when_that_is_wanted(
     assert video(record, episodes=[0], force=True) == 0
 
 
+def test_a_full_disk_is_no_divergence(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nothing is left of a video that is not whole."""
+
+    def fail(*_: object) -> None:
+        raise OSError(28, "No space left on device", "v/00000.mp4")
+
+    monkeypatch.setattr("reference_sim.exports.video_file.VideoFile.close", fail)
+    assert video(save_echo(folder), episodes=[0]) == 2
+    assert "00000.mp4: No space left on device" in capsys.readouterr().err
+    assert [*(folder / "v").iterdir()] == []
+
+
+def test_a_simulator_that_cannot_draw_is_no_divergence(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    record = save_echo(folder)
+
+    def fail(_: object) -> None:
+        raise RuntimeError("no GL")
+
+    monkeypatch.setattr(
+        "reference_sim.benchmarks.calibration.Calibration.observe", fail
+    )
+    assert video(record, episodes=[0]) == 2
+    assert "cannot be drawn: RuntimeError: no GL" in capsys.readouterr().err
+
+
+def test_a_folder_that_is_a_file_is_said(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "v").touch()
+    assert video(save_echo(folder), episodes=[0]) == 2
+    assert "v: File exists" in capsys.readouterr().err
+
+
 def test_a_sealed_seed_stays_a_secret(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -89,6 +89,8 @@ def test_a_camera_that_not_all_tasks_have_is_left_out(
     more = {"cameras": ["pattern"], "output": str(folder / "other")}
     assert export(record, **more) == 2
     assert "not all of these episodes have a camera pattern" in capsys.readouterr().err
+    names = {path.name for path in folder.iterdir()}
+    assert names == {"recordings", "run-1.proctor", "set"}
 
 
 def test_what_diverged_is_left_out(
