@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+from pydantic import MISSING
 from starlette.responses import Response
 
 from reference_record.formats.merkle_tree import MerkleTree
@@ -430,8 +431,8 @@ def takes_links_of_any_scheme() -> None:
     """A click on a homepage runs a script in the page of the leaderboard."""
 
     class AnyLinks(models.PublishEntry):
-        homepage: str = ""
-        code_url: str = ""
+        homepage: str | MISSING = MISSING
+        code_url: str | MISSING = MISSING
 
     put(models, "PublishEntry", AnyLinks)
 
