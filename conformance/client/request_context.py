@@ -25,6 +25,7 @@ from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.specification.document import (
     MSGPACK,
+    ZIP,
     Spec,
     load_policy_spec,
     load_spec,
@@ -175,6 +176,8 @@ class RequestContext:
         if msgpack:
             content, json = msgspec.msgpack.encode(json), None
             headers = {"Content-Type": MSGPACK, "Accept": MSGPACK, **(headers or {})}
+        if content is not None and operation.request_media_types() == [ZIP]:
+            headers = {"Content-Type": ZIP, **(headers or {})}
         send = partial(
             http_client.request,
             operation.method,

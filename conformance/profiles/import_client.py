@@ -9,7 +9,6 @@ from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive
 
-ZIP = {"Content-Type": "application/zip"}
 # The replay of few episodes of few steps takes less than a second.
 _REPLAY_S = 60.0
 _POLL_S = 0.05
@@ -17,7 +16,7 @@ _POLL_S = 0.05
 
 def send_record(context: CheckContext, archive: bytes, **how: Any) -> Answer:
     """Hand in an archive; what is made of it is deleted after the check."""
-    answer = context.call("import_record", content=archive, headers=ZIP, **how)
+    answer = context.call("import_record", content=archive, **how)
     import_id = answer.json.get("import_id") if isinstance(answer.json, dict) else None
     if answer.status == 202 and isinstance(import_id, str):
         context.clean_up_with(partial(_delete, context, import_id))

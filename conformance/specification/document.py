@@ -32,6 +32,7 @@ JSON = "application/json"
 MSGPACK = "application/msgpack"
 PROBLEM_JSON = "application/problem+json"
 EVENT_STREAM = "text/event-stream"
+ZIP = "application/zip"
 _METHODS = ("get", "put", "post", "delete")
 # RFC 3339, section 5.6, with the letters that it allows in lower case as well.
 _DATE_TIME = re.compile(

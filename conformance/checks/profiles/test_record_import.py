@@ -19,7 +19,6 @@ from conformance.profiles.changed_records import (
     without_verdicts,
 )
 from conformance.profiles.import_client import (
-    ZIP,
     accepted,
     finished,
     listed_ids,
@@ -34,6 +33,7 @@ from conformance.profiles.record_files import (
 )
 from conformance.runner.private_server import open_private_server
 from conformance.runner.requirement import background, requirement
+from conformance.specification.document import ZIP
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
@@ -260,7 +260,7 @@ def test_rec_121_too_long_a_record_is_not_awaited(context: CheckContext) -> None
     for length, body, status in ((limit + 1, b"", 413), (2, b"{}", 422)):
         lines = (
             f"Authorization: Bearer {token}",
-            f"Content-Type: {ZIP['Content-Type']}",
+            f"Content-Type: {ZIP}",
             f"Content-Length: {length}",
             "Connection: close",
         )

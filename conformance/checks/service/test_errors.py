@@ -311,6 +311,7 @@ def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
     worker = attach_live_worker(context)
     names = {"run_id": worker.run.id, "worker_id": worker.id}
     names |= {"benchmark_id": "calibration", "episode_id": "e0000"}
+    names |= {"import_id": "imp_none"}
     methods_of: dict[str, set[str]] = {}
     base_of: dict[str, str] = {}
     for operation in context.spec.operations.values():

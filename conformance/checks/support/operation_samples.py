@@ -152,10 +152,7 @@ def import_samples(completed: RunClient) -> Iterator[OperationSample]:
     """Give the operations on a record that is handed in."""
     context = completed.context
     fetched = completed.call("fetch_record")
-    how: dict[str, Any] = {
-        "content": file_of(fetched),
-        "headers": {"Content-Type": "application/zip"},
-    }
+    how: dict[str, Any] = {"content": file_of(fetched)}
     made = context.require(
         lambda: context.call("import_record", **how), 202, "import_record"
     )
