@@ -255,7 +255,7 @@ def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> Non
     """
     worker = attach_live_worker(context)
     for operation_id, how in operation_samples(worker):
-        if operation_id in ("detach_worker", "delete_run"):
+        if operation_id in ("detach_worker", "delete_run", "delete_import"):
             continue
         for accept in UNACCEPTABLE:
             answer = worker.run.call(operation_id, headers={"Accept": accept}, **how)
@@ -311,7 +311,7 @@ def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
     worker = attach_live_worker(context)
     names = {"run_id": worker.run.id, "worker_id": worker.id}
     names |= {"benchmark_id": "calibration", "episode_id": "e0000"}
-    names |= {"import_id": "imp_none"}
+    names |= {"import_id": "imp_none", "entry_id": "ent_none"}
     methods_of: dict[str, set[str]] = {}
     base_of: dict[str, str] = {}
     for operation in context.spec.operations.values():
