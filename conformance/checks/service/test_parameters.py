@@ -22,8 +22,11 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 SUCCESSES = {
-    **{"submit_run": 201, "import_record": 202},
-    **{"detach_worker": 204, "delete_run": 204, "delete_import": 204},
+    "submit_run": 201,
+    "import_record": 202,
+    "detach_worker": 204,
+    "delete_run": 204,
+    "delete_import": 204,
 }
 # Of every header a value that an operation which lists it would refuse or obey.
 LISTED_SOMEWHERE = {
