@@ -31,7 +31,7 @@ class CannotDo(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class RecordFiles:
+class AdminFiles:
     """Where a server has what it signs and records; keep_days: its promise, 0 all.
 
     key_path, folder: None where they last as long as the server.
@@ -72,7 +72,7 @@ def add_areas(areas: Any) -> None:
 # --- keys ---
 
 
-def list_keys(files: RecordFiles, _args: argparse.Namespace) -> None:
+def list_keys(files: AdminFiles, _args: argparse.Namespace) -> None:
     """REC-101: what `list_keys` of the server shows."""
     for key in asyncio.run(_keys_of(files.database_url)):
         end = key.retired_at_wall
@@ -86,7 +86,7 @@ async def _keys_of(url: str) -> list[PublicKey]:
         return await store.keys()
 
 
-def rotate_key(files: RecordFiles, _args: argparse.Namespace) -> None:
+def rotate_key(files: AdminFiles, _args: argparse.Namespace) -> None:
     """Old statements stay valid: the server goes on to publish the old key."""
     path = files.key_path
     if path is None:
@@ -124,7 +124,7 @@ class RunUsage:
         return max(0.0, now_wall - self.head.updated_at_wall) / DAY_S
 
 
-def show_usage(files: RecordFiles, args: argparse.Namespace) -> None:
+def show_usage(files: AdminFiles, args: argparse.Namespace) -> None:
     found, now = asyncio.run(_usage_of(files)), time.time()
     if args.runs:
         for one in sorted(found, key=lambda one: -one.size_bytes):
@@ -144,7 +144,7 @@ def show_usage(files: RecordFiles, args: argparse.Namespace) -> None:
     print(f"{_shown(sum(one.size_bytes for one in found)):>10}  in all")
 
 
-async def _usage_of(files: RecordFiles) -> list[RunUsage]:
+async def _usage_of(files: AdminFiles) -> list[RunUsage]:
     folder = _folder_of(files)
     names = sorted(path.name for path in folder.iterdir() if path.is_dir())
     found: list[RunUsage] = []
@@ -159,7 +159,7 @@ async def _usage_of(files: RecordFiles) -> list[RunUsage]:
     return found
 
 
-def prune_old(files: RecordFiles, args: argparse.Namespace) -> None:
+def prune_old(files: AdminFiles, args: argparse.Namespace) -> None:
     """As the server does it after `records_keep_days`: ended runs alone."""
     days, kept = args.older_than, files.keep_days
     if not kept:
@@ -177,7 +177,7 @@ def prune_old(files: RecordFiles, args: argparse.Namespace) -> None:
     print(f"{len(removed)} runs, {_shown(freed)}")
 
 
-async def _prune(files: RecordFiles, days: float, *, is_dry: bool) -> list[str]:
+async def _prune(files: AdminFiles, days: float, *, is_dry: bool) -> list[str]:
     recordings = Recordings(_folder_of(files))
     async with _opened(files.database_url) as store:
         records = RunRecords(store, recordings, HostSettings("", None, keep_days=days))
@@ -187,7 +187,7 @@ async def _prune(files: RecordFiles, days: float, *, is_dry: bool) -> list[str]:
             await recordings.close()
 
 
-def _folder_of(files: RecordFiles) -> Path:
+def _folder_of(files: AdminFiles) -> Path:
     if files.folder is None or not files.folder.is_dir():
         raise CannotDo("there is no folder of recordings; see the setting records_dir")
     return files.folder

@@ -92,7 +92,7 @@ MAY_IMPORT: dict[str, set[str]] = {
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
     ("http", "storage"): {"StoreFailed"},
-    ("http", "records"): {"RecordImports", "CannotDo", "RecordFiles", "add_areas"},
+    ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles", "add_areas"},
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
     | {"codec", "decode", "pointer", "validate"}

@@ -123,7 +123,6 @@ MORE_SIBLINGS = {
     "benchmarks/libraries": "a file for each library compared",
     "docs/evaluate": "a page for each thing that a policy author does",
     "reference_sim": "what a simulator is, its process, and what is made of records",
-    "reference_client/command": "a module for each group of commands",
     "reference_server/rules": "a file for each subject that is decided",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "spec": "a document for each subject; docs/README.md names them",

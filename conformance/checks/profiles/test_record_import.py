@@ -1,4 +1,4 @@
-"""Records that are handed in: the profile `record_import` (REC-112 to REC-123).
+"""Records that are handed in: the profile `record_import`.
 
 The kit fetches a record of its own run, and changes it where a rule is about records
 that are broken, or signed by an unknown key.

@@ -31,7 +31,7 @@ from reference_server.http.tokens.token_file import (
     read_bytes,
     token_id,
 )
-from reference_server.records.admin_areas import CannotDo, RecordFiles, add_areas
+from reference_server.records.admin_areas import AdminFiles, CannotDo, add_areas
 from reference_server.settings import Settings
 from reference_server.storage.store import StoreFailed
 
@@ -67,9 +67,9 @@ def _path(args: argparse.Namespace) -> Path:
     return path
 
 
-def _record_files() -> RecordFiles:
+def _record_files() -> AdminFiles:
     settings = _settings()
-    return RecordFiles(
+    return AdminFiles(
         settings.database_url,
         settings.signing_key_path,
         settings.records_path,
