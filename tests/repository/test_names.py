@@ -122,7 +122,6 @@ MORE_SIBLINGS = {
     "benchmarks/contenders": "a file for each contender",
     "benchmarks/libraries": "a file for each library compared",
     "docs/evaluate": "a page for each thing that a policy author does",
-    "reference_client/command": "a file for each group of commands, and their output",
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_client/command": "a module for each group of commands",
     "reference_server/rules": "a file for each subject that is decided",
