@@ -108,9 +108,14 @@ def run_html(
     live: str = "",
     turn_times: PolicyTimes | None = None,
     others: Sequence[Document] = (),
+    may_publish: bool = False,
+    entry: Document | None = None,
     csrf: str = "",
 ) -> str:
-    """The page of a run. live: where its changes are streamed; empty for none."""
+    """The page of a run. live: where its changes are streamed; empty for none.
+
+    may_publish: it may have an entry on the leaderboard. entry: the one that it has.
+    """
     table = run_page.task_table(episodes)
     return render_page(
         "run",
@@ -141,6 +146,8 @@ def run_html(
         facts=_run_facts(run),
         commands=run_page.commands(run),
         others=others,
+        may_publish=may_publish,
+        entry=entry,
     )
 
 

@@ -71,6 +71,9 @@ class FileLinks:
         number = self.benchmarks.get(benchmark_id)
         return f"{self.root}benchmarks/{number}.html" if number else ""
 
+    def leaderboard(self, benchmark_id: str) -> str:
+        return ""
+
     def run(self, run_id: str) -> str:
         return f"{self.root}runs/{self.runs_by_id[run_id]}/index.html"
 
@@ -117,7 +120,12 @@ class StaticReport:
         for number, benchmark in enumerate(self._benchmarks, start=1):
             yield self._save(
                 f"benchmarks/{number}.html",
-                render_page("benchmark", self._links("../"), benchmark=benchmark),
+                render_page(
+                    "benchmark",
+                    self._links("../"),
+                    benchmark=benchmark,
+                    has_leaderboard=False,
+                ),
             )
         yield self._save(
             "index.html",

@@ -58,6 +58,18 @@ class ApiDocuments:
                     raise Problem(413, "too_large", _TOO_LARGE)
         return bytes(body)
 
+    async def send(self, method: str, *path: str, body: object = None) -> Any:
+        """The JSON of the answer to a request that changes what is there."""
+        data = b"" if body is None else msgspec.json.encode(body)
+        scope = self._scope(path, {})
+        scope["method"] = method
+        scope["headers"].append((b"content-type", b"application/json"))
+        async with _call(self.app, scope, data) as messages:
+            status = (await anext(messages, {"status": 500}))["status"]
+            if status not in (200, 201):
+                raise await _problem(status, messages)
+            return msgspec.json.decode(await _rest(messages))
+
     async def stream(self, *path: str, **query: object) -> AsyncGenerator[bytes, None]:
         """The parts of an answer as they are sent. Raises Problem."""
         async with _call(self.app, self._scope(path, query)) as messages:
@@ -72,6 +84,8 @@ class ApiDocuments:
         whole = "/v1/" + "/".join(quote(part, safe="") for part in path)
         host = [(b"host", value) for name, value in self.outer["headers"]
                 if name == b"host"]  # fmt: skip
+        token = [(b"authorization", f"Bearer {self.token}".encode())]
+        token = token if self.token else []  # a public leaderboard needs none
         return {
             "type": "http",
             "asgi": self.outer["asgi"],
@@ -82,14 +96,16 @@ class ApiDocuments:
             "raw_path": whole.encode(),
             "root_path": "",
             "query_string": urlencode(query).encode(),
-            "headers": [*host, (b"authorization", f"Bearer {self.token}".encode())],
+            "headers": host + token,
             "client": self.outer.get("client"),
             "server": self.outer.get("server"),
         }
 
 
 @contextlib.asynccontextmanager
-async def _call(app: ASGIApp, scope: Scope) -> AsyncIterator[AsyncIterator[Message]]:
+async def _call(
+    app: ASGIApp, scope: Scope, body: bytes = b""
+) -> AsyncIterator[AsyncIterator[Message]]:
     """The messages of the answer; the call is ended with the context."""
     # One at a time: what is not read yet is not made.
     queue: asyncio.Queue[Message | None] = asyncio.Queue(maxsize=1)
@@ -99,7 +115,7 @@ async def _call(app: ASGIApp, scope: Scope) -> AsyncIterator[AsyncIterator[Messa
         nonlocal is_sent
         if not is_sent:
             is_sent = True
-            return {"type": "http.request", "body": b"", "more_body": False}
+            return {"type": "http.request", "body": body, "more_body": False}
         await asyncio.Event().wait()  # the reader stays until the call is cancelled
         raise AssertionError("an event that is never set")
 
@@ -123,10 +139,13 @@ async def _call(app: ASGIApp, scope: Scope) -> AsyncIterator[AsyncIterator[Messa
             await task
 
 
+async def _rest(messages: AsyncIterator[Message]) -> bytes:
+    return b"".join([message.get("body", b"") async for message in messages])
+
+
 async def _problem(status: int, messages: AsyncIterator[Message]) -> Problem:
-    body = b"".join([message.get("body", b"") async for message in messages])
     try:
-        said = msgspec.json.decode(body)
+        said = msgspec.json.decode(await _rest(messages))
         return Problem(status, str(said["code"]), str(said["detail"]))
     except (msgspec.DecodeError, KeyError, TypeError):
         return Problem(status, "internal_error", "The server could not answer.")

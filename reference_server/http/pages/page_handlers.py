@@ -8,15 +8,12 @@ from __future__ import annotations
 
 import asyncio
 import io
-import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from contextlib import aclosing
-from dataclasses import dataclass
 from typing import Any
 from urllib.parse import urlencode
 
-from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.broken import BrokenRecord
@@ -29,10 +26,10 @@ from reference_record.pages.recorded_episode import (
     read_recorded_episode,
 )
 from reference_record.pages.run_page import Document, failures_first, status_of
-from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.api_documents import Problem
+from reference_server.http.pages.board_pages import find_entry, has_leaderboard
 from reference_server.http.pages.live_runs import LiveRuns
-from reference_server.http.pages.page_links import ServerLinks
-from reference_server.http.pages.page_sessions import PageSession
+from reference_server.http.pages.page_calls import LINKS, PageCall
 
 ROWS = 100
 EPISODES_PER_CALL = 250
@@ -40,38 +37,6 @@ RUNS_SEARCHED_MAX = 1000
 LATEST_RUNS = 20
 LISTS_KEPT = 4
 RECORDINGS_KEPT = 4
-_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
-_PAGE = re.compile(r"[1-9][0-9]{0,5}")
-LINKS = ServerLinks()
-
-
-@dataclass(frozen=True, slots=True)
-class PageCall:
-    """A request of a reader who is signed in."""
-
-    request: Request
-    session: PageSession
-    api: ApiDocuments
-
-    @property
-    def csrf(self) -> str:
-        return self.session.csrf
-
-    def path(self, name: str) -> str:
-        return _checked_id(self.request.path_params[name])
-
-    def query_id(self, name: str) -> str:
-        return _checked_id(self.request.query_params.get(name, ""))
-
-    def query(self, name: str) -> str:
-        return self.request.query_params.get(name, "")[:200]
-
-    @property
-    def page(self) -> int:
-        text = self.query("page") or "1"
-        if not _PAGE.fullmatch(text):
-            raise Problem(404, "not_found", "There is no such page.")
-        return int(text)
 
 
 class PageHandlers:
@@ -94,7 +59,10 @@ class PageHandlers:
 
     async def show_benchmark(self, call: PageCall) -> str:
         found = await call.api.get("benchmarks", call.path("benchmark_id"))
-        return render_page("benchmark", LINKS, csrf=call.csrf, benchmark=found)
+        return render_page(
+            "benchmark", LINKS, csrf=call.csrf, benchmark=found,
+            has_leaderboard=await has_leaderboard(call.api, found["benchmark_id"]),
+        )  # fmt: skip
 
     async def show_runs(self, call: PageCall) -> str:
         """The runs that fit, and from where the next page goes on."""
@@ -141,8 +109,10 @@ class PageHandlers:
             and one["run_id"] != run_id
             and one["progress"]["episodes_scored"]
         ]
+        may_publish, entry = await find_entry(call.api, run)
         return page_contents.run_html(
             LINKS, run, score, episodes, window, csrf=call.csrf, others=others,
+            may_publish=may_publish, entry=entry,
             live=LINKS.live(run_id) if can_change else "",
         )  # fmt: skip
 
@@ -296,12 +266,6 @@ def _keep(cache: OrderedDict[Any, Any], key: Any, value: Any, most: int) -> None
     cache[key] = value
     while len(cache) > most:
         cache.popitem(last=False)
-
-
-def _checked_id(text: str) -> str:
-    if not _ID.fullmatch(text):
-        raise Problem(404, "not_found", "There is no such page.")
-    return text
 
 
 def _fits(run: Document, selected: Mapping[str, str]) -> bool:

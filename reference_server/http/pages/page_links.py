@@ -32,6 +32,9 @@ class ServerLinks:
     def benchmark(self, benchmark_id: str) -> str:
         return f"/pages/benchmarks/{quote(benchmark_id, safe='')}"
 
+    def leaderboard(self, benchmark_id: str) -> str:
+        return f"{self.benchmark(benchmark_id)}/leaderboard"
+
     def run(self, run_id: str) -> str:
         return f"/pages/runs/{quote(run_id, safe='')}"
 

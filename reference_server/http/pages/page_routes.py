@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import logging
 import secrets
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 from http import HTTPStatus
 from typing import Final
 from urllib.parse import parse_qsl, urlencode
@@ -29,8 +29,10 @@ from reference_record.pages.page_templates import (
 )
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.codec import read_body
+from reference_server.http.pages import board_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
-from reference_server.http.pages.page_handlers import LINKS, PageCall, PageHandlers
+from reference_server.http.pages.page_calls import LINKS, PageCall
+from reference_server.http.pages.page_handlers import PageHandlers
 from reference_server.http.pages.page_links import safe_next
 from reference_server.http.pages.page_sessions import (
     LIFE_S,
@@ -64,6 +66,7 @@ _DEFECT = "The server has a defect. What it evaluates is not affected; try it ag
 _NOT_ACCEPTED = "This server does not accept the token."
 _STALE_FORM = "This form is too old, or it came from another site. Send it again."
 Show = Callable[[PageCall], Awaitable[str | Response]]
+Change = Callable[[PageCall, Mapping[str, str]], Awaitable[Response]]
 Endpoint = Callable[[Request], Awaitable[Response]]
 
 
@@ -101,12 +104,29 @@ class Pages:
                 handlers.fetch_picture
             ),
         }
+        board = f"{PATH}/benchmarks/{{benchmark_id}}/leaderboard"
+        open_to_all: dict[str, Show] = {
+            board: board_pages.show_leaderboard,
+            f"{board}/{{form}}": board_pages.send_leaderboard,
+        }
+        changes: dict[str, Change] = {
+            f"{run}/publish": board_pages.publish,
+            f"{run}/withdraw": board_pages.withdraw,
+        }
         return [
             Route(f"{PATH}/static/{{name:path}}", self._answered(self._send_asset)),
             Route(f"{PATH}/login", self._answered(self._show_login), methods=["GET"]),
             Route(f"{PATH}/login", self._answered(self._sign_in), methods=["POST"]),
             Route(f"{PATH}/logout", self._answered(self._sign_out), methods=["POST"]),
             *(Route(path, self._signed_in(show)) for path, show in shown.items()),
+            *(
+                Route(path, self._signed_in(show, is_open=True))
+                for path, show in open_to_all.items()
+            ),
+            *(
+                Route(path, self._changed(change), methods=["POST"])
+                for path, change in changes.items()
+            ),
             Route(f"{PATH}/{{rest:path}}", self._answered(self._show_nothing)),
         ]
 
@@ -145,9 +165,13 @@ class Pages:
 
         return answer
 
-    def _signed_in(self, show: Show) -> Endpoint:
+    def _signed_in(self, show: Show, *, is_open: bool = False) -> Endpoint:
+        """is_open: the API is asked without a token where there is no session."""
+
         async def answer(request: Request) -> Response:
             session = self._sessions.find(request)
+            if session is None and is_open:
+                session = PageSession("", "", 0, 0)
             if session is None:
                 return _to_login(request)
             try:
@@ -160,6 +184,18 @@ class Pages:
             return HTMLResponse(shown) if isinstance(shown, str) else shown
 
         return self._answered(answer)
+
+    def _changed(self, change: Change) -> Endpoint:
+        """A form of a page, sent by its reader."""
+
+        async def show(call: PageCall) -> Response:
+            form = await _read_form(call.request)
+            is_ours = is_same(form.get("csrf", ""), call.csrf)
+            if not is_ours or is_from_other_site(call.request):
+                raise Problem(403, "forbidden", _STALE_FORM)
+            return await change(call, form)
+
+        return self._signed_in(show)
 
     def _call(self, request: Request, session: PageSession) -> PageCall:
         return PageCall(request, session, self._documents(request, session.token))

@@ -275,6 +275,50 @@ def test_the_record_can_be_downloaded(server: ReferenceServer, run_id: str) -> N
     assert answer.headers["content-disposition"].startswith("attachment")
 
 
+PUBLISHED = {"model_name": EVIL, "notes": EVIL, "organisation": "=1+1"}
+
+
+def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
+    """By the forms of its page; a form without the secret changes nothing."""
+    run_id = submit_and_play(server, successes={0, 1})
+    reader = PageReader(server.url, "alice")
+    page, board = f"/pages/runs/{run_id}", "/pages/benchmarks/calibration/leaderboard"
+    form = {**PUBLISHED, "is_public": "yes"}
+    refused = reader.client.post(f"{page}/publish", data=form | {"csrf": "x"})
+    assert refused.status_code == 403
+    with server.client() as client:
+        sha256 = client.get(f"/v1/runs/{run_id}").json()["manifest_sha256"]
+        path = f"/v1/benchmarks/calibration/ranking?manifest_sha256={sha256}"
+        assert client.get(path).json()["rows"] == []
+        form["csrf"] = reader.csrf()
+        answer = reader.client.post(f"{page}/publish", data=form)
+        assert answer.headers["location"] == f"{page}#entry", answer.text
+        (row,) = client.get(path).json()["rows"]
+        assert row["entry"]["model_name"] == EVIL
+        shown = reader.text(f"{board}?manifest={sha256}&sort=newest")
+        assert "66.7 %" in shown
+        assert inline_code_of(shown) == []
+        assert "<script>alert" not in shown
+        data = reader.get(f"{board}/csv?manifest={sha256}").text
+        assert "'=1+1" in data, "a spreadsheet would compute it"
+        assert reader.get(f"{board}/json?manifest={sha256}").json()["rows"] == [row]
+        sure = {"csrf": form["csrf"], "sure": "yes"}
+        reader.client.post(f"{page}/withdraw", data=sure)
+        assert client.get(path).json()["rows"] == []
+
+
+def test_runs_of_others_are_not_published(server: ReferenceServer, run_id: str) -> None:
+    bob = PageReader(server.url, "bob")
+    form = {**PUBLISHED, "csrf": bob.csrf(), "sure": "yes"}
+    for change in ("publish", "withdraw"):
+        answer = bob.client.post(f"/pages/runs/{run_id}/{change}", data=form)
+        assert answer.status_code == 404
+    wrong = PageReader(server.url, "alice")
+    form = {"model_name": "", "csrf": wrong.csrf()}
+    answer = wrong.client.post(f"/pages/runs/{run_id}/publish", data=form)
+    assert answer.status_code == 422
+
+
 def test_pages_can_be_off(tmp_path: Path) -> None:
     with ReferenceServer(tmp_path, PROCTOR_PAGES="off") as server:
         client = PageReader(server.url).client

@@ -133,7 +133,7 @@ def test_a_failure_is_opened_and_stepped_through(
     browser.open(f"{server.url}/pages/runs/{runs[0]}")
     browser.follow("document.querySelector('.episodes tbody a').click()")
     assert "failure" in browser.text
-    browser.wait_for("document.querySelectorAll('.plots canvas').length > 1")
+    browser.wait_for("document.querySelectorAll('.plots .uplot').length > 1")
     browser.press("ArrowRight")
     browser.press("ArrowRight")
     browser.wait_for("location.hash === '#step=2'")
@@ -161,7 +161,7 @@ def test_two_runs_are_compared(
     assert browser.evaluate(kinds) == ["lost", "won", "neither"]
     browser.follow("document.querySelector('.pairs tbody a').click()")
     assert "Step 2" in browser.text
-    browser.wait_for("document.querySelectorAll('.plots canvas').length > 3")
+    browser.wait_for("document.querySelectorAll('.plots .uplot').length > 3")
     assert browser.errors == []
 
 
@@ -216,6 +216,6 @@ def test_a_report_opens_without_a_server(
     browser.follow("document.querySelector('.pairs tbody a').click()")
     assert "Step 2" in browser.text
     browser.follow("document.querySelector('.sides a').click()")
-    browser.wait_for("document.querySelectorAll('.plots canvas').length > 1")
+    browser.wait_for("document.querySelectorAll('.plots .uplot').length > 1")
     assert browser.evaluate("location.protocol") == "file:"
     assert browser.errors == []

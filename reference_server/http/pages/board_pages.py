@@ -1,0 +1,165 @@
+"""The leaderboard of a benchmark, and the forms that publish a run and withdraw it.
+
+It shows `get_ranking` as it is: who is ranked, and where, is decided elsewhere.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable, Mapping
+from http import HTTPStatus
+from typing import Any
+
+import msgspec
+from starlette.responses import RedirectResponse, Response
+
+from reference_record.pages.page_templates import render_page
+from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.page_calls import LINKS, PageCall
+
+ROWS_MAX = 1000
+_TEXTS = (
+    *("model_name", "model_type", "organisation"),
+    *("homepage", "code_url", "notes"),
+)
+# Name → what rows are sorted by; the ranking's own order is that of the first.
+_SORTS: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
+    "rank": lambda _row: 0,
+    "success": lambda row: -row["entry"]["score"]["success_rate"],
+    "model": lambda row: row["entry"]["model_name"].lower(),
+    "submitter": lambda row: row["entry"]["submitter"].lower(),
+    "attempts": lambda row: row["entry"]["attempts"],
+    "newest": lambda row: _reversed(row["entry"]["published_at"]),
+}
+# What a spreadsheet would compute instead of showing it.
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+
+
+def _reversed(text: str) -> list[int]:
+    """Sorts times the newest first: RFC 3339 in UTC, all of one length."""
+    return [-ord(letter) for letter in text]
+
+
+async def show_leaderboard(call: PageCall) -> str:
+    benchmark, ranking = await _ranking(call)
+    selected = {name: call.query(name) for name in ("text", "sort", "manifest")}
+    if selected["sort"] not in _SORTS:
+        selected["sort"] = "rank"
+    rows = [row for row in ranking["rows"] if _has(row["entry"], selected["text"])]
+    rows.sort(key=_SORTS[selected["sort"]])
+    return render_page(
+        "leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark, ranking=ranking,
+        rows=rows, selected=selected, sorts=list(_SORTS),
+    )  # fmt: skip
+
+
+async def send_leaderboard(call: PageCall) -> Response:
+    """The same as JSON or CSV."""
+    benchmark, ranking = await _ranking(call)
+    form = call.request.path_params["form"]
+    name = f'attachment; filename="{benchmark["benchmark_id"]}.{form}"'
+    headers = {"Content-Disposition": name}
+    if form == "json":
+        body = msgspec.json.encode(ranking)
+        return Response(body, media_type="application/json", headers=headers)
+    if form != "csv":
+        raise Problem(404, "not_found", "There is no such page.")
+    return Response(_csv(ranking), media_type="text/csv", headers=headers)
+
+
+async def _ranking(call: PageCall) -> tuple[dict[str, Any], dict[str, Any]]:
+    benchmark_id = call.path("benchmark_id")
+    chosen: dict[str, object] = {"limit": ROWS_MAX}
+    if manifest := call.query("manifest"):
+        chosen["manifest_sha256"] = manifest
+    ranking = await call.api.get("benchmarks", benchmark_id, "ranking", **chosen)
+    try:
+        benchmark = await call.api.get("benchmarks", benchmark_id)
+    except Problem as problem:
+        # A public leaderboard is read without a token, a benchmark is not.
+        if problem.status != HTTPStatus.UNAUTHORIZED:
+            raise
+        benchmark = {"benchmark_id": benchmark_id, "title": benchmark_id}
+    return benchmark, ranking
+
+
+def _has(entry: Mapping[str, Any], text: str) -> bool:
+    names = ("model_name", "model_type", "organisation", "submitter", "level")
+    return any(text.lower() in str(entry.get(name, "")).lower() for name in names)
+
+
+def _csv(ranking: Mapping[str, Any]) -> str:
+    out = io.StringIO()
+    writer = csv.writer(out)
+    names = ("submitter", "model_name", "model_type", "organisation", "level")
+    more = ("attempts", "published_at", "homepage", "code_url")
+    writer.writerow(
+        ["rank_low", "rank_high", "letters", "score", "success_rate", "success_low",
+         "success_high", "episodes", *names, *more, "flag"]
+    )  # fmt: skip
+    for row in ranking["rows"]:
+        entry, rank = row["entry"], row.get("rank") or {}
+        score = entry["score"]
+        interval = score["success_interval"]
+        values = [
+            rank.get("low"), rank.get("high"), " ".join(row["letters"]),
+            score["score"], score["success_rate"], interval["low"], interval["high"],
+            score["counts"]["total"], *(entry.get(name) for name in (*names, *more)),
+            (entry.get("flag") or {}).get("reason"),
+        ]  # fmt: skip
+        writer.writerow([_as_text(value) for value in values])
+    return out.getvalue()
+
+
+def _as_text(value: object) -> object:
+    """A text that a spreadsheet shows, whatever it begins with."""
+    is_formula = isinstance(value, str) and value.startswith(_FORMULA)
+    return f"'{value}" if is_formula else value
+
+
+async def has_leaderboard(api: ApiDocuments, benchmark_id: str) -> bool:
+    try:
+        await api.get("benchmarks", benchmark_id, "ranking", limit=1)
+    except Problem:
+        return False
+    return True
+
+
+async def find_entry(
+    api: ApiDocuments, run: Mapping[str, Any]
+) -> tuple[bool, Mapping[str, Any] | None]:
+    """Whether the run may have an entry here, and the one that it has."""
+    if run["state"] != "completed":
+        return False, None
+    try:
+        found = await api.get(
+            "entries", benchmark_id=run["benchmark_id"], limit=ROWS_MAX
+        )
+    except Problem:  # this server has no leaderboard
+        return False, None
+    entries = {entry["run_id"]: entry for entry in found["entries"]}
+    return True, entries.get(run["run_id"])
+
+
+async def publish(call: PageCall, form: Mapping[str, str]) -> Response:
+    """From the form on the page of a run; the API refuses what is wrong."""
+    run_id = call.path("run_id")
+    body: dict[str, Any] = {
+        name: value.strip() for name in _TEXTS if (value := form.get(name, "")).strip()
+    }
+    body["is_public"] = form.get("is_public") == "yes"
+    await call.api.send("PUT", "runs", run_id, "entry", body=body)
+    return _back(run_id)
+
+
+async def withdraw(call: PageCall, form: Mapping[str, str]) -> Response:
+    run_id = call.path("run_id")
+    if form.get("sure") != "yes":
+        raise Problem(400, "invalid_request", "Say that you are sure.")
+    await call.api.send("DELETE", "runs", run_id, "entry")
+    return _back(run_id)
+
+
+def _back(run_id: str) -> Response:
+    return RedirectResponse(f"{LINKS.run(run_id)}#entry", HTTPStatus.SEE_OTHER)

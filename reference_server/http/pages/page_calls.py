@@ -1,0 +1,52 @@
+"""A request for a page: who reads, and what the address says, checked."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Final
+
+from starlette.requests import Request
+
+from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.page_links import ServerLinks
+from reference_server.http.pages.page_sessions import PageSession
+
+LINKS: Final = ServerLinks()
+_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
+_PAGE = re.compile(r"[1-9][0-9]{0,5}")
+
+
+@dataclass(frozen=True, slots=True)
+class PageCall:
+    """A request of a reader who is signed in."""
+
+    request: Request
+    session: PageSession
+    api: ApiDocuments
+
+    @property
+    def csrf(self) -> str:
+        return self.session.csrf
+
+    def path(self, name: str) -> str:
+        return _checked_id(self.request.path_params[name])
+
+    def query_id(self, name: str) -> str:
+        return _checked_id(self.request.query_params.get(name, ""))
+
+    def query(self, name: str) -> str:
+        return self.request.query_params.get(name, "")[:200]
+
+    @property
+    def page(self) -> int:
+        text = self.query("page") or "1"
+        if not _PAGE.fullmatch(text):
+            raise Problem(404, "not_found", "There is no such page.")
+        return int(text)
+
+
+def _checked_id(text: str) -> str:
+    if not _ID.fullmatch(text):
+        raise Problem(404, "not_found", "There is no such page.")
+    return text
