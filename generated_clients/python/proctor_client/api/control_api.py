@@ -2333,7 +2333,7 @@ class ControlApi:
     ) -> RecordImport:
         """Hand in a record of any host, to be verified and replayed here
 
-        The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+        The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
 
         :param body: (required)
         :type body: str
@@ -2390,7 +2390,7 @@ class ControlApi:
     ) -> ApiResponse[RecordImport]:
         """Hand in a record of any host, to be verified and replayed here
 
-        The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+        The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
 
         :param body: (required)
         :type body: str

@@ -788,7 +788,7 @@ pub async fn get_score(configuration: &configuration::Configuration, run_id: &st
     }
 }
 
-/// The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+/// The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
 pub async fn import_record(configuration: &configuration::Configuration, body: &str, proctor_version: Option<&str>) -> Result<models::RecordImport, Error<ImportRecordError>> {
     // add a prefix to parameters to efficiently prevent name collisions
     let p_body_body = body;

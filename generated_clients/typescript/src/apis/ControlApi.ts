@@ -1249,7 +1249,7 @@ export class ControlApi extends runtime.BaseAPI {
     }
 
     /**
-     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
      * Hand in a record of any host, to be verified and replayed here
      */
     async importRecordRaw(requestParameters: ImportRecordRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<runtime.ApiResponse<RecordImport>> {
@@ -1260,7 +1260,7 @@ export class ControlApi extends runtime.BaseAPI {
     }
 
     /**
-     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: `get_import` shows how far that is, and the level of trust that the record has here. Offered with the profile `record_import`. The same bytes, sent again by the account, are the same import.
      * Hand in a record of any host, to be verified and replayed here
      */
     async importRecord(requestParameters: ImportRecordRequest, initOverrides?: RequestInit | runtime.InitOverrideFunction): Promise<RecordImport> {

@@ -1956,7 +1956,7 @@ public class ControlApi {
 
     /**
      * Hand in a record of any host, to be verified and replayed here
-     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
      * @param body  (required)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return RecordImport
@@ -1977,7 +1977,7 @@ public class ControlApi {
 
     /**
      * Hand in a record of any host, to be verified and replayed here
-     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
      * @param body  (required)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @return ApiResponse&lt;RecordImport&gt;
@@ -1999,7 +1999,7 @@ public class ControlApi {
 
     /**
      * Hand in a record of any host, to be verified and replayed here (asynchronously)
-     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule. Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
+     * The body is the archive that record.md describes; it is verified before the answer, so what is broken is refused with the file and the rule (REC-113). Then it is replayed on this server, when its simulators are free: &#x60;get_import&#x60; shows how far that is, and the level of trust that the record has here. Offered with the profile &#x60;record_import&#x60;. The same bytes, sent again by the account, are the same import.
      * @param body  (required)
      * @param proctorVersion The protocol version the caller was written for. (optional)
      * @param _callback The callback to be executed when the API call finishes
