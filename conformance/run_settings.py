@@ -11,8 +11,13 @@ import time
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from conformance.specification.ledger import Requirement, load_ledger
-from conformance.specification.stages import stage_of
+from conformance.specification.ledger import (
+    POLICY,
+    PROFILES,
+    Requirement,
+    load_ledger,
+)
+from conformance.specification.stages import LAST, stage_of
 
 VARIABLE = "PROCTOR_KIT_SETTINGS"
 
@@ -36,6 +41,9 @@ class Settings:
     only: list[str] = field(default_factory=list)
     profiles: list[str] = field(default_factory=list)
     report: str = "report"
+    attest: str | None = None
+    attest_key: str | None = None
+    attest_subject: str | None = None
     max_time_s: float | None = None
     deadline: float | None = None  # of the monotonic clock, which processes share
     round_trip_s: float = 0.0
@@ -53,6 +61,14 @@ class Settings:
             and (self.stage is None or stage_of(row) <= self.stage)
             and (not self.only or row.id.startswith(tuple(self.only)))
         ]
+
+    @property
+    def is_partial(self) -> bool:
+        """Whether only a selection of the rules is checked."""
+        is_policy = self.profiles == [POLICY]
+        is_narrow = not is_policy and bool(set(PROFILES) - set(self.profiles))
+        is_stage = self.stage not in (None, LAST)
+        return bool(self.only or self.quick or is_narrow or is_stage)
 
     @property
     def is_time_up(self) -> bool:

@@ -6,8 +6,10 @@ import os
 import random
 import time
 from collections.abc import Iterable
+from pathlib import Path
 from typing import NoReturn
 
+from conformance.reports.attestation import CannotAttest, load_key, read_subject
 from conformance.run_settings import Settings
 from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import STAGES
@@ -61,6 +63,7 @@ def build_parser() -> argparse.ArgumentParser:
     )
     _add_selection(parser)
     _add_execution(parser)
+    _add_attestation(parser)
     return parser
 
 
@@ -137,6 +140,25 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _add_attestation(parser: argparse.ArgumentParser) -> None:
+    statement = parser.add_argument_group("statement")
+    statement.add_argument(
+        "--attest",
+        metavar="FILE",
+        help="write the verdict on all rules as an in-toto statement (test-result)",
+    )
+    statement.add_argument(
+        "--attest-key",
+        metavar="FILE",
+        help="sign it with this Ed25519 private key, in PEM",
+    )
+    statement.add_argument(
+        "--attest-subject",
+        metavar="NAME@sha256:HEX",
+        help="what the server was built as, such as an image and its digest",
+    )
+
+
 def read_processes(options: argparse.Namespace) -> int:
     """How many processes judge: one keeps the order that --only asks for."""
     if options.n is not None:
@@ -197,6 +219,7 @@ def read_settings(options: argparse.Namespace) -> Settings:
         raise BadArguments(f"--max-time {options.max_time:g}: must be greater than 0")
     environment = os.environ
     settings.url = (options.url or "").rstrip("/")
+    _read_attestation(options, settings)
     settings.token = options.token or environment.get("PROCTOR_TOKEN") or None
     settings.token_2 = options.token_2 or environment.get("PROCTOR_TOKEN_2") or None
     settings.token_read = (
@@ -213,6 +236,24 @@ def read_settings(options: argparse.Namespace) -> Settings:
         settings.max_time_s = options.max_time
         settings.deadline = time.monotonic() + options.max_time
     return settings
+
+
+def _read_attestation(options: argparse.Namespace, settings: Settings) -> None:
+    """Refuse early what could only fail after the whole run."""
+    settings.attest = options.attest
+    settings.attest_key = options.attest_key
+    settings.attest_subject = options.attest_subject
+    if options.attest is None and (options.attest_key or options.attest_subject):
+        raise BadArguments("--attest-key and --attest-subject need --attest FILE")
+    if options.attest is not None and settings.is_partial:
+        raise BadArguments("--attest states a verdict on all rules; select none")
+    try:
+        if options.attest_subject is not None:
+            read_subject(options.attest_subject)
+        if options.attest_key is not None:
+            load_key(Path(options.attest_key))
+    except (ValueError, CannotAttest) as error:
+        raise BadArguments(str(error)) from error
 
 
 def _split(text: str | None) -> list[str]:

@@ -13,6 +13,7 @@ from types import FrameType
 
 from conformance.cli.arguments import BadArguments
 from conformance.cli.console import Terminal
+from conformance.reports.attestation import CannotAttest, write_attestation
 from conformance.reports.files import write_reports
 from conformance.runner.preflight import CannotJudge
 from conformance.runner.server_process import StartFailed
@@ -42,6 +43,10 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
         conclude(result, {}, Tally(load_spec()), set())
     with _report_write_errors(terminal, result):
         write_reports(result)
+        try:
+            write_attestation(result)
+        except CannotAttest as error:
+            result.notes.append(f"no statement was written: {error}")
     terminal.report(result)
     return result.exit_code
 

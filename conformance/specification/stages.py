@@ -63,6 +63,7 @@ _BY_ID = {
     **dict.fromkeys(("AUTH-004", "BEN-003", "BEN-005", "ERR-009", "LEASE-007"), 3),
     **dict.fromkeys(("LIFE-102", "LIFE-103", "LIFE-202", "LIFE-203"), 3),
     **dict.fromkeys(("RUN-003", "RUN-008", "RUN-012", "RUN-014"), 4),
+    **dict.fromkeys(("RUN-024", "RUN-025"), 4),
     **dict.fromkeys(("RUN-016", "RUN-018", "RUN-019", "RUN-020", "RUN-021"), 5),
     **dict.fromkeys(("RUN-022", "RUN-023", "RUN-030"), 5),
     **dict.fromkeys(("ATT-005", "ATT-019", "PRED-002", "DET-005"), 5),

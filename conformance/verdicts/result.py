@@ -10,16 +10,15 @@ from conformance.run_settings import Settings
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import (
     NEVER_ANNOUNCED,
-    POLICY,
-    PROFILES,
     Requirement,
     load_ledger,
 )
-from conformance.specification.stages import LAST, advice
+from conformance.specification.stages import advice
 from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
+_NOTES = 5
 WORST_FIRST = (
     Outcome.FAILED,
     Outcome.KIT_ERROR,
@@ -59,11 +58,7 @@ class Result:
     @property
     def is_partial(self) -> bool:
         """Whether only a selection of the rules was checked."""
-        settings = self.settings
-        is_policy = settings.profiles == [POLICY]
-        is_narrow = not is_policy and bool(set(PROFILES) - set(settings.profiles))
-        is_stage = settings.stage not in (None, LAST)
-        return bool(settings.only or settings.quick or is_narrow or is_stage)
+        return self.settings.is_partial
 
     def counts(self, level: str) -> Counter[Outcome]:
         """Count the outcomes of the rows of a level."""
@@ -213,6 +208,7 @@ def conclude(
             _apply_tally(verdict, tally)
         result.rows[row.id] = verdict
     _fail_rules_broken_in_set_ups(result.rows)
+    _note_breaches_of_later_stages(result, tally)
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
         if row.id in known:
@@ -255,6 +251,15 @@ def _apply_tally(verdict: Verdict, tally: Tally) -> None:
     verdict.reason = f"{tally.broken[row]} of {tally.exercised[row]} answers"
     verdict.expected, verdict.observed = first.expected, first.observed
     verdict.exchanges = [breach.exchange for breach in breaches[:3]]
+
+
+def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:
+    """Show answers that break their schema where --stage leaves that rule out."""
+    if result.settings.stage is None:
+        return
+    left_out = [b for b in tally.breaches if b.requirement_id not in result.rows]
+    said = dict.fromkeys(f"{b.requirement_id}: {b.observed}" for b in left_out)
+    result.notes += list(said)[:_NOTES]
 
 
 def _fail_rules_broken_in_set_ups(rows: dict[str, Verdict]) -> None:

@@ -18,7 +18,7 @@ from tools.site import exchanges
 from tools.site.markdown import convert
 from tools.site.rule_pages import since, verdicts
 
-FILES = {"docs/a.md", "spec/b.md"}
+FILES = {"guide/a.md", "spec/b.md"}
 RULES = {"PRED-002"}
 # Areas whose checks are quick and whose exchanges show most operations.
 RECORDED_AGAIN = ["ATT", "DET", "RUN-00", "STOP"]
@@ -40,11 +40,11 @@ ANCHOR = re.compile(r'\bid="([^"]+)"')
         ("`PRED-002`", "`PRED-002`"),
         ("# PRED-002\n", "# PRED-002\n"),
         ("```\nPRED-002 [a](b.md)\n```", "```\nPRED-002 [a](b.md)\n```"),
-        ("[PRED-002](a.md)", "[PRED-002](/docs/a.md)"),
+        ("[PRED-002](a.md)", "[PRED-002](/guide/a.md)"),
     ],
 )
 def test_pages_are_converted(text: str, wanted: str) -> None:
-    assert convert(text, "docs/a.md", FILES, RULES) == wanted
+    assert convert(text, "guide/a.md", FILES, RULES) == wanted
 
 
 def test_stored_exchanges_are_of_rules() -> None:
