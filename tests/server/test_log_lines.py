@@ -20,6 +20,7 @@ from reference_server.system.log_output import (
     request_id_of,
 )
 from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.waiting import wait_until
 
 ACTION = {
     "score": [1], "success": [1], "end": [1], "delay_s": [0], "fault": [0],
@@ -57,6 +58,11 @@ def lines(folder: Path) -> list[dict[str, Any]]:
     return [json.loads(line) for line in (folder / "log").read_text().splitlines()]
 
 
+def requests_in(found: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The lines of the access log."""
+    return [one for one in found if one["logger"] == "proctor.access"]
+
+
 @pytest.mark.slow("starts a server")
 def test_the_life_of_a_run_is_logged_with_its_ids(tmp_path: Path) -> None:
     with ReferenceServer(
@@ -66,8 +72,9 @@ def test_the_life_of_a_run_is_logged_with_its_ids(tmp_path: Path) -> None:
         PROCTOR_ACCESS_LOG="on",
     ) as server:
         run_id = play(server)
-    # An answer is sent before its line is written, so the server has to end first.
-    found = lines(tmp_path)
+        # An answer is sent before its line is written.
+        wait_until(lambda: len(requests_in(lines(tmp_path))) == 3, "all are logged")
+        found = lines(tmp_path)
     life = [one for one in found if one["logger"] == "proctor.runs"]
     assert sorted(one["message"] for one in life) == [
         *("episode scored", "run completed", "run ready", "run running"),
@@ -81,7 +88,7 @@ def test_the_life_of_a_run_is_logged_with_its_ids(tmp_path: Path) -> None:
     assert (scored["episode_id"], scored["score"], scored["outcome"]) == (
         *("e0000", 1.0, "success"),
     )
-    requests = [one for one in found if one["logger"] == "proctor.access"]
+    requests = requests_in(found)
     assert [(one["method"], one["status"]) for one in requests] == [
         *(("POST", 201), ("PUT", 200), ("POST", 200)),
     ]
