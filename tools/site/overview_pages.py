@@ -116,6 +116,7 @@ scoring-examples
 spec/calibration
 calibration-examples
 spec/record
+spec/board
 spec/VERSIONING
 spec/CONFORMANCE
 spec/CHANGELOG
