@@ -78,7 +78,7 @@ MAY_SAY = {
     ("conformance/*", "stage stages"): "a server is written in stages: --stage",
     ("docs/implement/*", "stage stages"): "the same",
     ("spec/CONFORMANCE.md", "stage"): "the same",
-    ("tests/kit/test_stages.py", "stage stages"): "the same",
+    ("tests/kit/*", "stage stages"): "the same",
     (HERE, " ".join(BANNED)): "the list itself",
 }
 WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
@@ -122,12 +122,14 @@ MORE_SIBLINGS = {
     "benchmarks/contenders": "a file for each contender",
     "benchmarks/libraries": "a file for each library compared",
     "docs/evaluate": "a page for each thing that a policy author does",
+    "reference_client/command": "a file for each group of commands, and their output",
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server/rules": "a file for each subject that is decided",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "spec": "a document for each subject; docs/README.md names them",
     "spec/vectors/record": "a file for each way in which a record can be broken",
     "tests": "a folder for each package, and what judges the kit",
+    "tests/kit": "a folder for each package of the kit, and runs of it as a whole",
     "tests/mutants": "a file for each area of the rules",
     "tests/repository": "a test for each page and each rule on the repository",
     "tests/support": "a folder for each package, and what starts servers",
