@@ -42,6 +42,7 @@ COMMANDS = {
     "status": "show the state of a run; without RUN, list the latest runs",
     "stop": "stop a run; scored episodes are kept",
     "resume": "resume a stopped or failed run",
+    "delete": "delete runs that were never played, for good",
     "results": "show the score of a run, by task and split",
     "compare": "compare runs with a baseline, with the release decision",
     "export": "save the signed record of a completed run in a file, or convert it",
@@ -136,6 +137,10 @@ def build_parser() -> argparse.ArgumentParser:
         "--drain",
         action="store_true",
         help="finish the episodes in progress first",
+    )
+    made["delete"].add_argument("runs", nargs="+", metavar="RUN", help="ids of runs")
+    made["delete"].add_argument(
+        "--yes", action="store_true", help="delete runs that were played, too"
     )
     _add_results_options(made["results"])
     _add_compare_options(made["compare"])

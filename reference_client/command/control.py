@@ -150,6 +150,32 @@ def resume(args: argparse.Namespace, printer: Printer) -> int:
     return DONE
 
 
+def delete(args: argparse.Namespace, printer: Printer) -> int:
+    """Delete runs one after another; the first that is refused ends the command."""
+    for run_id in args.runs:
+        check_run_id(run_id)
+    with open_control_client(args, printer) as control_client:
+        if not args.yes:
+            _refuse_played(control_client, args.runs)
+        for run_id in args.runs:
+            control_client.delete(run_id)
+            printer.answer({"deleted": run_id}, f"deleted {run_id}")
+    return DONE
+
+
+def _refuse_played(control_client: ControlClient, run_ids: list[str]) -> None:
+    played = [
+        run_id
+        for run_id in run_ids
+        if control_client.read(run_id).runs_played_before is not None
+    ]
+    if played:
+        raise UsageError(
+            f"{', '.join(played)}: played, so scores and recordings would be lost; "
+            "--yes deletes it nevertheless, if the host allows that"
+        )
+
+
 def results(args: argparse.Namespace, printer: Printer) -> int:
     run_id = _required_run_id(args)
     with open_control_client(args, printer) as control_client:

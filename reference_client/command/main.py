@@ -41,6 +41,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "status": control.status,
     "stop": control.stop,
     "resume": control.resume,
+    "delete": control.delete,
     "results": control.results,
     "compare": control.compare,
     "benchmarks": control.benchmarks,

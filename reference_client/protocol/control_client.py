@@ -134,6 +134,11 @@ class ControlClient:
             lambda: self._control.resume_run(run_id, _request_timeout=TIMEOUTS_S)
         )
 
+    def delete(self, run_id: str) -> None:
+        self._retry_policy.call(
+            lambda: self._control.delete_run(run_id, _request_timeout=TIMEOUTS_S)
+        )
+
     def resume_if_needed(self, run_id: str) -> Run:
         """Resume the run if it is stopped or failed; waits while it is stopping.
 

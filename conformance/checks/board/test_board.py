@@ -57,12 +57,14 @@ def test_brd_001_a_run_has_one_entry(context: CheckContext) -> None:
     board = Board(context)
     run = board.play("10")
     first = expect.ok(try_publish(run, **FULL_DESCRIPTION), 201)
-    expect.equal(expect.ok(try_publish(run, **FULL_DESCRIPTION)), first, "the entry")
+    repeated = expect.ok(try_publish(run, **FULL_DESCRIPTION))
+    expect.equal(shown_description(repeated), FULL_DESCRIPTION, "the description")
     changed = expect.ok(try_publish(run, model_name="Another"))
     described = {"model_name": "Another", "is_public": True}
     expect.equal(shown_description(changed), described, "the description")
-    for member in ("entry_id", "published_at", "score", "run_id"):
-        expect.equal(changed[member], first[member], member)
+    for entry in (repeated, changed):  # `attempts` may have grown meanwhile
+        for member in ("entry_id", "published_at", "score", "run_id"):
+            expect.equal(entry[member], first[member], member)
     expect.equal(board.ranked_ids(), [first["entry_id"]], "entries in the ranking")
 
 

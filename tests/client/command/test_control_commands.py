@@ -48,6 +48,20 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert proctor.code == 0
 
 
+def test_a_run_that_was_never_played_is_deleted(proctor: ProctorCommand) -> None:
+    """Expect no run afterwards; a played one is kept without --yes, and by the host."""
+    unplayed = proctor.json("submit", *options("score"), "--wait")["run_id"]
+    assert proctor.json("delete", unplayed) == {"deleted": unplayed}
+    assert proctor("status", unplayed) == 2
+    assert "not_found" in proctor.err
+    played = proctor.json("run", "--policy", "policies:Graded", *options("count"))
+    assert proctor("delete", played["run_id"]) == 2
+    assert "--yes" in proctor.err
+    assert proctor("delete", played["run_id"], "--yes") == 2
+    assert "not_deletable" in proctor.err
+    assert proctor("status", played["run_id"]) == 0
+
+
 def test_the_latest_runs_are_listed(proctor: ProctorCommand) -> None:
     run_id = proctor.json("submit", *options("score"))["run_id"]
     assert proctor.json("status")[0]["run_id"] == run_id
