@@ -14,7 +14,7 @@ import importlib.metadata
 import json
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NoReturn
 
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS
@@ -126,24 +126,7 @@ def build_parser() -> argparse.ArgumentParser:
             _add_server_options(command)
         _add_transport_options(command)
         _add_output_options(command)
-    _add_run_id(made["status"], "id of the run; without it, the latest runs are listed")
-    _add_list_options(made["status"])
-    made["status"].add_argument(
-        "--watch", action="store_true", help="wait until the run has ended"
-    )
-    for name in ("stop", "resume", "results"):
-        _add_run_id(made[name], "id of the run")
-    made["stop"].add_argument(
-        "--drain",
-        action="store_true",
-        help="finish the episodes in progress first",
-    )
-    made["delete"].add_argument("runs", nargs="+", metavar="RUN", help="ids of runs")
-    made["delete"].add_argument(
-        "--yes", action="store_true", help="delete runs that were played, too"
-    )
-    _add_results_options(made["results"])
-    _add_compare_options(made["compare"])
+    _add_control_options(made)
     made["benchmarks"].add_argument(
         "benchmark", nargs="?", metavar="NAME", help="id of the benchmark to show"
     )
@@ -173,6 +156,28 @@ def build_parser() -> argparse.ArgumentParser:
     _add_submission_options(made["run"])
     _add_policy_options(made["run"])
     return parser
+
+
+def _add_control_options(made: Mapping[str, argparse.ArgumentParser]) -> None:
+    """Of the commands on runs, by the name of each."""
+    _add_run_id(made["status"], "id of the run; without it, the latest runs are listed")
+    _add_list_options(made["status"])
+    made["status"].add_argument(
+        "--watch", action="store_true", help="wait until the run has ended"
+    )
+    for name in ("stop", "resume", "results"):
+        _add_run_id(made[name], "id of the run")
+    made["stop"].add_argument(
+        "--drain",
+        action="store_true",
+        help="finish the episodes in progress first",
+    )
+    made["delete"].add_argument("runs", nargs="+", metavar="RUN", help="ids of runs")
+    made["delete"].add_argument(
+        "--yes", action="store_true", help="delete runs that were played, too"
+    )
+    _add_results_options(made["results"])
+    _add_compare_options(made["compare"])
 
 
 def _add_server_options(parser: argparse.ArgumentParser) -> None:

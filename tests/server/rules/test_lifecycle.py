@@ -91,6 +91,19 @@ def test_what_may_be_deleted(state: State, is_played: bool) -> None:
         assert decide(run, Delete(), NOW) == Accept()
 
 
+@pytest.mark.parametrize("state", ["queued", "ready", "stopped", "failed", "completed"])
+def test_retention_deletes_what_ended_before_its_time(state: State) -> None:
+    """DEL-007: played or not; a run that may still be played is not old."""
+    run = make_run(state=state, is_played=True)
+    run.is_played = True
+    ended = state in ("stopped", "failed", "completed")
+    later, same = run.updated_at_wall + 1, run.updated_at_wall
+    found = decide(run, Delete(ended_before_wall=later), NOW)
+    assert (found == Accept()) == ended
+    refused = expect_refuse(run, Delete(ended_before_wall=same))
+    assert refused.code == "not_deletable"
+
+
 # --- leases ---
 
 
