@@ -93,8 +93,7 @@ class RunRecords:
         path = self._settings.key_path
         self._key = make_key() if path is None else load_or_make(path)
         await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
-        if self._settings.keep_days:
-            self._removing = asyncio.create_task(self._remove_old_for_ever())
+        self._removing = asyncio.create_task(self._remove_for_ever())
 
     @property
     def key(self) -> SigningKey:
@@ -113,13 +112,26 @@ class RunRecords:
             await asyncio.wait([self._removing])
         await self._recordings.close()
 
-    async def _remove_old_for_ever(self) -> None:
+    async def _remove_for_ever(self) -> None:
         while True:
             try:
-                await self.remove_old(time.time())
+                await self.remove_deleted()
+                if self._settings.keep_days:
+                    await self.remove_old(time.time())
             except (StoreFailed, OSError) as error:
-                log.warning("old recordings are not removed: %s", error)
+                log.warning("recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)
+
+    async def remove_deleted(self) -> None:
+        """Remove what is left of deleted runs: a server may end before it is removed.
+
+        Also what was being written when the run was deleted.
+        """
+        run_ids = await asyncio.to_thread(self._recordings.run_ids)
+        for start in range(0, len(run_ids), RUNS_PER_READ):
+            some = run_ids[start : start + RUNS_PER_READ]
+            for run_id in sorted(await self._store.deleted_ids(some)):
+                await self._recordings.remove_run(run_id)
 
     async def remove_old(self, now_wall: float, *, is_dry: bool = False) -> list[str]:
         """Remove the recordings of runs that ended too long ago; gives their ids.

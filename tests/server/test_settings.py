@@ -30,6 +30,12 @@ both are given, the flag wins. Written by `python -m tests.server.test_settings`
 |---|---|---|---|---|---|
 """
 
+# Of at least 64 KiB.
+SIZES = (
+    *("max_body_bytes", "max_control_body_bytes"),
+    *("max_record_bytes", "max_imported_bytes"),
+)
+
 
 def values_of(field: FieldInfo) -> str:
     """What a setting may be, in words."""
@@ -106,11 +112,13 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "recordings": ("off", "pictures"),
         "record_promise": ("exact", "exact"),
         "ebench_equal_steps": ("answer", "answer_chunks"),
+        "record_imports": ("off", "off"),
+        "known_keys": (f"A=SHA256:{'0' * 64}", f"B c=SHA256:{'a' * 64}"),
     }
     numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
     by_variable, by_flag = examples.get(name, numbers)
     flag, variable = f"--{name.replace('_', '-')}", f"PROCTOR_{name.upper()}"
-    if name in ("max_body_bytes", "max_control_body_bytes"):
+    if name in SIZES:
         by_variable, by_flag = "70000", "80000"
     if name == "max_connections":
         by_variable, by_flag = "50", "60"

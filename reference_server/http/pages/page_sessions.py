@@ -9,6 +9,7 @@ from __future__ import annotations
 import hmac
 import secrets
 import time
+from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from http.cookies import CookieError, SimpleCookie
@@ -24,6 +25,8 @@ LIFE_S = 12 * 3600.0
 IDLE_S = 2 * 3600.0
 LOGIN_S = 3600
 SESSIONS_MAX = 10_000
+# Of one token, so that its owner cannot end the sessions of others.
+SESSIONS_PER_TOKEN_MAX = 50
 
 
 @dataclass(slots=True)
@@ -41,15 +44,19 @@ class PageSessions:
 
     def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
         self._now = now
-        self._sessions: dict[str, PageSession] = {}
+        # By cookie, the one that was used longest ago first.
+        self._sessions: OrderedDict[str, PageSession] = OrderedDict()
+        # Token → the cookies of its sessions, in the order of their sign-ins.
+        self._of_token: dict[str, dict[str, None]] = {}
 
     def begin(self, token: str) -> str:
         """A session of the owner of a valid token; returns its cookie."""
-        self._forget()
+        self._forget(token)
         now = self._now()
         cookie = secrets.token_urlsafe(32)
         session = PageSession(token, secrets.token_urlsafe(32), now, now)
         self._sessions[cookie] = session
+        self._of_token.setdefault(token, {})[cookie] = None
         return cookie
 
     def find(self, request: Request) -> PageSession | None:
@@ -58,9 +65,10 @@ class PageSessions:
         if session is None:
             return None
         if not self.is_alive(session):
-            del self._sessions[cookie]
+            self._remove(cookie)
             return None
         session.used_at = self._now()
+        self._sessions.move_to_end(cookie)
         return session
 
     def is_alive(self, session: PageSession) -> bool:
@@ -69,17 +77,30 @@ class PageSessions:
         return now - session.begun_at < LIFE_S and now - session.used_at < IDLE_S
 
     def end(self, request: Request) -> None:
-        session = self._sessions.pop(_cookies(request).get(SESSION_COOKIE, ""), None)
+        session = self._remove(_cookies(request).get(SESSION_COOKIE, ""))
         if session is not None:
             session.begun_at = -LIFE_S * 2  # for streams that hold it
             session.token = ""
 
-    def _forget(self) -> None:
-        for cookie, session in list(self._sessions.items()):
-            if not self.is_alive(session):
-                del self._sessions[cookie]
-        while len(self._sessions) >= SESSIONS_MAX:
-            del self._sessions[next(iter(self._sessions))]
+    def _forget(self, token: str) -> None:
+        """Make room for a session of the token. Looks only at what may have to go."""
+        own = self._of_token.get(token, {})
+        if len(own) >= SESSIONS_PER_TOKEN_MAX:
+            self._remove(next(iter(own)))
+        while self._sessions:
+            cookie, session = next(iter(self._sessions.items()))
+            if self.is_alive(session) and len(self._sessions) < SESSIONS_MAX:
+                return
+            self._remove(cookie)
+
+    def _remove(self, cookie: str) -> PageSession | None:
+        session = self._sessions.pop(cookie, None)
+        if session is not None:
+            own = self._of_token[session.token]
+            del own[cookie]
+            if not own:
+                del self._of_token[session.token]
+        return session
 
 
 def is_same(given: str, secret: str) -> bool:

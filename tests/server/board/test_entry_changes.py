@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import pytest
 
 from reference_server.rules.board import entry_changes
-from reference_server.rules.board.entry_changes import BoardEntry, Change
+from reference_server.rules.board.entry_changes import BoardEntry, Change, Flag
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.run import Outcome, Recording, Result, Run
 from tests.support.server.runs import make_run
@@ -145,6 +146,24 @@ def test_a_flag_is_set_replaced_and_taken_back() -> None:
     )
     assert isinstance(private, Refuse)
     assert private.code == "not_found"
+
+
+def test_a_flag_stays_while_the_entry_is_private_until_it_is_taken_back() -> None:
+    """Hidden after it was flagged. Expect the flag, and that the host can remove it."""
+    flagged = replace(published(), flag=Flag("r", LATER))
+    hidden, kind = change(entry_changes.publish(fresh_entry(), flagged, PRIVATE))
+    assert (hidden.flag, kind) == (flagged.flag, "hide")
+    again, kind = change(entry_changes.publish(fresh_entry(), hidden, PUBLIC))
+    assert (again.flag, kind) == (flagged.flag, "publish")
+    flag = partial(entry_changes.flag, hidden, reason="s", at_wall=LATER)
+    cleared, kind = change(flag(flagged=False))
+    assert (cleared.flag, kind) == (None, "unflag")
+    for refused in (
+        flag(flagged=True),
+        entry_changes.flag(cleared, flagged=False, reason="s", at_wall=LATER),
+    ):
+        assert isinstance(refused, Refuse)
+        assert refused.code == "not_found"
 
 
 def test_who_sees_an_entry() -> None:

@@ -28,12 +28,16 @@ class FewRuns:
     def __init__(self, *answers: dict[str, tuple[str, float]]) -> None:
         self.answers, self.removed = list(answers), list[str]()
         self.failures, self.is_last = 0, False
+        self.deleted: set[str] = set()
 
     async def heads(self, _: Sequence[str]) -> dict[str, Any]:
         return {
             run_id: Head(state, ended)
             for run_id, (state, ended) in self.answers.pop(0).items()
         }
+
+    async def deleted_ids(self, _: Sequence[str]) -> set[str]:
+        return self.deleted
 
     def run_ids(self) -> list[str]:
         if self.failures:
@@ -52,9 +56,10 @@ class Head:
         self.state, self.updated_at_wall = state, updated_at_wall
 
 
-def records_of(runs: FewRuns) -> RunRecords:
+def records_of(runs: FewRuns, keep_days: float = 1) -> RunRecords:
     anything: Any = runs
-    return RunRecords(anything, anything, HostSettings("host", None, keep_days=1))
+    settings = HostSettings("host", None, keep_days=keep_days)
+    return RunRecords(anything, anything, settings)
 
 
 def test_a_run_that_goes_on_meanwhile_keeps_its_recordings() -> None:
@@ -71,7 +76,19 @@ def test_removal_goes_on_after_the_folder_could_not_be_read(
     runs.failures, runs.is_last = 2, True
 
     with pytest.raises(Removed):
-        asyncio.run(records_of(runs)._remove_old_for_ever())
+        asyncio.run(records_of(runs)._remove_for_ever())
+
+
+def test_what_is_left_of_a_deleted_run_is_removed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The server ended before it removed the files; old recordings are kept here."""
+    monkeypatch.setattr(run_records, "REMOVE_EVERY_S", 0.01)
+    runs = FewRuns()
+    runs.failures, runs.deleted, runs.is_last = 1, {"r"}, True
+    with pytest.raises(Removed):
+        asyncio.run(records_of(runs, keep_days=0)._remove_for_ever())
+    assert runs.removed == ["r"]
 
 
 class Line:

@@ -1,0 +1,64 @@
+"""Sessions of the pages: which are forgotten, and what a sign-in looks at."""
+
+from __future__ import annotations
+
+from starlette.requests import Request
+
+from reference_server.http.pages import page_sessions
+from reference_server.http.pages.page_sessions import (
+    IDLE_S,
+    SESSION_COOKIE,
+    SESSIONS_PER_TOKEN_MAX,
+    PageSession,
+    PageSessions,
+)
+
+
+class Clock:
+    def __init__(self) -> None:
+        self.now = 0.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+def request_with(cookie: str) -> Request:
+    header = (b"cookie", f"{SESSION_COOKIE}={cookie}".encode())
+    return Request({"type": "http", "headers": [header]})
+
+
+def test_one_token_ends_no_session_of_another() -> None:
+    sessions = PageSessions()
+    others = sessions.begin("other")
+    own = [sessions.begin("reader") for _ in range(page_sessions.SESSIONS_MAX + 1)]
+    assert sessions.find(request_with(others)) is not None
+    alive = [one for one in own if sessions.find(request_with(one)) is not None]
+    assert alive == own[-SESSIONS_PER_TOKEN_MAX:]
+
+
+def test_a_sign_in_looks_only_at_what_may_have_to_go() -> None:
+    looked_at: list[PageSession] = []
+
+    class Counted(PageSessions):
+        def is_alive(self, session: PageSession) -> bool:
+            looked_at.append(session)
+            return super().is_alive(session)
+
+    sessions = Counted()
+    for number in range(100):
+        sessions.begin(f"token {number}")
+    assert len(looked_at) <= 100
+
+
+def test_what_is_over_goes_also_behind_what_is_used() -> None:
+    clock = Clock()
+    sessions = PageSessions(clock)
+    used, idle = sessions.begin("a"), sessions.begin("b")
+    clock.now = IDLE_S - 1
+    assert sessions.find(request_with(used)) is not None
+    clock.now = IDLE_S + 1
+    sessions.begin("c")
+    assert list(sessions._sessions)[0] == used
+    assert sessions.find(request_with(idle)) is None
+    sessions.end(request_with(used))
+    assert set(sessions._of_token) == {"c"}, "nothing is kept of what has ended"
