@@ -1,7 +1,7 @@
 """Entries of the leaderboard, and what may become of them. Pure.
 
 A change of an entry that others see, or saw, has a leaf in the history; what only its
-own account sees has none.
+own account sees has none, but for a flag of the host that is taken back.
 """
 
 from __future__ import annotations
@@ -160,10 +160,15 @@ def withdraw(stored: BoardEntry, at_wall: float) -> Change:
 def flag(
     stored: BoardEntry, *, flagged: bool, reason: str, at_wall: float
 ) -> Change | Refuse:
-    """BRD-012: set, replaced or taken back."""
-    if not stored.is_public:
+    """BRD-012: set, replaced or taken back.
+
+    A flag stays while its entry is private, and can be taken back meanwhile: with a
+    leaf, for the history says that the entry is flagged.
+    """
+    is_taken_back = not flagged and stored.flag is not None
+    if not stored.is_public and not is_taken_back:
         return Refuse("not_found", "There is no such public entry.", "BRD-012")
-    if not flagged and stored.flag is None:
+    if not flagged and not is_taken_back:
         return Change(stored)
     if flagged and stored.flag is not None and stored.flag.reason == reason:
         return Change(stored)
