@@ -54,7 +54,10 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
         self, action: argparse.Action, default_metavar: str
     ) -> Callable[[int], tuple[str, ...]]:
         names = super()._metavar_formatter(action, default_metavar)
-        return lambda size: tuple(self._PLACEHOLDERS.get(n, n) for n in names(size))
+        shown = self._PLACEHOLDERS
+        if any(flag.endswith("-days") for flag in action.option_strings):
+            shown = {**shown, "float": "DAYS"}
+        return lambda size: tuple(shown.get(n, n) for n in names(size))
 
 
 class Server(uvicorn.Server):

@@ -23,7 +23,7 @@ from reference_client.board.history_check import RewrittenHistory
 from reference_client.command import control
 from reference_client.command.exit_codes import DONE, UsageError
 from reference_client.command.output import Printer
-from reference_client.command.records import connect
+from reference_client.command.records import connect, usable
 from reference_client.command.text_tables import TextTable, fact_table
 from reference_client.errors import ProctorError
 from reference_client.printable_text import printable
@@ -226,7 +226,8 @@ def _plain(value: Any) -> Any:
 def _verify(
     client: BoardClient, keys: dict[str, str], path: Path, printer: Printer
 ) -> int:
-    kept = history_check.load_kept(path)
+    with usable(path):
+        kept = history_check.load_kept(path)
     try:
         found, entries, public_key = _check(client, keys, kept)
     except RewrittenHistory as error:
@@ -234,7 +235,8 @@ def _verify(
         if printer.as_json:
             printer.answer({"is_whole": False, "detail": str(error)})
         return REWRITTEN
-    history_check.keep(path, found, public_key)
+    with usable(path):
+        history_check.keep(path, found, public_key)
     before = 0 if kept is None else kept.tree_size
     value = {
         "is_whole": True,

@@ -118,21 +118,25 @@ def check_leaves(found: Checkpoint, leaves: Sequence[str]) -> None:
 def entries_of(leaves: Iterable[str]) -> dict[str, dict[str, Any]]:
     """entry_id → what the leaves say of each entry that is public now.
 
-    Leaves of a kind that this version does not know change nothing.
+    A flag stays while an entry is private: hiding does not get rid of it. Leaves of a
+    kind that this version does not know change nothing.
     """
     found: dict[str, dict[str, Any]] = {}
+    flags: dict[str, str] = {}
     for text in leaves:
         leaf = json.loads(text)
         entry_id, kind = leaf["entry_id"], leaf["kind"]
         if kind == "publish":
-            found[entry_id] = {**leaf, "flag": None}
+            found[entry_id] = leaf
         elif kind == "change" and entry_id in found:
             found[entry_id]["description"] = leaf["description"]
         elif kind in ("hide", "withdraw"):
             found.pop(entry_id, None)
-        elif kind in ("flag", "unflag") and entry_id in found:
-            found[entry_id]["flag"] = leaf["reason"] if kind == "flag" else None
-    return found
+        elif kind == "flag":
+            flags[entry_id] = leaf["reason"]
+        elif kind == "unflag":
+            flags.pop(entry_id, None)
+    return {one: {**leaf, "flag": flags.get(one)} for one, leaf in found.items()}
 
 
 def differences(

@@ -106,7 +106,7 @@ def _fetch(
     """Save the record of a run; returns the keys of its host, keyid → name."""
     control.check_run_id(run_id)
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
-        with _usable(path):
+        with usable(path):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
         return names_of_host(connection, retry_policy)
 
@@ -128,7 +128,7 @@ def check(args: argparse.Namespace, printer: Printer) -> int:
 
 def _verify(path: Path, keys: Mapping[str, str], printer: Printer) -> int:
     try:
-        with _usable(path):
+        with usable(path):
             report = verify(open_bundle(path), keys)
     except BrokenRecord as broken:
         return _print_broken(path, broken, printer)
@@ -266,7 +266,8 @@ def connect(
 
 
 @contextmanager
-def _usable(path: Path) -> Iterator[None]:
+def usable(path: Path) -> Iterator[None]:
+    """Raises UsageError, with the name of the file, for an OSError."""
     try:
         yield
     except OSError as error:

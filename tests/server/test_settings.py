@@ -14,6 +14,7 @@ from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_settings import CliSettingsSource
 
+from reference_server.__main__ import HelpFormatter
 from reference_server.http.auth import BadTokens, Tokens, new_secret
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
@@ -35,6 +36,19 @@ SIZES = (
     *("max_body_bytes", "max_control_body_bytes"),
     *("max_record_bytes", "max_imported_bytes"),
 )
+
+
+@pytest.mark.parametrize(
+    ("flag", "unit"), [("--records-keep-days", "DAYS"), ("--turn-timeout-s", "SECONDS")]
+)
+def test_the_help_names_the_unit(
+    flag: str, unit: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        CliSettingsSource(
+            Settings, cli_parse_args=["--help"], formatter_class=HelpFormatter
+        )
+    assert f"  {flag} {unit}\n" in capsys.readouterr().out
 
 
 def values_of(field: FieldInfo) -> str:

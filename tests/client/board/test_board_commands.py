@@ -114,6 +114,16 @@ def test_what_cannot_be_is_said_in_one_line(
     assert len(proctor.err.splitlines()) == 1
 
 
+@pytest.mark.parametrize("state", [".", "policies.py/kept.json", "/proc/kept.json"])
+def test_a_file_that_cannot_keep_a_checkpoint_is_wrong_usage(
+    proctor: ProctorCommand, state: str
+) -> None:
+    """Exit code 1 would say that the history was rewritten."""
+    assert proctor("board", "verify", "--state", state) == 2
+    assert proctor.err.startswith(f"proctor: {state}: ")
+    assert len(proctor.err.splitlines()) == 1
+
+
 def test_a_rewritten_history_is_seen(
     proctor: ProctorCommand, server: ReferenceServer
 ) -> None:

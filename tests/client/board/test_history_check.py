@@ -117,6 +117,17 @@ def shown(entry_id: str = "a", **members: Any) -> dict[str, Any]:
             [shown()],
             [],
         ),
+        (
+            [leaf("publish"), leaf("flag", reason="o"), leaf("hide"), leaf("publish")],
+            [shown(flag={"reason": "o"})],
+            [],
+        ),
+        (
+            [*(leaf(kind, reason="o") for kind in ("publish", "flag", "hide"))]
+            + [leaf("unflag", reason="p"), leaf("publish")],
+            [shown()],
+            [],
+        ),
         ([leaf("publish"), leaf("a_later_kind")], [shown()], []),
     ],
 )
