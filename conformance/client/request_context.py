@@ -21,6 +21,7 @@ from conformance.client import calibration_actions
 from conformance.client.adaptive_timeouts import AdaptiveTimeouts
 from conformance.client.exchange_log import ExchangeLog
 from conformance.client.http_client import ClientPool, HttpClient, NoAnswer
+from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.specification.document import (
@@ -91,7 +92,7 @@ class RequestContext:
         # The same seed gives the same requests.
         self.random = random.Random(f"{shared.settings.seed}/{name}")
         self._base_url = base_url or shared.settings.url
-        self._clean_ups: list[Callable[[], None]] = []
+        self._clean_ups: list[Callable[[], object]] = []
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
     def _open_client(
@@ -163,7 +164,8 @@ class RequestContext:
         """Send an operation by its id; the answer is raw.
 
         Further keywords fill the path. `msgpack` sends `json` as
-        MessagePack and accepts nothing else.
+        MessagePack and accepts nothing else. An entry or an import that is made
+        is taken back after the check.
         """
         operation = self.spec.operations[operation_id]
         http_client = http_client or self.http_client
@@ -189,7 +191,12 @@ class RequestContext:
             timeout_s=timeout_s,
             operation=operation,
         )
-        return self._retry_while_no_capacity(send)
+        answer = self._retry_while_no_capacity(send)
+        if taken_back := taken_back_by(operation_id, answer, path_params):
+            name, path = taken_back
+            step = partial(self.call, name, http_client=http_client, **path)
+            self.clean_up_with(step)
+        return answer
 
     def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
         """Repeat while the server has no capacity, as every client must; then give up.
@@ -272,7 +279,7 @@ class RequestContext:
         self.tolerance_s = max(self.tolerance_s, TOLERANCE_ROUND_TRIPS * longest_s)
         return longest_s - round_trips[_ROUND_TRIPS // 2]
 
-    def clean_up_with(self, step: Callable[[], None]) -> None:
+    def clean_up_with(self, step: Callable[[], object]) -> None:
         """Take a step when the check has ended."""
         self._clean_ups.append(step)
 

@@ -109,6 +109,11 @@ class BackgroundChecks:
             pending = [future for future in self._futures.values() if not future.done()]
             wait(pending, until - time.monotonic(), FIRST_COMPLETED)
 
+    def tidy_up(self) -> None:
+        """Take back what the checks made so far, those that still run included."""
+        for context in self._contexts.values():
+            context.tidy_up()
+
     def collect(self, item: pytest.Function) -> None:
         """Wait for the end of a check and raise its exception."""
         item.stash[_CHECK_CONTEXT] = self._contexts[item.nodeid]
@@ -163,6 +168,15 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "xdist_group(name): stays in one process")
     config.stash[_SHARED] = SharedContext.of(Settings.load_from_environment())
     config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Tidy up checks without a teardown: Ctrl-C ended them, or the server is gone."""
+    for item in session.items:
+        if _CHECK_CONTEXT in item.stash:
+            item.stash[_CHECK_CONTEXT].tidy_up()
+    session.config.stash[_BACKGROUND].tidy_up()
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:

@@ -99,7 +99,6 @@ def board_samples(context: RequestContext) -> Iterator[OperationSample]:
         )
         for one in (run, other)
     ]
-    context.clean_up_with(lambda: _withdraw(run))
     yield "publish_entry", {"run_id": run.id, "json": description}
     yield "list_entries", {"params": {"limit": 1}}
     yield "get_entry", {"entry_id": entries[0]["entry_id"]}
@@ -109,10 +108,6 @@ def board_samples(context: RequestContext) -> Iterator[OperationSample]:
     yield "prove_inclusion", {"params": {"leaf_index": 0, "tree_size": 1}}
     yield "prove_consistency", {"params": {"old_size": 1, "new_size": 1}}
     yield "withdraw_entry", {"run_id": other.id}
-
-
-def _withdraw(run: RunClient) -> None:
-    run.call("withdraw_entry")
 
 
 def needs_token(context: RequestContext, sample: OperationSample) -> bool:

@@ -4,7 +4,6 @@ A board of a check has no entry of another check: `max_steps`, `max_faults` and
 `max_attempts` of its runs are drawn anew each time, and entries do not stay.
 """
 
-import contextlib
 import uuid
 from collections.abc import Sequence
 from functools import partial
@@ -104,15 +103,7 @@ def description_of(**members: Any) -> dict[str, Any]:
 
 def try_publish(run: RunClient, **members: Any) -> Answer:
     """Send `publish_entry`; an entry that it makes is withdrawn after the check."""
-
-    def withdraw() -> None:
-        with contextlib.suppress(Exception):
-            run.call("withdraw_entry")
-
-    answer = run.call("publish_entry", json=description_of(**members))
-    if answer.status == 201:
-        run.context.clean_up_with(withdraw)
-    return answer
+    return run.call("publish_entry", json=description_of(**members))
 
 
 def require_entry(run: RunClient, **members: Any) -> dict[str, Any]:

@@ -1,0 +1,27 @@
+"""Requests that take back what a check leaves on a server, for others to see or store.
+
+A public entry would stay in the ranking, and an import would count against the account.
+"""
+
+from collections.abc import Mapping
+
+from conformance.exchanges.answer import Answer
+
+Request = tuple[str, dict[str, str]]
+
+
+def taken_back_by(
+    operation_id: str, answer: Answer, path_params: Mapping[str, str]
+) -> Request | None:
+    """Give the operation that takes back what an answer says was made, with its path.
+
+    What the check takes back itself is refused then, which does no harm.
+    """
+    if operation_id == "publish_entry" and answer.status == 201:
+        return "withdraw_entry", dict(path_params)
+    if operation_id == "import_record" and answer.status == 202:
+        body = answer.json
+        import_id = body.get("import_id") if isinstance(body, dict) else None
+        if isinstance(import_id, str):
+            return "delete_import", {"import_id": import_id}
+    return None
