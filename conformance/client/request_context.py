@@ -193,8 +193,8 @@ class RequestContext:
         )
         answer = self._retry_while_no_capacity(send)
         if taken_back := taken_back_by(operation_id, answer, path_params):
-            name, path = taken_back
-            step = partial(self.call, name, http_client=http_client, **path)
+            name, where = taken_back
+            step = partial(self.call, name, http_client=http_client, **where)
             self.clean_up_with(step)
         return answer
 

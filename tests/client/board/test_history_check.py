@@ -123,8 +123,11 @@ def shown(entry_id: str = "a", **members: Any) -> dict[str, Any]:
             [],
         ),
         (
-            [*(leaf(kind, reason="o") for kind in ("publish", "flag", "hide"))]
-            + [leaf("unflag", reason="p"), leaf("publish")],
+            [
+                *(leaf(kind, reason="o") for kind in ("publish", "flag", "hide")),
+                leaf("unflag", reason="p"),
+                leaf("publish"),
+            ],
             [shown()],
             [],
         ),
