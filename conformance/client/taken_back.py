@@ -4,10 +4,11 @@ A public entry would stay in the ranking, and an import would count against the 
 """
 
 from collections.abc import Mapping
+from typing import Any
 
 from conformance.exchanges.answer import Answer
 
-Request = tuple[str, dict[str, str]]
+Request = tuple[str, dict[str, Any]]
 
 
 def taken_back_by(
