@@ -58,7 +58,7 @@ def test_what_is_over_goes_also_behind_what_is_used() -> None:
     assert sessions.find(request_with(used)) is not None
     clock.now = IDLE_S + 1
     sessions.begin("c")
-    assert list(sessions._sessions)[0] == used
+    assert next(iter(sessions._sessions)) == used
     assert sessions.find(request_with(idle)) is None
     sessions.end(request_with(used))
     assert set(sessions._of_token) == {"c"}, "nothing is kept of what has ended"
