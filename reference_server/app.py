@@ -96,7 +96,7 @@ def build(settings: Settings, tokens: Tokens) -> Application:
         benchmarks=Benchmarks(settings.max_chunk, seed_secret),
         validator=policy_server_validator,
         records=records,
-        is_published=None if board_store is None else board_store.is_published,
+        is_kept=None if board_store is None else board_store.keeps_run,
     )
     retention = _retention_of(settings, service)
     board = _board_of(board_store, service)
@@ -240,7 +240,7 @@ def _service_of(
     benchmarks: Benchmarks,
     validator: PolicyServerValidator,
     records: RunRecords | None,
-    is_published: Callable[[str], Awaitable[bool]] | None,
+    is_kept: Callable[[str, bool], Awaitable[bool]] | None,
 ) -> RunService:
     return RunService(
         SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
@@ -251,7 +251,7 @@ def _service_of(
         validator.digest_key,
         records,
         deletes_played=settings.delete_played_runs == "on",
-        is_published=is_published,
+        is_kept=is_kept,
     )
 
 

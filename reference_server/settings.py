@@ -197,8 +197,8 @@ class Settings(BaseSettings):
         ge=0,
         allow_inf_nan=False,
         description="Days after which a run that has completed, failed or been stopped "
-        "is deleted with all that is stored of it, unless it was resumed; 0 keeps runs "
-        "for ever.",
+        "is deleted with all that is stored of it, unless it was resumed or has a "
+        "public entry on the leaderboard; 0 keeps runs for ever.",
     )
     delete_played_runs: Literal["off", "on"] = Field(
         "off",

@@ -23,7 +23,7 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage.board_store import BoardStore
+from reference_server.storage.board_store import BoardStore, RunDeleted
 from reference_server.views import board_views
 
 CACHED_RANKINGS_MAX = 64
@@ -79,7 +79,10 @@ class BoardService:
         def decide(stored: BoardEntry | None) -> Change:
             return _accepted(rules.publish(fresh, stored, description))
 
-        entry, is_new = await self._store.change(run_id, decide)
+        try:
+            entry, is_new = await self._store.change(run_id, decide, needs_run=True)
+        except RunDeleted as error:
+            raise Refused("not_found", f"There is no run {run_id}.") from error
         return await self._view(entry), is_new
 
     async def withdraw(self, account: str, run_id: str) -> Json:

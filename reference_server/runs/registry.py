@@ -47,7 +47,7 @@ from reference_server.runs import steady_clock
 from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.places import Places
 from reference_server.runs.run_log import RunLog, new_results
-from reference_server.storage.store import Store, StoreFailed
+from reference_server.storage.store import RunIsKept, Store, StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.runs")
@@ -306,23 +306,23 @@ class RunRegistry:
         self.run_in_background(saving)
         return saving
 
-    async def delete(self, run: Run) -> None:
+    async def delete(self, run: Run, *, by_host: bool = False) -> None:
         """Delete a run that nothing can play any more; DEL-004: then it is no more.
 
-        Who requests it meanwhile waits for the end. Raises StoreFailed; the run then is
-        as it was before.
+        Who requests it meanwhile waits for the end. Raises StoreFailed and RunIsKept;
+        the run then is as it was before.
         """
-        deleting = asyncio.ensure_future(self._delete(run))
+        deleting = asyncio.ensure_future(self._delete(run, by_host))
         self._deleting[run.run_id] = deleting
         self.run_in_background(deleting)
         self.notify(run)
         await asyncio.shield(deleting)
 
-    async def _delete(self, run: Run) -> None:
+    async def _delete(self, run: Run, by_host: bool) -> None:
         try:
             await self.is_stored(run)  # a write that was begun would come after it
-            await self._store.delete(run, time.time())
-        except StoreFailed:
+            await self._store.delete(run, time.time(), by_host=by_host)
+        except (StoreFailed, RunIsKept):
             self._evict(run)
             raise
         else:

@@ -54,6 +54,7 @@ from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.score_cache import ScoreCache
 from reference_server.runs.session_executor import SessionExecutor
+from reference_server.storage.store import RunIsKept
 from reference_server.views import run_views, turn_view
 
 Json = dict[str, Any]
@@ -78,8 +79,9 @@ class RunService:
     # None where nothing is recorded.
     records: RunRecords | None = None
     deletes_played: bool = False  # DEL-003
-    # Whether the leaderboard shows a run: then it stays. None where there is no board.
-    is_published: Callable[[str], Awaitable[bool]] | None = None
+    # Whether a run has an entry for which it stays, by its id and whether the host
+    # deletes it. None where there is no board.
+    is_kept: Callable[[str, bool], Awaitable[bool]] | None = None
     scores: ScoreCache = field(default_factory=ScoreCache)
 
     # --- control plane ---
@@ -167,36 +169,38 @@ class RunService:
         """Delete a run that is not in play, and all that was recorded of it."""
         command = Delete(may_be_played=self.deletes_played)
         await self._run_accepting(account, run_id, command)
-        if await self._is_published(run_id):
-            raise Refused(
-                "not_deletable",
-                "The run has an entry on the leaderboard; withdraw it first.",
-                requirement="DEL-003",
-            )
+        if await self._is_kept(run_id, by_host=False):
+            raise _has_entry()
         await self._delete(run_id, command)
 
     async def delete_old(self, keep_days: float) -> None:
-        """DEL-007: delete the runs that ended so long ago, and have no entry.
+        """DEL-007: delete the runs that ended so long ago, and have no public entry.
 
-        One after another, with other requests in between.
+        A private entry goes with its run. One after another, with other requests in
+        between.
         """
         before_wall, last = time.time() - keep_days * DAY_S, 0
         while found := await self.registry.ended_since(before_wall, last):
             for last, run_id in found:  # noqa: B007 - where the next page begins
-                if not await self._is_published(run_id):
-                    with contextlib.suppress(Refused):  # deleted or resumed meanwhile
+                if not await self._is_kept(run_id, by_host=True):
+                    # It may be deleted, resumed or published meanwhile.
+                    with contextlib.suppress(Refused):
                         await self._delete(
                             run_id, Delete(ended_before_wall=before_wall)
                         )
 
-    async def _is_published(self, run_id: str) -> bool:
-        return self.is_published is not None and await self.is_published(run_id)
+    async def _is_kept(self, run_id: str, *, by_host: bool) -> bool:
+        return self.is_kept is not None and await self.is_kept(run_id, by_host)
 
     async def _delete(self, run_id: str, command: Delete) -> None:
         run = await self._run_accepting(None, run_id, command)
         # Nothing was awaited since it was accepted: no worker attaches from here on.
         self.executor.release_sessions(effects.stop(run, "abort", time.time()))
-        await self.registry.delete(run)
+        try:
+            by_host = command.ended_before_wall is not None
+            await self.registry.delete(run, by_host=by_host)
+        except RunIsKept as error:  # published since that was looked at
+            raise _has_entry() from error
         if self.records is not None:
             await self.records.remove_run(run_id)
 
@@ -415,6 +419,11 @@ class RunService:
             # A refusal shows the state that forbids it: it may not be lost then.
             if await self.registry.is_stored(run):
                 raise Refused.from_verdict(verdict)
+
+
+def _has_entry() -> Refused:
+    detail = "The run has an entry on the leaderboard; withdraw it first."
+    return Refused("not_deletable", detail, requirement="DEL-003")
 
 
 def body_digest(submission: Json) -> str:

@@ -7,6 +7,7 @@ is given.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -15,8 +16,8 @@ import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection
 
-from reference_server.rules.board.entry_changes import BoardEntry, Change
-from reference_server.storage.store import Store
+from reference_server.rules.board.entry_changes import BoardEntry, Change, withdraw
+from reference_server.storage.store import RunIsKept, Store
 
 _tables = sa.MetaData()
 
@@ -45,6 +46,10 @@ _SIZE = sa.select(sa.func.count()).select_from(_leaves)
 _ENTRY = msgspec.json.Decoder(BoardEntry)
 
 
+class RunDeleted(Exception):
+    """The run of the entry was deleted meanwhile."""
+
+
 class BoardStore:
     """Entries and leaves of one server's database.
 
@@ -53,6 +58,7 @@ class BoardStore:
 
     def __init__(self, store: Store, leaf_hash: Callable[[bytes], bytes]) -> None:
         self._store, self._leaf_hash = store, leaf_hash
+        store.before_delete(self._release_run)
 
     async def open(self) -> None:
         """Create the tables that are missing."""
@@ -60,14 +66,21 @@ class BoardStore:
             await connection.run_sync(_tables.create_all)
 
     async def change(
-        self, run_id: str, decide: Callable[[BoardEntry | None], Change]
+        self,
+        run_id: str,
+        decide: Callable[[BoardEntry | None], Change],
+        *,
+        needs_run: bool = False,
     ) -> tuple[BoardEntry, bool]:
         """Store what `decide` makes of the entry of a run; whether there was none.
 
-        What `decide` raises ends the transaction, and nothing is stored.
+        needs_run: raises RunDeleted if there is no such run any more. What `decide`
+        raises ends the transaction, and nothing is stored.
         """
         query = _NUMBERED.where(_entries.c.run_id == run_id)
         async with self._store.write() as connection:
+            if needs_run and await self._store.is_deleted(connection, run_id):
+                raise RunDeleted(run_id)
             row = (await connection.execute(query)).first()
             before = None if row is None else _entry_of(*row)
             change = decide(before)
@@ -96,10 +109,25 @@ class BoardStore:
         """The entry of a run, withdrawn or not."""
         return await self._first(_NUMBERED.where(_entries.c.run_id == run_id))
 
-    async def is_published(self, run_id: str) -> bool:
-        """Whether the run has an entry that is not withdrawn."""
+    async def keeps_run(self, run_id: str, by_host: bool) -> bool:
+        """Whether the run has an entry for which it cannot be deleted."""
         entry = await self.find_of_run(run_id)
-        return entry is not None and entry.state == "published"
+        return entry is not None and _keeps_run(entry, by_host)
+
+    async def _release_run(
+        self, connection: AsyncConnection, run_id: str, by_host: bool
+    ) -> None:
+        """Withdraw the entry that goes with a run that is deleted."""
+        query = _NUMBERED.where(_entries.c.run_id == run_id)
+        row = (await connection.execute(query)).first()
+        if row is None:
+            return
+        entry = _entry_of(*row)
+        if _keeps_run(entry, by_host):
+            raise RunIsKept(run_id)
+        withdrawn = withdraw(entry, time.time()).entry
+        if withdrawn != entry:  # a private one: the history has no leaf of that
+            await _store_entry(connection, withdrawn)
 
     async def page(
         self,
@@ -164,6 +192,11 @@ class BoardStore:
         return await self._store.read(
             lambda connection: [_entry_of(*row) for row in connection.execute(query)]
         )
+
+
+def _keeps_run(entry: BoardEntry, by_host: bool) -> bool:
+    """A private entry does not keep a run that the host deletes when it is old."""
+    return entry.state == "published" and (entry.is_public or not by_host)
 
 
 async def _store_entry(connection: AsyncConnection, entry: BoardEntry) -> int:

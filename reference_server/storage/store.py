@@ -160,6 +160,19 @@ class StoreFailed(Exception):
     """The database failed; nothing of the transaction was stored."""
 
 
+class RunIsKept(Exception):
+    """The run cannot be deleted: something else that is stored needs it."""
+
+
+# Is called in the transaction that deletes a run, with its id and whether the host
+# deletes it; deletes what goes with it, or raises RunIsKept.
+BeforeDelete = Callable[[AsyncConnection, str, bool], Awaitable[None]]
+
+
+async def _delete_nothing_else(_: AsyncConnection, _run_id: str, _host: bool) -> None:
+    """What precedes a deletion, unless something else is named."""
+
+
 async def _complete_nothing(_run: Run) -> None:
     """What precedes a write, unless something else is named."""
 
@@ -178,6 +191,7 @@ class Store:
         after_save: Callable[[Run, set[int]], None] = lambda _run, _indices: None,
     ) -> None:
         self._before_save, self._after_save = before_save, after_save
+        self._before_delete: BeforeDelete = _delete_nothing_else
         try:
             self._url = sa.make_url(url)
             self._engine: AsyncEngine = create_async_engine(self._url)
@@ -322,15 +336,22 @@ class Store:
             run.played_number = row["played_number"]
         self._after_save(run, changed)
 
-    async def delete(self, run: RunHead, now_wall: float) -> None:
+    def before_delete(self, call: BeforeDelete) -> None:
+        """Of another module of storage/, whose tables name runs."""
+        self._before_delete = call
+
+    async def delete(
+        self, run: RunHead, now_wall: float, *, by_host: bool = False
+    ) -> None:
         """Delete what is stored of a run, but for what counts it (DEL-006).
 
         Its Idempotency-Key stays used (DEL-005), and of its statement the digest, which
-        the next one names.
+        the next one names. Raises RunIsKept.
         """
         of_run = _runs.c.number == run.number
         emptied = _statements.update().where(_statements.c.run_id == run.run_id)
         async with self._write_lock, self._transaction() as connection:
+            await self._before_delete(connection, run.run_id, by_host)
             await connection.execute(
                 _episodes.delete().where(_episodes.c.number == run.number)
             )
@@ -344,6 +365,11 @@ class Store:
         query = sa.select(_runs.c.run_id).where(~_IS_THERE, _runs.c.run_id.in_(run_ids))
         async with self._transaction() as connection:
             return set(await connection.scalars(query))
+
+    async def is_deleted(self, connection: AsyncConnection, run_id: str) -> bool:
+        """Whether the run was deleted, as a transaction of `write` sees it."""
+        query = sa.select(_runs.c.run_id).where(~_IS_THERE, _runs.c.run_id == run_id)
+        return await connection.scalar(query) is not None
 
     async def in_states_since(
         self, states: Sequence[str], before: float, after: int, limit: int

@@ -12,6 +12,7 @@ from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
+import sqlalchemy as sa
 
 from reference_record.formats.checkpoint import read
 from reference_record.formats.merkle_tree import is_consistent, leaf_hash
@@ -19,9 +20,10 @@ from reference_record.keys import SigningKey
 from reference_server.records.board_history import BoardHistory
 from reference_server.records.run_records import RunRecords
 from reference_server.rules.board import ranking
+from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService
-from reference_server.storage.board_store import BoardStore
+from reference_server.storage.board_store import BoardStore, RunDeleted
 from reference_server.storage.store import StoreFailed
 from tests.support.server.server_parts import (
     RESULT,
@@ -109,6 +111,66 @@ def test_a_database_without_a_leaderboard_gets_one(tmp_path: Path) -> None:
         assert len(await board.leaves(0, 10)) == 1
 
     run_stories(tmp_path, before, after)
+
+
+def test_a_run_is_deleted_or_published_and_never_both(tmp_path: Path) -> None:
+    """Decided in the transaction: what was looked at before may have changed since."""
+
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        object.__setattr__(parts.service, "deletes_played", True)
+        await board.publish("alice", "run_1", PUBLIC)
+        with expect_refusal("not_deletable"):
+            await parts.service.delete_run("alice", "run_1")
+        assert "run_1" in await parts.store.heads(["run_1"])
+        await asyncio.gather(
+            *(board.publish("alice", "run_2", PUBLIC) for _ in range(2)),
+            parts.service.delete_run("alice", "run_2"),
+            return_exceptions=True,
+        )
+        is_there = "run_2" in await parts.store.heads(["run_2"])
+        assert is_there == bool(await parts.store.read(entries_of("run_2")))
+        deleted = await parts.registry.get("run_1")
+        await board.withdraw("alice", "run_1")
+        await parts.service.delete_run("alice", "run_1")
+        with pytest.raises(RunDeleted):
+            await board._store.change("run_1", never, needs_run=True)
+        assert deleted.lost
+
+    run_stories(tmp_path, complete_two, story)
+
+
+async def complete_two(parts: ServerParts, _: BoardService) -> None:
+    for run_id in ("run_1", "run_2"):
+        await completed(parts, run_id)
+
+
+def never(_: BoardEntry | None) -> Change:
+    raise AssertionError
+
+
+def entries_of(run_id: str) -> Callable[[sa.Connection], int]:
+    query = sa.text("SELECT count(*) FROM entries WHERE run_id = :run_id")
+    return lambda connection: int(connection.scalar(query, {"run_id": run_id}) or 0)
+
+
+def test_the_host_deletes_old_runs_with_private_entries(tmp_path: Path) -> None:
+    """The owner withdraws them first. A public entry keeps its run."""
+
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        described = {"run_1": PUBLIC, "run_2": PRIVATE}
+        for run_id, description in described.items():
+            await board.publish("alice", run_id, description)
+        object.__setattr__(parts.service, "deletes_played", True)
+        object.__setattr__(parts.service, "is_kept", board._store.keeps_run)
+        with expect_refusal("not_deletable"):
+            await parts.service.delete_run("alice", "run_2")
+        await parts.service.delete_old(keep_days=-1)
+        assert set(await parts.store.heads(list(described))) == {"run_1"}
+        entries = await board.page("alice", None, None, 10)
+        assert [view["run_id"] for _, view in entries] == ["run_1"]
+        assert len(await board.leaves(0, 10)) == 1
+
+    run_stories(tmp_path, complete_two, story)
 
 
 def test_requests_at_once_make_one_entry(tmp_path: Path) -> None:

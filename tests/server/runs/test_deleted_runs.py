@@ -193,7 +193,7 @@ def test_a_run_that_cannot_be_deleted_is_as_before(tmp_path: Path) -> None:
 def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -> None:
     names = ["old", "published", "resumed", "open", "new"]
 
-    async def is_published(run_id: str) -> bool:
+    async def is_kept(run_id: str, _by_host: bool) -> bool:
         return run_id == "published"
 
     async def long_ago(parts: ServerParts) -> None:
@@ -209,7 +209,7 @@ def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -> None
             database.commit()
 
     async def today(parts: ServerParts) -> None:
-        object.__setattr__(parts.service, "is_published", is_published)
+        object.__setattr__(parts.service, "is_kept", is_kept)
         await parts.service.stop_run("alice", "new")
         await parts.service.resume_run("alice", "resumed")
         await parts.service.delete_old(keep_days=30.0)
