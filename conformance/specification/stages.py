@@ -79,8 +79,11 @@ def stage_of(rule: Requirement) -> int:
     return _BY_ID.get(rule.id) or _BY_AREA.get(rule.area, LAST)
 
 
-def advice(number: int, *, is_done: bool, first: str | None) -> str:
-    """Say what to do next; `first` is the first rule that is not verified."""
+def advice(number: int, *, is_done: bool, first: str | None, skips: bool) -> str:
+    """Say what to do next.
+
+    first: the first rule that is not verified. skips: rules of the stage were left out.
+    """
     stage = STAGES[number - 1]
     here = f"stage {number} of {LAST} ({stage.name})"
     if not is_done:
@@ -88,6 +91,8 @@ def advice(number: int, *, is_done: bool, first: str | None) -> str:
             f"begin with {first}: --only {first}" if first else "see the reason above"
         )
         return f"{here} is not done; {begin}"
+    if skips:
+        return f"{here}: nothing is wrong so far; run it without --quick to finish it"
     if number == LAST:
         return (
             f"{here} is done: the server is whole; run it without --stage to claim it"

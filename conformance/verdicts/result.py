@@ -169,7 +169,8 @@ class Result:
         ]
         is_done = self.exit_code == 0
         first = next(iter(wrong), None) if self.problem is None else None
-        return advice(stage, is_done=is_done, first=first)
+        skips = self.settings.quick
+        return advice(stage, is_done=is_done, first=first, skips=skips)
 
     def _undecided(self) -> str:
         """Name the rules that were not decided, with the reason of the first."""

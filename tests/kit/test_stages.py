@@ -14,8 +14,12 @@ import pytest
 
 from conformance.run_settings import Settings
 from conformance.specification import stages
+from conformance.specification.document import load_spec
 from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import LAST, STAGES, advice, stage_of
+from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.verdict import Outcome, Verdict
 from tests.support.paths import ROOT
 
 SERVICE = {
@@ -60,9 +64,24 @@ def test_profiles_belong_to_the_last_stage() -> None:
 
 
 def test_advice_names_what_comes_next() -> None:
-    assert "--stage 2" in advice(1, is_done=True, first=None)
-    assert "--only RUN-004" in advice(3, is_done=False, first="RUN-004")
-    assert "without --stage" in advice(LAST, is_done=True, first=None)
+    assert "--stage 2" in advice(1, is_done=True, first=None, skips=False)
+    said = advice(3, is_done=False, first="RUN-004", skips=False)
+    assert "--only RUN-004" in said
+    assert "without --stage" in advice(LAST, is_done=True, first=None, skips=False)
+
+
+@pytest.mark.parametrize("number", [3, LAST])
+def test_a_stage_is_not_done_while_rules_are_skipped(number: int) -> None:
+    service = {"profiles": ["core"]}
+    settings = Settings(stage=number, quick=True, profiles=["core"], service=service)
+    result = Result(settings)
+    passed = {row.id: Verdict(row.id, Outcome.PASSED) for row in load_ledger().values()}
+    conclude(result, passed, Tally(load_spec()), set())
+    assert result.exit_code == 0
+    said = result.advice()
+    assert said is not None
+    assert "done" not in said
+    assert "without --quick" in said
 
 
 class _FirstStage(http.server.BaseHTTPRequestHandler):
