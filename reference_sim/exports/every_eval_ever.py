@@ -183,7 +183,7 @@ def _result(source: Source, metric: str, title: str, details: Json) -> Json:
 
 
 def _samples(source: Source) -> Iterator[Json]:
-    """A line for each episode that has a result, under the success rate."""
+    """A line for each episode that counts in the success rate."""
     for line in source.lines():
         if line.outcome is not None:
             yield _sample(source, line)
@@ -199,8 +199,9 @@ def _sample(source: Source, line: EpisodeLine) -> Json:
         "outcome": str(line.outcome),
         "steps": str(line.steps),
         "attempts": str(line.attempts),
-        "score_counts_as": "score of the episode, from 0 to 1",
     }
+    if line.score is not None:
+        facts["episode_score"] = str(line.score)
     if line.recording is not None:
         facts["recording_sha256"] = line.recording.sha256
     sample: Json = {
@@ -224,7 +225,8 @@ def _sample(source: Source, line: EpisodeLine) -> Json:
                 "is_terminal": True,
             }
         ],
-        "evaluation": {"score": line.score, "is_correct": line.success},
+        # Of the result that is named above, whose value is their mean.
+        "evaluation": {"score": float(line.success), "is_correct": line.success},
         "metadata": facts,
     }  # fmt: skip
     if line.latency:

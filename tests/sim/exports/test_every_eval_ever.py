@@ -61,6 +61,20 @@ def test_a_record_with_every_outcome(tmp_path: Path) -> None:
     assert correct == [outcome == "success" for outcome in outcomes]
 
 
+def test_the_mean_of_samples_is_the_value_of_the_result_that_they_name(
+    tmp_path: Path,
+) -> None:
+    """With graded scores, which are facts of the sample and not its score."""
+    log, samples = exported(VECTORS / "good.proctor", tmp_path)
+    rate, mean_score = log["evaluation_results"]
+    ids = {sample["evaluation_result_id"] for sample in samples}
+    assert ids == {rate["evaluation_result_id"]}
+    scores = [sample["evaluation"]["score"] for sample in samples]
+    assert sum(scores) / len(scores) == rate["score_details"]["score"]
+    graded = [float(sample["metadata"]["episode_score"]) for sample in samples]
+    assert sum(graded) / len(graded) == mean_score["score_details"]["score"]
+
+
 def test_what_a_record_does_not_say_is_unknown(tmp_path: Path) -> None:
     log, _ = exported(VECTORS / "good.proctor", tmp_path)
     assert log["source_metadata"]["evaluator_relationship"] == "other"
