@@ -66,6 +66,8 @@ def withdraw(args: argparse.Namespace, printer: Printer) -> int:
 
 def board(args: argparse.Namespace, printer: Printer) -> int:
     """`proctor board`."""
+    if args.state and args.benchmark != VERIFY:
+        raise UsageError("--state is an option of board verify only")
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
         client = BoardClient(connection, retry_policy)
         if args.benchmark == VERIFY:
@@ -112,7 +114,7 @@ def _description(args: argparse.Namespace) -> PublishEntry:
 def _entry_facts(entry: BoardEntry) -> TextTable:
     state = entry.state if entry.state != "published" else None
     seen = "every reader of the leaderboard" if entry.is_public else "this account"
-    if state is not None:
+    if state is not None and entry.is_public:  # a private one has no leaves
         seen = "readers of the history"
     return fact_table(
         {

@@ -2,12 +2,14 @@
 
 JOB is the JSON of `job.Job`, as `proctor export --to` and `proctor video` write it.
 Exit codes: 0 done; 1 the record is broken, or a replay left it; 2 it cannot be done
-here.
+here, or nobody reads what is printed; 130 interrupted: what it made is removed.
 """
 
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -26,6 +28,21 @@ Export = Mapping[str, Any]
 def main(arguments: list[str] | None = None) -> int:
     (text,) = sys.argv[1:] if arguments is None else arguments
     job = msgspec.json.decode(text, type=Job)
+    folder = _folder(job)
+    is_new = not folder.exists()
+    try:
+        return _export(job)
+    except KeyboardInterrupt:
+        code = INTERRUPTED
+    except BrokenPipeError:  # `proctor export --to parquet RUN | head -0`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        code = IMPOSSIBLE
+    if is_new:  # else it has files of others
+        shutil.rmtree(folder, ignore_errors=True)
+    return code
+
+
+def _export(job: Job) -> int:
     try:
         said = EXPORTS[job.kind](open_source(Path(job.record)), job)
     except BrokenRecord as broken:
@@ -33,11 +50,11 @@ def main(arguments: list[str] | None = None) -> int:
         return _refuse(job, BROKEN, "broken_record", text)
     except UnusableRecord as unusable:
         return _refuse(job, IMPOSSIBLE, "usage", str(unusable))
+    except BrokenPipeError:
+        raise
     except OSError as error:
         text = f"{error.filename or job.record}: {error.strerror or error}"
         return _refuse(job, IMPOSSIBLE, "usage", text)
-    except KeyboardInterrupt:
-        return INTERRUPTED
     _print(said, job)
     return BROKEN if said.get("refused") else DONE
 
@@ -80,7 +97,8 @@ EXPORTS: Mapping[str, Callable[[Source, Job], Export]] = {
 
 
 def _folder(job: Job) -> Path:
-    return Path(job.output or f"{job.stem}-{job.kind}")
+    name = "videos" if job.kind == "video" else job.kind
+    return Path(job.output or f"{job.stem}-{name}")
 
 
 def _files(job: Job, folder: Path, paths: Iterable[Path]) -> list[dict[str, Any]]:
@@ -97,9 +115,10 @@ def _files(job: Job, folder: Path, paths: Iterable[Path]) -> list[dict[str, Any]
 def _print(said: Export, job: Job) -> None:
     if job.json:
         sys.stdout.write(json.dumps(said, indent=2) + "\n")
-        return
-    for one in said["files"]:
-        sys.stdout.write(f"{printable(one['path'])}  {one['bytes']:,} bytes\n")
+    else:
+        for one in said["files"]:
+            sys.stdout.write(f"{printable(one['path'])}  {one['bytes']:,} bytes\n")
+    sys.stdout.flush()  # here a closed pipe is noticed
 
 
 def _refuse(job: Job, exit_code: int, code: str, text: str) -> int:

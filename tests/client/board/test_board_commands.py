@@ -104,6 +104,7 @@ def test_an_entry_is_private_public_and_withdrawn(proctor: ProctorCommand) -> No
         (["publish", "run_1"], "not_found"),
         (["withdraw", "run_1"], "not_found"),
         (["board", "nothing"], "not_found"),
+        (["board", "calibration", "--state", "f"], "an option of board verify only"),
     ],
 )
 def test_what_cannot_be_is_said_in_one_line(

@@ -13,6 +13,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from reference_client.command.main import main
+from reference_sim.exports import __main__ as exports
 from tests.support.client.command import ProctorCommand, options
 from tests.support.paths import ROOT
 from tests.support.record.played_records import save_calibration_record
@@ -129,3 +130,21 @@ def test_what_is_not_installed_is_named_before_anything_is_fetched(
     (line,) = capsys.readouterr().err.splitlines()
     assert f"needs {missing}, which is not installed" in line
     assert f"'proctor-eval[{extra}]'" in line
+
+
+@pytest.mark.parametrize(
+    ("error", "code"), [(KeyboardInterrupt(), 130), (BrokenPipeError(), 2)]
+)
+def test_an_export_that_is_broken_off_leaves_nothing(
+    error: BaseException, code: int, record: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def break_off(*_: object) -> None:
+        raise error
+
+    monkeypatch.chdir(record.parent)
+    monkeypatch.setattr(exports, "_print", break_off)
+    monkeypatch.setattr(os, "dup2", lambda *_: None)
+    before = sorted(record.parent.iterdir())
+    job = {"kind": "every-eval-ever", "record": record.name}
+    assert exports.main([json.dumps(job)]) == code
+    assert sorted(record.parent.iterdir()) == before
