@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import logging
 import secrets
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Final
 from urllib.parse import parse_qsl, urlencode
@@ -89,13 +89,13 @@ class Pages:
 
     def routes(self) -> list[BaseRoute]:
         handlers = self._handlers
-        run = f"{PATH}/runs/{{run_id}}"
+        run = "/runs/{run_id}"
         shown: dict[str, Show] = {
-            PATH: handlers.show_index,
-            f"{PATH}/runs": handlers.show_runs,
-            f"{PATH}/benchmarks/{{benchmark_id}}": handlers.show_benchmark,
-            f"{PATH}/compare": handlers.show_comparison,
-            f"{PATH}/compare/episode": handlers.show_pair,
+            "": handlers.show_index,
+            "/runs": handlers.show_runs,
+            "/benchmarks/{benchmark_id}": handlers.show_benchmark,
+            "/compare": handlers.show_comparison,
+            "/compare/episode": handlers.show_pair,
             run: handlers.show_run,
             f"{run}/live": self._stream_run,
             f"{run}/record": handlers.fetch_record,
@@ -104,7 +104,7 @@ class Pages:
                 handlers.fetch_picture
             ),
         }
-        board = f"{PATH}/benchmarks/{{benchmark_id}}/leaderboard"
+        board = "/benchmarks/{benchmark_id}/leaderboard"
         open_to_all: dict[str, Show] = {
             board: board_pages.show_leaderboard,
             f"{board}/{{form}}": board_pages.send_leaderboard,
@@ -114,20 +114,19 @@ class Pages:
             f"{run}/withdraw": board_pages.withdraw,
         }
         return [
-            Route(f"{PATH}/static/{{name:path}}", self._answered(self._send_asset)),
-            Route(f"{PATH}/login", self._answered(self._show_login), methods=["GET"]),
-            Route(f"{PATH}/login", self._answered(self._sign_in), methods=["POST"]),
-            Route(f"{PATH}/logout", self._answered(self._sign_out), methods=["POST"]),
-            *(Route(path, self._signed_in(show)) for path, show in shown.items()),
+            self._route("/static/{name:path}", self._answered(self._send_asset)),
+            self._route("/login", self._answered(self._login), "GET", "POST"),
+            self._route("/logout", self._answered(self._sign_out), "POST"),
+            *(self._route(path, self._signed_in(show)) for path, show in shown.items()),
             *(
-                Route(path, self._signed_in(show, is_open=True))
+                self._route(path, self._signed_in(show, is_open=True))
                 for path, show in open_to_all.items()
             ),
             *(
-                Route(path, self._changed(change), methods=["POST"])
+                self._route(path, self._changed(change), "POST")
                 for path, change in changes.items()
             ),
-            Route(f"{PATH}/{{rest:path}}", self._answered(self._show_nothing)),
+            self._route("/{rest:path}", self._answered(self._show_nothing)),
         ]
 
     def lead_from_root(self, not_found: ASGIApp) -> ASGIApp:
@@ -144,6 +143,19 @@ class Pages:
         return answer
 
     # --- what holds for every page ---
+
+    def _route(self, path: str, endpoint: Endpoint, *methods: str) -> Route:
+        """Of a path below the pages; methods: GET, if none is named."""
+
+        async def refuse(request: Request) -> Response:
+            detail = f"{request.method[:16]} is not a method of this page."
+            response = _problem_page(HTTPStatus.METHOD_NOT_ALLOWED, detail)
+            response.headers["Allow"] = ", ".join(sorted(route.methods or ()))
+            return response
+
+        refused = self._answered(refuse)
+        route = _PageRoute(PATH + path, endpoint, refused, methods or ("GET",))
+        return route
 
     def _answered(self, endpoint: Endpoint) -> Endpoint:
         """The endpoint, with refusals as pages and the headers of all pages."""
@@ -208,6 +220,11 @@ class Pages:
         return self._is_https or request.url.scheme == "https"
 
     # --- pages without a session ---
+
+    async def _login(self, request: Request) -> Response:
+        if request.method == "POST":
+            return await self._sign_in(request)
+        return await self._show_login(request)
 
     async def _show_nothing(self, _request: Request) -> Response:
         raise Problem(404, "not_found", "There is no such page.")
@@ -278,6 +295,23 @@ class Pages:
         return await self._handlers.stream_run(
             call, lambda: self._sessions.is_alive(session)
         )
+
+
+class _PageRoute(Route):
+    """A route whose refusal of a method has the headers of all pages, too."""
+
+    def __init__(
+        self, path: str, endpoint: Endpoint, refuse: Endpoint, methods: Sequence[str]
+    ) -> None:
+        super().__init__(path, endpoint, methods=methods)
+        self._refuse = refuse
+
+    async def handle(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["method"] in (self.methods or ()):
+            await super().handle(scope, receive, send)
+        else:
+            response = await self._refuse(Request(scope, receive))
+            await response(scope, receive, send)
 
 
 def _to_login(request: Request) -> Response:

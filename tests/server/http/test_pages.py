@@ -213,7 +213,20 @@ def test_only_forms_are_read(server: ReferenceServer) -> None:
     kind = {"content-type": "application/x-www-form-urlencoded"}
     answer = client.post("/pages/login", content=many, headers=kind)
     assert answer.status_code == 400
-    assert client.put("/pages").status_code == 405
+
+
+def test_a_method_that_a_page_lacks_is_refused_as_a_page(
+    server: ReferenceServer,
+) -> None:
+    client = PageReader(server.url).client
+    allowed = {"/pages": "GET, HEAD", "/pages/login": "GET, HEAD, POST"}
+    allowed |= {"/pages/logout": "POST", "/pages/nothing": "GET, HEAD"}
+    for path, methods in allowed.items():
+        answer = client.put(path)
+        assert (answer.status_code, answer.headers["allow"]) == (405, methods), path
+        assert answer.headers["content-type"].startswith("text/html"), path
+        assert "default-src 'none'" in answer.headers["content-security-policy"], path
+        assert answer.headers["x-frame-options"] == "DENY", path
 
 
 def test_each_answer_keeps_others_out(server: ReferenceServer, run_id: str) -> None:
