@@ -97,8 +97,8 @@ def uses_the_key_of_a_deleted_run_again() -> None:
     """A repeat that comes late makes a run that no user wants any more."""
     right = Store.delete
 
-    async def wrong(self: Store, run: RunHead, now_wall: float) -> None:
-        await right(self, run, now_wall)
+    async def wrong(self: Store, run: RunHead, now_wall: float, **how: bool) -> None:
+        await right(self, run, now_wall, **how)
         async with self._write_lock, self._transaction() as connection:
             of_run = store._keys.c.run_id == run.run_id
             await connection.execute(store._keys.delete().where(of_run))
