@@ -6,6 +6,8 @@ with a note; unknown flags are left for the parser to reject.
 
 from __future__ import annotations
 
+from reference_client.command.exit_codes import UsageError
+
 # gmp's command → proctor's.
 COMMANDS = {
     ("online", "submit"): ["submit", "--wait"],
@@ -31,12 +33,16 @@ IGNORED_FLAGS = {
     "--user-id": (True, "the token identifies the account"),
     "--interval": (True, "the client uses long polling"),
 }
+SHOWN, HIDDEN = {"1", "true", "yes"}, {"0", "false", "no"}  # --is-public of publish
 # Programs with a command line of their own.
 PASS_THROUGH_COMMANDS = ("serve", "admin", "serve-policy", "replay", "conformance")
 
 
 def translate(arguments: list[str]) -> tuple[list[str], list[str]]:
-    """The arguments with proctor's names, and a note for each ignored flag."""
+    """The arguments with proctor's names, and a note for each ignored flag.
+
+    Raises UsageError.
+    """
     for words, here in COMMANDS.items():
         if tuple(arguments[: len(words)]) == words:
             arguments = here + arguments[len(words) :]
@@ -54,7 +60,9 @@ def translate(arguments: list[str]) -> tuple[list[str], list[str]]:
             out.append(argument)
             continue
         flag = flag.replace("_", "-")
-        if flag in IGNORED_FLAGS:
+        if flag == "--is-public" and arguments[0] == "publish":
+            out += _visibility(value if equals else next(rest, ""))
+        elif flag in IGNORED_FLAGS:
             takes_value, why = IGNORED_FLAGS[flag]
             if takes_value and not equals:
                 next(rest, None)
@@ -62,3 +70,10 @@ def translate(arguments: list[str]) -> tuple[list[str], list[str]]:
         else:
             out.append(FLAGS.get(flag, flag) + equals + value)
     return out, notes
+
+
+def _visibility(value: str) -> list[str]:
+    """Ignored, `--is-public 0` would show an entry that is to be private."""
+    if value.lower() not in SHOWN | HIDDEN:
+        raise UsageError(f"--is-public {value}: expected 1 or 0")
+    return ["--private"] if value.lower() in HIDDEN else []

@@ -2,7 +2,7 @@
 
 JOB is the JSON of `job.Job`, as `proctor export --to` and `proctor video` write it.
 Exit codes: 0 done; 1 the record is broken, or a replay left it; 2 it cannot be done
-here, or nobody reads what is printed; 130 interrupted: what it made is removed.
+here, or its output was closed; 130 interrupted: what it made is removed.
 """
 
 from __future__ import annotations

@@ -16,6 +16,7 @@ import pytest
 import yaml
 
 from reference_client.command import aliases
+from reference_client.command.exit_codes import UsageError
 from reference_client.command.main import main
 from reference_client.evaluation.parameters import WORKER_ID
 from reference_sim import benchmark_registry
@@ -108,6 +109,16 @@ def test_gmp_commands_are_accepted(
     play = ["--policy", "policies:best", "--worker_ids", "0,1", "--json"]
     assert main(["eval", *again, *play]) == 0
     assert json.loads(capsys.readouterr().out)["score"] == 1.0
+
+
+def test_an_entry_is_not_published_against_is_public() -> None:
+    for words in (["--is_public", "0"], ["--is-public=False"]):
+        given = ["publish", *words, "run_1"]
+        assert aliases.translate(given) == (["publish", "--private", "run_1"], [])
+    given = ["publish", "run_1", "--is_public", "1"]
+    assert aliases.translate(given) == (["publish", "run_1"], [])
+    with pytest.raises(UsageError, match="expected 1 or 0"):
+        aliases.translate(["publish", "--is_public", "run_1"])
 
 
 def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
