@@ -191,7 +191,13 @@ class RequestContext:
             timeout_s=timeout_s,
             operation=operation,
         )
-        answer = self._retry_while_no_capacity(send)
+        try:
+            answer = self._retry_while_no_capacity(send)
+        except KeyboardInterrupt:  # it may have reached the server
+            if operation_id == "publish_entry":
+                withdraw = partial(self.call, "withdraw_entry", http_client=http_client)
+                self.clean_up_with(partial(withdraw, **path_params))
+            raise
         if taken_back := taken_back_by(operation_id, answer, path_params):
             name, where = taken_back
             step = partial(self.call, name, http_client=http_client, **where)
@@ -289,5 +295,10 @@ class RequestContext:
         What a wrong answer breaks here has its verdict from the check.
         """
         while self._clean_ups:
-            with contextlib.suppress(Exception):
-                self._clean_ups.pop()()
+            step = self._clean_ups.pop()
+            try:
+                with contextlib.suppress(Exception):
+                    step()
+            except KeyboardInterrupt:
+                self._clean_ups.append(step)  # it may not have reached the server
+                raise

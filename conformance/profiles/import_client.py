@@ -6,11 +6,13 @@ from typing import Any
 from conformance.client.check_context import CheckContext
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Inconclusive
+from conformance.verdicts.expect import Inconclusive, SetUpFailed, describe_answer
 
 # The replay of few episodes of few steps takes less than a second.
 _REPLAY_S = 60.0
 _POLL_S = 0.05
+_PAGE_LIMIT = 100
+_PAGES_MAX = 2000
 
 
 def send_record(context: CheckContext, archive: bytes, **how: Any) -> Answer:
@@ -19,8 +21,14 @@ def send_record(context: CheckContext, archive: bytes, **how: Any) -> Answer:
 
 
 def accepted(context: CheckContext, archive: bytes) -> dict[str, Any]:
-    """Hand in an archive that the rule under test has accepted."""
-    body: dict[str, Any] = expect.ok(send_record(context, archive), 202)
+    """Hand in an archive that the rule under test has accepted.
+
+    A full account proves nothing: it may have imports of others that use it.
+    """
+    answer = send_record(context, archive)
+    if answer.code == "quota_exceeded":
+        raise SetUpFailed(f"`import_record`: {describe_answer(answer)}")
+    body: dict[str, Any] = expect.ok(answer, 202)
     return body
 
 
@@ -39,14 +47,19 @@ def finished(context: CheckContext, import_id: str) -> dict[str, Any]:
         time.sleep(_POLL_S)
 
 
-def listed_ids(context: CheckContext, **how: Any) -> list[str]:
-    """Give the ids of `list_imports`, all pages of two."""
-    ids: list[str] = []
-    cursor = None
-    while True:
-        params = {"limit": 2} | ({} if cursor is None else {"cursor": cursor})
+def listed_imports(context: CheckContext, **how: Any) -> list[dict[str, Any]]:
+    """Give the imports of `list_imports`, of all pages."""
+    imports: list[dict[str, Any]] = []
+    params: dict[str, Any] = {"limit": _PAGE_LIMIT}
+    for _ in range(_PAGES_MAX):
         page = expect.ok(context.call("list_imports", params=params, **how))
-        ids += [one["import_id"] for one in page["imports"]]
-        cursor = page["next_cursor"]
-        if cursor is None:
-            return ids
+        imports += page["imports"]
+        if page["next_cursor"] is None:
+            return imports
+        params = params | {"cursor": page["next_cursor"]}
+    raise SetUpFailed("`list_imports` does not end", breaks="REC-120")
+
+
+def listed_ids(context: CheckContext, **how: Any) -> list[str]:
+    """Give the ids of `list_imports`, of all pages."""
+    return [one["import_id"] for one in listed_imports(context, **how)]

@@ -62,7 +62,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": False,
         "side_effects": "none",
         "title": "The run may not be deleted",
-        "act": "Keep the run: its host deletes only runs in which no action was executed.",
+        "act": "Read `detail`: withdraw the entry of the run, where it has one; or keep the run, where its host deletes only runs in which no action was executed.",
     },
     "illegal_transition": {
         "status": 409,

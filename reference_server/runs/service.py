@@ -423,7 +423,7 @@ class RunService:
 
 def _has_entry() -> Refused:
     detail = "The run has an entry on the leaderboard; withdraw it first."
-    return Refused("not_deletable", detail, requirement="DEL-003")
+    return Refused("not_deletable", detail, requirement="DEL-008")
 
 
 def body_digest(submission: Json) -> str:

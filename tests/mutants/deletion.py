@@ -10,6 +10,7 @@ from reference_server.rules import effects, lifecycle
 from reference_server.rules.lifecycle import Attach, Delete, Refuse, Verdict
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead, Session
+from reference_server.runs import service
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.storage import store
@@ -68,6 +69,16 @@ def says_a_played_run_has_another_state() -> None:
         return refused and Refuse("illegal_transition", "It was played.")
 
     put_guards(lifecycle._is_not_in_play, wrong)
+
+
+@mutant("DEL-008")
+def says_a_published_run_has_another_state() -> None:
+    """A client takes the refusal for one that a stop would cure."""
+
+    def wrong() -> Refused:
+        return Refused("illegal_transition", "It was published.")
+
+    put(service, "_has_entry", wrong)
 
 
 @mutant("DEL-004", "DEL-005")

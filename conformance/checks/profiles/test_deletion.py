@@ -3,13 +3,14 @@
 import uuid
 from typing import Any
 
+from conformance.checks.support.published_runs import require_entry
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, adopt_run
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import SetUpFailed
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 NEWEST_RUNS = 1000
 UNPLAYED_RUNS = 3
@@ -106,6 +107,30 @@ def test_del_003_what_was_played_is_deleted_or_stays(context: CheckContext) -> N
         else:
             expect.refused(answer, "not_deletable")
             expect.equal(run.snapshot(), before, f"the {before['run']['state']} run")
+
+
+@requirement("DEL-008")
+def test_del_008_a_run_on_the_leaderboard_stays(context: CheckContext) -> None:
+    """A completed run is published, deleted, and deleted once its entry is withdrawn.
+
+    Expect `not_deletable` and an unchanged run and entry, then what DEL-003 allows.
+    """
+    if not context.offers("board"):
+        raise NotApplicable("the server has no leaderboard: the profile `board`")
+    worker = context.submit("score").worker()
+    worker.attach()
+    worker.play()
+    run = worker.run
+    run.until("completed")
+    entry_id = require_entry(run)["entry_id"]
+    before = run.snapshot()
+    expect.refused(delete(run), "not_deletable")
+    expect.equal(run.snapshot(), before, "the published run")
+    expect.ok(context.call("get_entry", entry_id=entry_id))
+    context.require(lambda: run.call("withdraw_entry"), 200, "withdraw_entry")
+    answer = delete(run)
+    if answer.status != 204:
+        expect.refused(answer, "not_deletable")
 
 
 @requirement("DEL-004")

@@ -6,6 +6,7 @@ from typing import Any, cast
 import httpx
 import pytest
 
+from conformance.client.request_context import RequestContext
 from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
 from conformance.runner import pytest_plugin
@@ -55,3 +56,20 @@ def test_checks_that_were_interrupted_are_tidied_up() -> None:
     session = SimpleNamespace(items=items, config=config)
     pytest_plugin.pytest_sessionfinish(cast(pytest.Session, session))
     assert (running.times, waiting.times) == (1, 1)
+
+
+def test_an_interrupted_step_is_taken_again() -> None:
+    context = RequestContext.__new__(RequestContext)
+    context._clean_ups, taken = [], []
+
+    def interrupted_once() -> None:
+        taken.append(1)
+        if len(taken) == 1:
+            raise KeyboardInterrupt
+
+    context.clean_up_with(interrupted_once)
+    with pytest.raises(KeyboardInterrupt):
+        context.tidy_up()
+    context.tidy_up()
+    context.tidy_up()
+    assert len(taken) == 2
