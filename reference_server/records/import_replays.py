@@ -139,7 +139,7 @@ class ImportReplays:
             raise
         except Exception as error:  # noqa: BLE001 - the next ones do not wait for it
             what = type(error).__name__
-            log.error("import %s: the replay failed: %s", one.import_id, what)
+            log.warning("import %s: the replay failed: %s", one.import_id, what)
             done = replace(one, reason=f"The replay failed: {what}.")
         ended = replace(done, state="finished", finished_at_wall=time.time())
         await self._store.update(ended)

@@ -29,7 +29,6 @@ from reference_sim.replay.episode_replay import (
     replay_episode,
 )
 
-
 # No server announces more actions in one predict.
 MAX_CHUNK: Final = 4096
 
