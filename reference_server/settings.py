@@ -157,7 +157,7 @@ class Settings(BaseSettings):
         "entries, rankings and the history.",
     )
     record_imports: Literal["on", "off"] = Field(
-        "on",
+        "off",
         description="Whether accounts may hand in records of any host, to be verified "
         "and replayed here with low priority, by one simulator beside max_simulators. "
         "Needs recordings.",

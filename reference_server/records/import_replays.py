@@ -133,19 +133,29 @@ class ImportReplays:
 
     async def _finish(self, one: RecordImport) -> None:
         await self._store.update(replace(one, state="replaying"))
-        done = replace(one, state="finished")
+        try:
+            done = await self._outcome(one)
+        except (StoreFailed, NoCapacity):  # later it may succeed
+            raise
+        except Exception as error:  # noqa: BLE001 - the next ones do not wait for it
+            what = type(error).__name__
+            log.warning("import %s: the replay failed: %s", one.import_id, what)
+            done = replace(one, reason=f"The replay failed: {what}.")
+        ended = replace(done, state="finished", finished_at_wall=time.time())
+        await self._store.update(ended)
+
+    async def _outcome(self, one: RecordImport) -> RecordImport:
+        """The import with its replay, or with the reason why it has none."""
         try:
             async with asyncio.timeout(self._replay_s_max):
                 summary = await self._replay(one)
         except NotReplayed as refused:
-            done = replace(done, reason=str(refused)[:1000])
+            return replace(one, reason=str(refused)[:1000])
         except TimeoutError:
             reason = f"The replay was not done within {self._replay_s_max:g} s."
-            done = replace(done, reason=reason)
-        else:
-            verdict = await self._sign(summary, one.statement_sha256)
-            done = replace(done, replay=_replay_shown(summary), verdict=verdict)
-        await self._store.update(replace(done, finished_at_wall=time.time()))
+            return replace(one, reason=reason)
+        verdict = await self._sign(summary, one.statement_sha256)
+        return replace(one, replay=_replay_shown(summary), verdict=verdict)
 
     async def _replay(self, one: RecordImport) -> ReplaySummary:
         path = self._path_of(one.import_id)

@@ -9,9 +9,10 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, Final
 
 import msgspec
+from msgspec import Meta
 
 from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import open_bundle
@@ -27,6 +28,9 @@ from reference_sim.replay.episode_replay import (
     ReplayPlan,
     replay_episode,
 )
+
+# No server announces more actions in one predict.
+MAX_CHUNK: Final = 4096
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,19 +54,58 @@ class ReplayedBenchmark:
         )
 
 
-class _Limits(msgspec.Struct):
+class _PlannedEpisode(msgspec.Struct):
+    split: str
+
+
+class _ForeignManifest(msgspec.Struct):
+    """What is read of a manifest of unknown origin; the rest is only compared."""
+
+    max_chunk: Annotated[int, Meta(ge=1, le=MAX_CHUNK)]
+    episodes: list[_PlannedEpisode]
+    sealed_splits: list[str] = []
+
+
+class BenchmarkChoice(msgspec.Struct, frozen=True):
+    """What a record says of its benchmark, of which the manifest is only a digest.
+
+    open_sha256: of the manifest without what a host of sealed splits keeps secret.
+    """
+
+    benchmark_id: str
+    options: dict[str, Any] | None
+    images: dict[str, Any] | None
     max_chunk: int
+    manifest_sha256: str
+    open_sha256: str
+
+
+def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
+    """Reads the whole manifest, which may be large. Raises BrokenRecord."""
+    read = read_json(MANIFEST, manifest, _ForeignManifest)
+    open_part = _without_sealed_seeds(msgspec.json.decode(manifest))
+    return BenchmarkChoice(
+        evaluation.benchmark.benchmark_id,
+        evaluation.run.options,
+        evaluation.run.images,
+        read.max_chunk,
+        evaluation.manifest_sha256,
+        _sha256_of(open_part),
+    )
 
 
 def resolve(evaluation: Evaluation, manifest: bytes) -> ReplayedBenchmark:
     """Raises UnusableRecord where this machine has another benchmark, or none."""
-    max_chunk = read_json(MANIFEST, manifest, _Limits).max_chunk
-    benchmark_id = evaluation.benchmark.benchmark_id
-    run = evaluation.run
+    return resolve_choice(read_choice(evaluation, manifest))
+
+
+def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
+    """Takes as long as the options say. Raises UnusableRecord as `resolve`."""
+    benchmark_id = choice.benchmark_id
     try:
         reason = benchmark_registry.unavailable_reason(benchmark_id)
         found = benchmark_registry.resolve(
-            benchmark_id, run.options, run.images, max_chunk=max_chunk
+            benchmark_id, choice.options, choice.images, max_chunk=choice.max_chunk
         )
     except benchmark_registry.UnknownBenchmark as error:
         raise UnusableRecord(
@@ -75,16 +118,20 @@ def resolve(evaluation: Evaluation, manifest: bytes) -> ReplayedBenchmark:
         ) from error
     if reason is not None:
         raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
-    canonical = msgspec.json.encode(found.manifest, order="deterministic")
-    if hashlib.sha256(canonical).hexdigest() == evaluation.manifest_sha256:
+    if _sha256_of(found.manifest) == choice.manifest_sha256:
         return ReplayedBenchmark(found.manifest, found.world)
     open_part = _without_sealed_seeds(found.manifest)
-    if _without_sealed_seeds(msgspec.json.decode(manifest)) != open_part:
+    if _sha256_of(open_part) != choice.open_sha256:
         raise UnusableRecord(
             f"{benchmark_id} is another one here: its manifest has another SHA-256. "
             "Install the version of the record: proctor verify shows it"
         )
     return ReplayedBenchmark(open_part, found.world)
+
+
+def _sha256_of(manifest: dict[str, Any]) -> str:
+    canonical = msgspec.json.encode(manifest, order="deterministic")
+    return hashlib.sha256(canonical).hexdigest()
 
 
 def _without_sealed_seeds(manifest: dict[str, Any]) -> dict[str, Any]:

@@ -144,6 +144,8 @@ def run_once(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
             server += ["--profiles", ",".join(sorted(enabled_profiles))]
         if "public_board" in profiles:
             server += ["--public-board", "on"]
+        if "record_import" in profiles:
+            server += ["--record-imports", "on"]
         selection = _own_rows if rows == "own" else _all_rows
         done = subprocess.run(
             [

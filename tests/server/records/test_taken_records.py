@@ -30,6 +30,7 @@ BROKEN = [
     for one in json.loads((VECTORS / "records.json").read_text())["records"]
     if one["rule"] is not None
 ]
+ON = {"PROCTOR_RECORD_IMPORTS": "on"}
 ZIP = {"Content-Type": "application/zip"}
 
 
@@ -42,6 +43,7 @@ def archive(tmp_path_factory: pytest.TempPathFactory) -> bytes:
 @pytest.fixture
 def server(tmp_path: Path) -> Iterator[ReferenceServer]:
     settings = {
+        **ON,
         "PROCTOR_MAX_IMPORTED_BYTES": "65536",
         "PROCTOR_MAX_RECORD_BYTES": "65536",
     }
@@ -150,7 +152,7 @@ def test_a_replay_that_was_cut_off_begins_again(tmp_path: Path, archive: bytes) 
     folder = tmp_path / "slow"
     folder.mkdir()
     content = save_calibration_record(folder / "r", folder, slow).read_bytes()
-    with ReferenceServer(tmp_path) as server, server.client() as client:
+    with ReferenceServer(tmp_path, **ON) as server, server.client() as client:
         ids = [hand_in(client, one).json()["import_id"] for one in (content, archive)]
         until = time.monotonic() + 30
         while client.get(f"/v1/records/{ids[0]}").json()["state"] != "replaying":
@@ -183,7 +185,7 @@ def test_what_is_deleted_in_its_replay_is_gone(tmp_path: Path) -> None:
     folder.mkdir()
     content = save_calibration_record(folder / "r", folder, slow).read_bytes()
     good = (VECTORS / "good.proctor").read_bytes()
-    with ReferenceServer(tmp_path) as server, server.client() as client:
+    with ReferenceServer(tmp_path, **ON) as server, server.client() as client:
         ids = [hand_in(client, one).json()["import_id"] for one in (content, good)]
         assert client.delete(f"/v1/records/{ids[0]}").status_code == 204
         assert finished(client, ids[1])["reason"].startswith("It cannot be replayed")
@@ -195,7 +197,7 @@ def test_what_is_deleted_in_its_replay_is_gone(tmp_path: Path) -> None:
 def test_a_known_key_gives_the_level_signed(tmp_path: Path) -> None:
     keys = json.loads((VECTORS / "records.json").read_text())["keys"]
     keyid = next(one for one, name in keys.items() if name == "example host")
-    known = {"PROCTOR_KNOWN_KEYS": f"a lab={keyid}"}
+    known = {**ON, "PROCTOR_KNOWN_KEYS": f"a lab={keyid}"}
     good = (VECTORS / "good.proctor").read_bytes()
     with ReferenceServer(tmp_path, **known) as server, server.client() as client:
         one = hand_in(client, good).json()
@@ -203,8 +205,7 @@ def test_a_known_key_gives_the_level_signed(tmp_path: Path) -> None:
 
 
 def test_a_server_may_take_no_records(tmp_path: Path, archive: bytes) -> None:
-    off = {"PROCTOR_RECORD_IMPORTS": "off"}
-    with ReferenceServer(tmp_path, **off) as server, server.client() as client:
+    with ReferenceServer(tmp_path) as server, server.client() as client:
         assert "record_import" not in client.get("/v1").json()["profiles"]
         assert hand_in(client, archive).status_code == 404
         assert client.get("/v1/records").status_code == 404
