@@ -79,6 +79,8 @@ def says_a_published_run_has_another_state() -> None:
         return Refused("illegal_transition", "It was published.")
 
     put(service, "_has_entry", wrong)
+    # Else DEL-003 refuses what was played before its entry is looked at.
+    put_guards(lifecycle._is_not_in_play)
 
 
 @mutant("DEL-004", "DEL-005")
