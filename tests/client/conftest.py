@@ -13,7 +13,8 @@ from tests.support.servers import TOKENS, ReferenceServer
 
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    with ReferenceServer(tmp_path_factory.mktemp("server")) as server:
+    folder = tmp_path_factory.mktemp("server")
+    with ReferenceServer(folder, PROCTOR_RECORD_IMPORTS="on") as server:
         yield server
 
 
