@@ -334,6 +334,6 @@ def _watch(control_client: ControlClient, run_id: str, printer: Printer) -> Run:
 def _waiting_reporter(printer: Printer) -> Any:
     def report_waiting(what: str | None) -> None:
         if what is not None:
-            printer.say(what)
+            printer.say(f"proctor: {what} Trying again …")
 
     return report_waiting

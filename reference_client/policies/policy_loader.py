@@ -10,6 +10,7 @@ user names is executed.
 
 from __future__ import annotations
 
+import ast
 import importlib
 import importlib.util
 import inspect
@@ -106,12 +107,24 @@ def _policy_server(url: str, mapping: PolicyMapping | None) -> Callable[[], Poli
     return PolicyServerClient(url)
 
 
+def _example_in(path: Path) -> str | None:
+    """FILE:NAME with the first class or function of a Python file; nothing is run."""
+    if path.suffix != ".py":
+        return None
+    try:
+        parts = ast.parse(path.read_bytes()).body
+    except (OSError, SyntaxError, ValueError):
+        return None
+    kinds = (ast.ClassDef, ast.FunctionDef)
+    names = [part.name for part in parts if isinstance(part, kinds)]
+    return next((f"{path}:{name}" for name in names if name[0] != "_"), None)
+
+
 def _load_named(reference: str) -> Any:
     place, _, name = reference.rpartition(":")
     if not place or not name:
-        raise BadPolicy(
-            f"--policy takes a name like my_module:MyPolicy, not {reference!r}"
-        )
+        example = _example_in(Path(reference)) or "my_module:MyPolicy"
+        raise BadPolicy(f"--policy takes a name like {example}, not {reference!r}")
     module = _module(place)
     found: Any = module
     for part in name.split("."):

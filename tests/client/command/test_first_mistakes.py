@@ -158,3 +158,25 @@ def test_what_was_probably_meant_is_said(
     assert meant in proctor.err
     assert proctor.err.count("\n") == 1
     assert not re.search(r"regular expression|\^\[|validation|constrained", proctor.err)
+
+
+def test_a_file_alone_is_answered_with_a_name_in_it(proctor: ProctorCommand) -> None:
+    Path("alone.py").write_text(
+        "raise SystemExit\n\n\ndef _x():\n    pass\n\n\nclass Mine:\n    pass\n"
+    )
+    run = ["run", "--benchmark", "calibration", "--policy"]
+    assert proctor(*run, "alone.py") == 2
+    assert "takes a name like alone.py:Mine, not 'alone.py'" in proctor.err
+    assert proctor(*run, "missing.py") == 2
+    assert "takes a name like my_module:MyPolicy" in proctor.err
+
+
+def test_waiting_is_not_giving_up(
+    proctor: ProctorCommand,
+) -> None:
+    """A closed port is tried again for a while. Expect two different lines."""
+    place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0.5"]
+    assert proctor("status", *place) == 2
+    first, last = proctor.err.splitlines()
+    assert first.endswith("Trying again …")
+    assert last.endswith("[unreachable]")
