@@ -78,6 +78,7 @@ MAY_SAY = {
     ("conformance/*", "stage stages"): "a server is written in stages: --stage",
     ("docs/implement/*", "stage stages"): "the same",
     ("spec/CONFORMANCE.md", "stage"): "the same",
+    ("tools/site/*", "stage stages"): "the same",
     ("tests/kit/*", "stage stages"): "the same",
     (HERE, " ".join(BANNED)): "the list itself",
 }

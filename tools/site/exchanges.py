@@ -48,6 +48,7 @@ DRAWN = {
     "keyid": "key-1",
     "public_key": "key",
     "manifest_sha256": "0" * 64,
+    "runs_played_before": 0,
 }
 HEX = re.compile(r"\b[0-9a-f]{32}\b")
 UUID = re.compile(r"\b[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}\b")
