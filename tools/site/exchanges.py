@@ -48,8 +48,9 @@ DRAWN = {
     "keyid": "key-1",
     "public_key": "key",
     "manifest_sha256": "0" * 64,
-    "runs_played_before": 0,
 }
+# Counts that depend on what the kit had done before.
+COUNTED = {"attempts_by_submitter": 1, "runs_played_before": 0}
 HEX = re.compile(r"\b[0-9a-f]{32}\b")
 UUID = re.compile(r"\b[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}\b")
 EVENT = re.compile(r"\b(\d+)-(?:none|[0-9a-f]{16})-[0-9a-f]{8}\b")
@@ -208,9 +209,7 @@ def _fixed(value: Any, name: str = "") -> Any:
         return fixed if len(fixed) <= 300 else f"{fixed[:300]} …"
     if isinstance(value, float) and MEASURED.search(name) and value != round(value, 3):
         return 0.001
-    if name == "attempts_by_submitter":
-        return 1
-    return value
+    return COUNTED.get(name, value)
 
 
 def _fixed_text(text: str) -> str:
