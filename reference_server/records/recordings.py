@@ -13,6 +13,7 @@ finished, never dropped.
 from __future__ import annotations
 
 import asyncio
+import errno
 import logging
 import shutil
 import time
@@ -48,6 +49,10 @@ THREADS = 4
 
 Done = TypeVar("Done")
 Key = tuple[str, int]  # run id, index of the episode
+
+
+# The database cannot be written then, either: no episode is charged with it.
+_NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 
 
 class RecordingFailed(Exception):
@@ -200,7 +205,7 @@ class Recordings:
     async def _append_soon(self, key: Key) -> None:
         try:
             await self._write(key)
-        except RecordingFailed as failed:  # tried again by `begin` and `finish`
+        except (RecordingFailed, StoreFailed) as failed:  # `begin`, `finish` try again
             log.warning("run %s, episode %d: %s", *key, failed)
 
     async def _write(self, key: Key) -> None:
@@ -224,9 +229,10 @@ class Recordings:
         try:
             return await loop.run_in_executor(threads, work)
         except OSError as error:
-            raise RecordingFailed(
-                f"the recording could not be written: {error.strerror or error}"
-            ) from error
+            text = f"the recording could not be written: {error.strerror or error}"
+            if error.errno in _NO_ROOM:
+                raise StoreFailed(text) from error
+            raise RecordingFailed(text) from error
 
 
 def _remove_folder(folder: Path) -> None:

@@ -38,6 +38,7 @@ from reference_server.runs.registry import RunRegistry
 from reference_server.runs.run_log import log_attached
 from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.session_resources import ResourceManager, SessionResources
+from reference_server.storage.store import StoreFailed
 from reference_server.views import turn_view
 from reference_sim.process.pool import (
     ChunkReply,
@@ -319,7 +320,10 @@ class SessionExecutor:
         episode = resources.session.episode
         if self._recordings is None or episode is None:
             return None
-        plan = await self._recordings.begin(resources.run, episode)
+        try:
+            plan = await self._recordings.begin(resources.run, episode)
+        except StoreFailed as error:
+            raise Refused("unavailable", "The recording cannot be begun.") from error
         self._ensure_live(resources)
         resources.recorded = episode.index, episode.attempt
         return plan
@@ -336,7 +340,10 @@ class SessionExecutor:
         if self._recordings is None or episode is None:
             return
         result = effects.result_of(session, played, now_wall, clipped)
-        recording = await self._recordings.finish(resources.run, episode, result)
+        try:
+            recording = await self._recordings.finish(resources.run, episode, result)
+        except StoreFailed as error:
+            raise Refused("unavailable", "The recording cannot be stored.") from error
         self._ensure_live(resources)
         episode.recording, resources.recorded = recording, None
 

@@ -53,7 +53,7 @@ def says_whose_an_unknown_run_is() -> None:
     put(RunRegistry, "get", wrong)
 
 
-@mutant("VER-002")
+@mutant("ERR-014", "VER-002")
 def compares_only_the_major_version() -> None:
     """A client of a later version learns nothing of members that are unknown here."""
     put(dispatch, "_is_supported", lambda version: version.partition(".")[0] == "1")
