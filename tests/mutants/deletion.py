@@ -26,7 +26,7 @@ def put_guards(*guards: Guard) -> None:
     lifecycle.GUARDS[Delete] = guards
 
 
-@mutant("DEL-001")
+@mutant("DEL-001", "DEL-003", "DEL-004", "DEL-005")
 def deletes_only_stopped_runs() -> None:
     """A user has to stop a run that no worker plays before it can be removed."""
     right = lifecycle._is_not_in_play
@@ -39,7 +39,7 @@ def deletes_only_stopped_runs() -> None:
     put_guards(wrong, lifecycle._is_deletable)
 
 
-@mutant("DEL-001")
+@mutant("DEL-001", "DEL-002")
 def counts_an_attach_as_an_action() -> None:
     """A run to which a worker attached by mistake can never be removed."""
     right = effects.open_session
@@ -59,7 +59,7 @@ def deletes_runs_in_play() -> None:
     put_guards(lifecycle._is_deletable)
 
 
-@mutant("DEL-003")
+@mutant("DEL-003", "DEL-008")
 def says_a_played_run_has_another_state() -> None:
     """A client takes the refusal for one that a stop would cure."""
     right = lifecycle._is_deletable
@@ -93,7 +93,7 @@ def shows_a_deleted_run_while_it_is_in_memory() -> None:
     put(RunRegistry, "_forget", wrong)
 
 
-@mutant("DEL-004")
+@mutant("DEL-002", "DEL-003", "DEL-004", "DEL-008")
 def deletes_what_is_deleted() -> None:
     """A user who mistypes an id is not warned."""
     right = RunService.delete_run

@@ -102,6 +102,8 @@ def executes_a_chunk_backwards() -> None:
 
 
 @mutant(
+    "ATR-004",
+    "ATR-006",
     "CAL-003",
     "CAL-005",
     "CAL-008",
