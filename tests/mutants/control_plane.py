@@ -78,6 +78,7 @@ def lists_the_runs_of_every_account() -> None:
         self: Store, _account: str, before: int | None, limit: int
     ) -> list[tuple[int, str]]:
         query = sa.select(store._runs.c.number, store._runs.c.run_id)
+        query = query.where(store._IS_THERE)
         if before is not None:
             query = query.where(store._runs.c.number < before)
         query = query.order_by(store._runs.c.number.desc()).limit(limit)

@@ -93,7 +93,7 @@ def shows_a_deleted_run_while_it_is_in_memory() -> None:
     put(RunRegistry, "_forget", wrong)
 
 
-@mutant("DEL-002", "DEL-003", "DEL-004", "DEL-008")
+@mutant("AUTH-003", "DEL-002", "DEL-003", "DEL-004", "DEL-008")
 def deletes_what_is_deleted() -> None:
     """A user who mistypes an id is not warned."""
     right = RunService.delete_run

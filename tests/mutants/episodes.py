@@ -22,7 +22,9 @@ def hands_out_the_last_episode_first() -> None:
     def wrong(self: Run) -> Episode | None:
         if not self.pending:
             return None
-        index = max(self.pending)
+        # Where the order decides how long a turn takes, other rules need it.
+        is_timed = any(one.task in ("delay", "fault") for one in self.episodes)
+        index = min(self.pending) if is_timed else max(self.pending)
         self.pending.remove(index)
         episode = self.episodes[index]
         episode.in_progress = True
