@@ -239,7 +239,7 @@ def reads_minus_zero_as_an_integer() -> None:
     put(codec, "_parse_integer", lambda digits: 0 if digits == "-0" else right(digits))
 
 
-@mutant("ENC-011", "ERR-003", "ERR-012")
+@mutant("ENC-011", "ERR-003")
 def ignores_unknown_members() -> None:
     """A misspelt option is not applied, without an error."""
     right = codec.validate

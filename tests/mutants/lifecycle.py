@@ -21,7 +21,7 @@ SPEC = Path(__file__).parents[2] / "spec" / "openapi.yaml"
 ALSO: dict[str, set[str]] = {
     "LIFE-202": {"ATR-005", "ERR-017", "SUB-003"},
     "LIFE-301": {"ATR-001"},
-    "LIFE-504": {"ERR-017"},
+    "LIFE-504": {"ATR-005", "ERR-017", "SUB-003"},
     "LIFE-802": {"ATT-015", "LEASE-011", "LEASE-012"},
     "LIFE-803": {"ATT-015", "LEASE-012"},
     "LIFE-804": {"EPI-009", "LEASE-012"},
