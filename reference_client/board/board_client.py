@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
 
 from proctor_client import (
     BoardEntry,
@@ -14,6 +13,7 @@ from proctor_client import (
 )
 
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
+from reference_client.protocol.list_pages import read_pages
 from reference_client.protocol.retry_policy import RetryPolicy
 
 PAGE = 1000
@@ -24,7 +24,7 @@ class BoardClient:
 
     def __init__(self, connection: Connection, retry_policy: RetryPolicy) -> None:
         self._control = connection.control
-        self._call = retry_policy.call
+        self._retry_policy, self._call = retry_policy, retry_policy.call
 
     def publish(self, run_id: str, description: PublishEntry) -> BoardEntry:
         """The entry of the run, new or changed; a repeat changes nothing."""
@@ -41,60 +41,29 @@ class BoardClient:
 
     def ranking(self, benchmark_id: str, manifest_sha256: str | None) -> Ranking:
         """The whole ranking: the rows of all its pages."""
-        whole: Ranking | None = None
-        cursor: str | None = None
-        while True:
-            page = self._call(
-                partial(
-                    self._control.get_ranking,
-                    benchmark_id,
-                    manifest_sha256=manifest_sha256,
-                    cursor=cursor,
-                    limit=PAGE,
-                    _request_timeout=TIMEOUTS_S,
-                )
-            )
-            if whole is None:
-                whole = page
-            else:
-                whole.rows.extend(page.rows)
-            cursor = page.next_cursor
-            if cursor is None:
-                return whole
+        pages = read_pages(
+            self._retry_policy,
+            self._control.get_ranking,
+            benchmark_id,
+            manifest_sha256=manifest_sha256,
+            limit=PAGE,
+        )
+        whole = next(pages)
+        for page in pages:
+            whole.rows.extend(page.rows)
+        return whole
 
     def entries(self) -> Iterator[BoardEntry]:
         """Entries that the account sees, the newest first."""
-        cursor: str | None = None
-        while True:
-            page = self._call(
-                partial(
-                    self._control.list_entries,
-                    cursor=cursor,
-                    limit=PAGE,
-                    _request_timeout=TIMEOUTS_S,
-                )
-            )
+        operation = self._control.list_entries
+        for page in read_pages(self._retry_policy, operation, limit=PAGE):
             yield from page.entries
-            cursor = page.next_cursor
-            if cursor is None:
-                return
 
     def leaves(self) -> Iterator[HistoryLeaf]:
         """The history, the oldest leaf first."""
-        cursor: str | None = None
-        while True:
-            page = self._call(
-                partial(
-                    self._control.list_history,
-                    cursor=cursor,
-                    limit=PAGE,
-                    _request_timeout=TIMEOUTS_S,
-                )
-            )
+        operation = self._control.list_history
+        for page in read_pages(self._retry_policy, operation, limit=PAGE):
             yield from page.leaves
-            cursor = page.next_cursor
-            if cursor is None:
-                return
 
     def checkpoint(self) -> Checkpoint:
         return self._call(

@@ -31,6 +31,7 @@ from reference_client.errors import (
     did_you_mean,
 )
 from reference_client.protocol.connection import TIMEOUTS_S
+from reference_client.protocol.list_pages import read_pages
 from reference_client.protocol.retry_policy import RetryPolicy
 
 FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
@@ -108,19 +109,8 @@ class ControlClient:
 
     def all_runs(self) -> Iterator[Run]:
         """The runs of the account, the newest first; pages are read when needed."""
-        cursor: str | None = None
-        while True:
-            page = self._retry_policy.call(
-                partial(
-                    self._control.list_runs,
-                    cursor=cursor,
-                    _request_timeout=TIMEOUTS_S,
-                )
-            )
+        for page in read_pages(self._retry_policy, self._control.list_runs):
             yield from page.runs
-            cursor = page.next_cursor
-            if cursor is None:
-                return
 
     def stop(self, run_id: str, mode: StopMode) -> Run:
         return self._retry_policy.call(
@@ -209,20 +199,12 @@ class ControlClient:
     def episodes(self, run_id: str, first: int | None = None) -> list[Episode]:
         """The first episodes of the manifest, or all, from the pages of the list."""
         found: list[Episode] = []
-        cursor: str | None = None
-        while True:
-            page = self._retry_policy.call(
-                partial(
-                    self._control.list_episodes,
-                    run_id,
-                    cursor=cursor,
-                    _request_timeout=TIMEOUTS_S,
-                )
-            )
+        operation = self._control.list_episodes
+        for page in read_pages(self._retry_policy, operation, run_id):
             found += page.episodes
-            cursor = page.next_cursor
-            if cursor is None or (first is not None and len(found) >= first):
-                return found[:first]
+            if first is not None and len(found) >= first:
+                break
+        return found[:first]
 
     def try_score(self, run_id: str) -> Score:
         """The score, without retries and without a wait; also after an interruption."""
