@@ -47,7 +47,7 @@ def sends_only_the_ids_of_episodes() -> None:
     put(event_streams, "episode_view", wrong)
 
 
-@mutant("EVT-002")
+@mutant("EVT-002", "EVT-009")
 @with_short_keepalive
 def sends_episodes_in_manifest_order() -> None:
     """With two workers, an episode is skipped whenever a later one is scored first."""
