@@ -176,8 +176,8 @@ def stated() -> dict[str, tuple[str, int]]:
 
 
 @cache
-def checks() -> dict[str, Place]:
-    """Id → the check that judges it, as the kit lists them."""
+def listed_checks() -> dict[str, tuple[str, str]]:
+    """Id → name and docstring of the check that judges it, as the kit lists them."""
     listed = subprocess.run(
         [sys.executable, "-c", LIST_CHECKS],
         cwd=ROOT,
@@ -185,14 +185,22 @@ def checks() -> dict[str, Place]:
         text=True,
         check=True,
     )
+    return {id_: (name, text) for id_, name, text in json.loads(listed.stdout)}
+
+
+@cache
+def checks() -> dict[str, Place]:
+    """Id → where the check that judges it stands."""
     places = {
         node.name: Place(path.relative_to(ROOT).as_posix(), node.name, node.lineno)
         for path in python_files("conformance/checks")
         for node in ast.parse(path.read_text()).body
         if isinstance(node, ast.FunctionDef)
     }
-    names = {id_: name.partition("[")[0] for id_, name, _ in json.loads(listed.stdout)}
-    return {id_: places[name] for id_, name in names.items()}
+    return {
+        id_: places[name.partition("[")[0]]
+        for id_, (name, _) in listed_checks().items()
+    }
 
 
 @cache

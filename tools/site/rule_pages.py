@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import json
 import re
-import subprocess
-import sys
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -22,7 +20,7 @@ from conformance.specification.ledger import POLICY, load_areas
 from tests.mutants import load as load_mutants
 from tools.site.exchanges import STORED
 from tools.site.markdown import cell, link_to_rule, table
-from tools.traceability import LIST_CHECKS, NO_MUTANT, ROOT, Trace, traces
+from tools.traceability import NO_MUTANT, ROOT, Trace, listed_checks, traces
 
 VERDICTS = Path(__file__).with_name("implementations.json")
 CHANGELOG = ROOT / "spec" / "CHANGELOG.md"
@@ -265,24 +263,11 @@ def _block(language: str, text: str) -> str:
     return f"````{language}\n{text}\n````\n"
 
 
-@cache
-def checks() -> dict[str, tuple[str, str]]:
-    """Rule → name and docstring of its check."""
-    listed = subprocess.run(
-        [sys.executable, "-c", LIST_CHECKS],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return {id_: (name, text) for id_, name, text in json.loads(listed.stdout)}
-
-
 def _checked(trace: Trace) -> str:
     rule = trace.rule
-    if rule.id not in checks():
+    if rule.id not in listed_checks():
         return f"No check judges it: {rule.why}.\n"
-    name, story = checks()[rule.id]
+    name, story = listed_checks()[rule.id]
     kit = (
         "python -m conformance.policy"
         if rule.profile == POLICY
