@@ -97,7 +97,7 @@ def shows_the_success_rate_as_the_score() -> None:
     change_view(wrong)
 
 
-@mutant("BRD-003")
+@mutant("BRD-001", "BRD-003")
 def escapes_names_for_html() -> None:
     """A terminal shows `&lt;` where the name has `<`."""
     change_view(

@@ -105,7 +105,7 @@ def knows_no_run_id_in_the_query_of_docs() -> None:
     put(EbenchHandlers, "_paths", wrong)
 
 
-@mutant("EBE-005")
+@mutant("EBE-005", "EBE-024")
 def has_no_docs_page() -> None:
     """The client does not start."""
 

@@ -114,7 +114,7 @@ def does_not_refuse_records_of_runs_in_play() -> None:
     put(service, "refuse_record", lambda _run: None)
 
 
-@mutant("REC-104")
+@mutant("REC-104", "REC-124")
 def loses_the_first_turn_of_each_part() -> None:
     """A recording shows an episode that began later than it did."""
 
@@ -129,7 +129,7 @@ def loses_the_first_turn_of_each_part() -> None:
     put(recordings, "join_parts", lambda *arguments, **_: right(*arguments))
 
 
-@mutant("REC-104")
+@mutant("REC-104", "REC-124")
 def records_rewards_as_zero() -> None:
     """A reader computes a return that the policy never had."""
 
@@ -180,7 +180,7 @@ def signs_a_higher_score() -> None:
     change_evaluation(wrong)
 
 
-@mutant("REC-107")
+@mutant("REC-107", "REC-124")
 def sends_other_bytes_than_the_record_has() -> None:
     """What was downloaded alone is no evidence for the signed record."""
     right = export.blocks_of
