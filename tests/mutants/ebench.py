@@ -159,7 +159,7 @@ def shows_the_first_of_many_workers() -> None:
     put(EbenchHandlers, "_worker_views", wrong)
 
 
-@mutant("EBE-007")
+@mutant("EBE-007", "EBE-031")
 def begins_an_episode_anew_at_every_reset() -> None:
     """A client that resets a bad episode gets a better score."""
     right = EbenchHandlers._open

@@ -81,7 +81,7 @@ def shows_every_key_as_retired() -> None:
     put(run_views, "key_view", wrong)
 
 
-@mutant("REC-101")
+@mutant("REC-101", "REC-102")
 def names_keys_without_their_digest() -> None:
     """The key that a statement names is in no list."""
     right = run_views.key_view
