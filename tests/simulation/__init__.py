@@ -2,6 +2,6 @@
 
 One seed makes one schedule: clients, a network that loses, repeats and reorders, a
 database whose writes fail or are in doubt, simulators that break, and a server that is
-killed and started again. What the clients were answered is compared with what the simulators
-executed and what the database has.
+killed and started again. What the clients were answered is compared with what the
+simulators executed and what the database has.
 """
