@@ -10,16 +10,16 @@ from dataclasses import dataclass
 class Chances:
     """Probabilities of each event. kills: how often the server is killed at most."""
 
-    request_lost: float
-    answer_lost: float
-    request_repeated: float
-    write_fails: float
-    write_in_doubt: float
-    killed_at_write: float
-    simulator_breaks: float
-    no_capacity: float
-    worker_pauses: float
-    kills: int
+    request_lost: float = 0.0
+    answer_lost: float = 0.0
+    request_repeated: float = 0.0
+    write_fails: float = 0.0
+    write_in_doubt: float = 0.0
+    killed_at_write: float = 0.0
+    simulator_breaks: float = 0.0
+    no_capacity: float = 0.0
+    worker_pauses: float = 0.0
+    kills: int = 0
 
     @classmethod
     def draw(cls, chance: random.Random) -> Chances:
@@ -42,15 +42,4 @@ class Chances:
         )
 
 
-CALM = Chances(
-    request_lost=0.0,
-    answer_lost=0.0,
-    request_repeated=0.0,
-    write_fails=0.0,
-    write_in_doubt=0.0,
-    killed_at_write=0.0,
-    simulator_breaks=0.0,
-    no_capacity=0.0,
-    worker_pauses=0.0,
-    kills=0,
-)
+CALM = Chances()

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from conformance.oracle.expected_score import expected_score
-from tests.simulation.world import Executed, World
+from tests.simulation.world import World
 
 # Of a repeated turn these may differ: the lease goes on, and so does the clock.
 _OF_THE_ANSWER = ("lease", "timing")
@@ -103,12 +103,12 @@ class History:
 
     def check_results(self, run_id: str, episodes: list[dict[str, Any]]) -> None:
         """A result follows from the actions of one playing of its episode."""
-        ends: dict[tuple[float, int], Executed] = {}
-        for times in self.world.executed.values():
-            for one in times:
-                if one.ended:
-                    steps = self.world.steps_of_playing[one.playing]
-                    ends[one.score, steps] = one
+        ends = {
+            (one.score, self.world.steps_of_playing[one.playing])
+            for times in self.world.executed.values()
+            for one in times
+            if one.ended
+        }
         for episode in episodes:
             result = episode["result"]
             place = result["score"], result["steps"]

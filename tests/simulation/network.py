@@ -68,8 +68,8 @@ class Network:
             raise NoAnswer
         handling = asyncio.ensure_future(self._handle(service, request))
         ended = asyncio.ensure_future(life.ended.wait())
-        life.tasks |= {handling, ended}
         waiting = {handling, ended}
+        life.tasks |= waiting
         await asyncio.wait(
             waiting, timeout=TIMEOUT_S, return_when=asyncio.FIRST_COMPLETED
         )

@@ -10,11 +10,8 @@ import random
 from dataclasses import dataclass
 from typing import cast
 
-from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
-from reference_server.rules.submission import SubmissionLimits
-from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.service import RunService
@@ -29,6 +26,7 @@ from tests.simulation.network import Network
 from tests.simulation.simulated_clients import Client
 from tests.simulation.virtual_time import NothingLeft, VirtualLoop, virtual_modules
 from tests.simulation.world import Life, World
+from tests.support.server.server_parts import make_service
 
 # A schedule in which runs make no progress for so long does not end by itself.
 CALM_AFTER_S, END_AFTER_S = 120.0, 600.0
@@ -77,22 +75,14 @@ class SimulatedServer:
     async def _open(self, life: Life) -> RunService:
         store = cast("Store", MemoryStore(self._world, life, self._database))
         pool = MemoryPool(self._world, life, SIMULATORS)
-        seed_secret, validator = self._seed_secret, PolicyServerValidator()
 
         def on_run_lost(run: Run) -> None:
             executor.discard_sessions(run)
 
         registry = RunRegistry(store, ACTIVE_RUNS, on_run_lost, lambda _run: None)
         lent = cast("SimulatorPool", pool)
-        executor = SessionExecutor(registry, lent, seed_secret)
-        service = RunService(
-            SubmissionLimits(16, 600.0),
-            Benchmarks(64, seed_secret),
-            registry,
-            executor,
-            validator.validate_and_encrypt,
-            validator.digest_key,
-        )
+        executor = SessionExecutor(registry, lent, self._seed_secret)
+        service = make_service(registry, executor, self._seed_secret)
         await registry.open()
         self.pool = pool
         return service

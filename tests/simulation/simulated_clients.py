@@ -7,9 +7,8 @@ completed.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Awaitable, Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
@@ -30,14 +29,17 @@ MAX_WORKERS = 2
 
 @dataclass
 class Client:
-    """One account's side of a run. numbers: of actions, unique in the schedule."""
+    """One account's side of a run.
+
+    numbers, attach_keys: of actions and attaches, unique in the schedule.
+    """
 
     world: World
     network: Network
     history: History
     account: str
-    numbers: Iterator[int] = field(default_factory=itertools.count)
-    attach_keys: Iterator[int] = field(default_factory=itertools.count)
+    numbers: Iterator[int]
+    attach_keys: Iterator[int]
 
     async def ask(self, request: Callable[[RunService], Awaitable[Any]]) -> Any:
         """The answer, however often it takes. Raises Refused with what is final."""
@@ -105,7 +107,7 @@ class Client:
 
     async def _attach(self, run_id: str, worker_id: str, key: str) -> dict[str, Any]:
         takeover = self.world.happens(0.5)
-        command = Attach(worker_id, key, takeover, max_attempts=None)
+        command = Attach(worker_id, key, takeover)
         turn: dict[str, Any] = await self.ask(
             lambda server: server.attach_worker(self.account, run_id, command)
         )

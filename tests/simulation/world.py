@@ -48,12 +48,14 @@ class Life:
     """One server process: what it began after its end has no effect outside."""
 
     def __init__(self) -> None:
-        self.is_over = False
         self.tasks: set[asyncio.Task[Any]] = set()
         self.ended: asyncio.Event = asyncio.Event()
 
+    @property
+    def is_over(self) -> bool:
+        return self.ended.is_set()
+
     def end(self) -> None:
-        self.is_over = True
         self.ended.set()
 
     async def check(self) -> None:

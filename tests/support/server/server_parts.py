@@ -97,6 +97,21 @@ class ServerParts:
                 database.execute(f"DROP TRIGGER full_{event}_{table}")
 
 
+def make_service(
+    registry: RunRegistry, executor: SessionExecutor, seed_secret: SeedSecret
+) -> RunService:
+    """The use cases over these parts, without records."""
+    validator = PolicyServerValidator()
+    return RunService(
+        SubmissionLimits(16, 600.0),
+        Benchmarks(64, seed_secret),
+        registry,
+        executor,
+        validator.validate_and_encrypt,
+        validator.digest_key,
+    )
+
+
 @asynccontextmanager
 async def open_server_parts(
     path: Path, active_max: int = 10, recordings: Recordings | None = None
@@ -113,19 +128,11 @@ async def open_server_parts(
     def on_change(run: Run) -> None:
         parts.on_change(run)
 
-    validator = PolicyServerValidator()
     registry = RunRegistry(store, active_max, on_run_lost, on_change)
     pool = SimulatorPool(4, 0, TIMEOUT_S)
     seed_secret = SeedSecret()
     executor = SessionExecutor(registry, pool, seed_secret, recordings=recordings)
-    service = RunService(
-        SubmissionLimits(16, 600.0),
-        Benchmarks(64, seed_secret),
-        registry,
-        executor,
-        validator.validate_and_encrypt,
-        validator.digest_key,
-    )
+    service = make_service(registry, executor, seed_secret)
     parts = ServerParts(path, store, registry, pool, executor, service)
     await store.open()
     await registry.open()
