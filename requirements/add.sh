@@ -5,6 +5,7 @@
 # tested stays as it is. requirements/own.in has what was added, own.txt its lock; both
 # are this machine's. Without PACKAGE the lock is made again, after an update.
 set -eu
+. tools/uv_settings.sh
 cd requirements
 if [ $# -gt 0 ] && [ -z "$*" ]; then
     echo "add: name a package: make add PACKAGE='gymnasium[box2d]'" >&2
