@@ -1,7 +1,36 @@
-"""`python -m conformance`."""
+"""Entry points: `python -m conformance`, and the commands of an installation.
 
+The client is installed from the same wheel without the kit's dependencies. There, they
+report the missing one in one line. This module must not import what may be missing.
+"""
+
+import importlib
 import sys
 
-from conformance.cli.main import main
 
-sys.exit(main())
+def main() -> int:
+    """Judge a server; 2 when the kit cannot start."""
+    return _start("conformance.cli.main")
+
+
+def main_policy() -> int:
+    """Judge a policy server; 2 when the kit cannot start."""
+    return _start("conformance.policy.__main__")
+
+
+def _start(module: str) -> int:
+    try:
+        begin = importlib.import_module(module).main
+    except ModuleNotFoundError as missing:
+        print(
+            f"proctor-conformance: {missing.name} is not installed: "
+            "pip install 'proctor-eval[kit]' (the client alone is proctor)",
+            file=sys.stderr,
+        )
+        return 2
+    code: int = begin()
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -41,6 +41,7 @@ class Settings:
     only: list[str] = field(default_factory=list)
     profiles: list[str] = field(default_factory=list)
     report: str = "report"
+    summary: str | None = None
     attest: str | None = None
     attest_key: str | None = None
     attest_subject: str | None = None

@@ -2,6 +2,7 @@
 
 import argparse
 import difflib
+import importlib.metadata
 import os
 import random
 import time
@@ -11,6 +12,7 @@ from typing import NoReturn
 
 from conformance.reports.attestation import CannotAttest, load_key, read_subject
 from conformance.run_settings import Settings
+from conformance.specification.document import spec_name
 from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import STAGES
 
@@ -34,6 +36,7 @@ def build_parser() -> argparse.ArgumentParser:
         "server, no token, kit error). Every run writes report.html, report.json, "
         "junit.xml and badge.svg to the directory --report.",
     )
+    parser.add_argument("--version", action="version", version=_version())
     server = parser.add_argument_group("server")
     server.add_argument("--url", help="base URL of the server under test")
     server.add_argument(
@@ -65,6 +68,15 @@ def build_parser() -> argparse.ArgumentParser:
     _add_execution(parser)
     _add_attestation(parser)
     return parser
+
+
+def _version() -> str:
+    """Name the kit and the specification that it judges."""
+    try:
+        installed = importlib.metadata.version("proctor-conformance")
+    except importlib.metadata.PackageNotFoundError:
+        installed = "of a checkout"
+    return f"proctor-conformance {installed}, specification {spec_name()}"
 
 
 def _add_selection(parser: argparse.ArgumentParser) -> None:
@@ -131,6 +143,11 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
     )
     execution.add_argument(
         "--report", default="report", metavar="DIR", help="directory of the reports"
+    )
+    execution.add_argument(
+        "--summary",
+        metavar="FILE",
+        help="append a short report in Markdown, for the page of a CI job",
     )
     execution.add_argument(
         "--known-failures",
@@ -228,6 +245,7 @@ def read_settings(options: argparse.Namespace) -> Settings:
     settings.start_cmd = options.start_cmd
     settings.restart_cmd = options.restart_cmd
     settings.fail_fast = options.fail_fast
+    settings.summary = options.summary
     settings.exchanges = options.exchanges
     settings.stress = options.stress or options.start_cmd is not None
     seed: int | None = options.seed
@@ -236,6 +254,17 @@ def read_settings(options: argparse.Namespace) -> Settings:
         settings.max_time_s = options.max_time
         settings.deadline = time.monotonic() + options.max_time
     return settings
+
+
+def check_summary(path: str | None) -> None:
+    """Refuse early a file that could not be written after the whole run."""
+    if path is None:
+        return
+    try:
+        with open(path, "a", encoding="utf-8"):  # noqa: PTH123 - as the user gave it
+            pass
+    except OSError as error:
+        raise BadArguments(f"--summary {path}: {error.strerror}") from error
 
 
 def _read_attestation(options: argparse.Namespace, settings: Settings) -> None:

@@ -15,6 +15,7 @@ from conformance.cli.arguments import BadArguments
 from conformance.cli.console import Terminal
 from conformance.reports.attestation import CannotAttest, write_attestation
 from conformance.reports.files import write_reports
+from conformance.reports.summary import append_summary
 from conformance.runner.preflight import CannotJudge
 from conformance.runner.server_process import StartFailed
 from conformance.specification.document import load_spec
@@ -43,6 +44,7 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
         conclude(result, {}, Tally(load_spec()), set())
     with _report_write_errors(terminal, result):
         write_reports(result)
+        append_summary(result)
         try:
             write_attestation(result)
         except CannotAttest as error:

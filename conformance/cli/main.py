@@ -2,13 +2,13 @@
 
 import contextlib
 import sys
-import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from conformance.cli.arguments import (
     BadArguments,
     build_parser,
+    check_summary,
     read_known_failures,
     read_processes,
     read_selection,
@@ -18,7 +18,11 @@ from conformance.cli.console import Terminal
 from conformance.cli.kit_run import run_kit
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge, inspect
-from conformance.runner.server_process import AccountTokens, ServerProcess
+from conformance.runner.server_process import (
+    AccountTokens,
+    ServerProcess,
+    open_directory,
+)
 from conformance.specification.document import spec_name
 from conformance.verdicts.result import Result, conclude
 
@@ -27,7 +31,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     terminal = Terminal()
-    result = Result(Settings(report=_report_directory(given)))
+    report, summary = _value(given, "--report"), _value(given, "--summary")
+    result = Result(Settings(report=report or "report", summary=summary))
     with contextlib.suppress(BadArguments):  # raised again and reported by `judge`
         options = build_parser().parse_args(given)
         if options.dry_run:
@@ -37,6 +42,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     def judge() -> None:
         options = build_parser().parse_args(given)
+        try:
+            check_summary(options.summary)
+        except BadArguments:
+            result.settings.summary = None
+            raise
         result.settings = read_settings(options)
         known = read_known_failures(options.known_failures)
         with _server(result.settings):
@@ -85,8 +95,8 @@ def _server(settings: Settings) -> Iterator[None]:
     settings.token_read = tokens.reader
     log = Path(settings.report) / "server.log"
     log.unlink(missing_ok=True)
-    with tempfile.TemporaryDirectory(prefix="proctor-conformance-") as directory:
-        process = ServerProcess(settings.start_cmd, tokens, Path(directory), log)
+    with open_directory() as directory:
+        process = ServerProcess(settings.start_cmd, tokens, directory, log)
         try:
             process.start()
             settings.url = process.url
@@ -122,11 +132,11 @@ def _dry_run(settings: Settings) -> int:
     return 0 if checks else 2
 
 
-def _report_directory(given: Sequence[str]) -> str:
-    """Find --report even in an invalid command line."""
+def _value(given: Sequence[str], option: str) -> str | None:
+    """Find the value of an option even in an invalid command line."""
     for index, word in enumerate(given):
-        if word == "--report" and index + 1 < len(given):
+        if word == option and index + 1 < len(given):
             return given[index + 1]
-        if word.startswith("--report="):
+        if word.startswith(f"{option}="):
             return word.partition("=")[2]
-    return "report"
+    return None

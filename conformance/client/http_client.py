@@ -7,27 +7,23 @@ Requests are never corrected here: a check may send anything.
 
 import contextlib
 import functools
-import http.cookiejar
-import ipaddress
 import json as json_module
 import re
-import socket
-import ssl
-import threading
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
-from urllib.parse import urlsplit
 
 import httpx
 
-from conformance.client.connection_faults import (
-    ConnectionTrace,
-    is_own_fault,
-    is_repeatable,
+from conformance.client.connections.connection_faults import is_own_fault, is_repeatable
+from conformance.client.connections.connection_pool import (
+    Connection,
+    ConnectionPool,
+    Connections,
 )
+from conformance.client.connections.kept_connection import HttpRequest, HttpResponse
+from conformance.client.connections.proxy_answers import find_proxy
 from conformance.client.exchange_log import ExchangeLog
-from conformance.client.proxy_answers import find_proxy
 from conformance.exchanges.answer import Answer, ParsedAnswer, media_type_of, parse
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import EVENT_STREAM, JSON, Operation, Spec
@@ -39,9 +35,6 @@ _STREAM_BYTES_STORED = 4096
 _FIRST_EVENT_TIMEOUT_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
 Observer = Callable[[Operation | None, ParsedAnswer, Exchange], None]
-_LIMITS = httpx.Limits(
-    max_connections=4, max_keepalive_connections=2, keepalive_expiry=2.0
-)
 
 
 class NoAnswer(Violation):
@@ -52,99 +45,33 @@ class AnsweredByProxy(SetUpFailed):
     """A proxy in front of the server refused the request, which did not reach it."""
 
 
-class ClientPool:
-    """HTTP clients that keep their connections, each used by one thread at a time.
-
-    One client for all threads is not safe: while one thread is given an idle
-    connection, another may find that it has expired, and close it.
-    """
-
-    def __init__(self, url: str) -> None:
-        self._url = url
-        self._idle: list[httpx.Client] = []
-        self._lock = threading.Lock()
-
-    @contextlib.contextmanager
-    def borrow(self) -> Iterator[httpx.Client]:
-        """Give a client that nothing else uses until the end of the block.
-
-        After an error its connections are closed: nothing is known about them.
-        """
-        with self._lock:
-            client = self._idle.pop() if self._idle else None
-        client = client or self._open()
-        try:
-            yield client
-        except BaseException:
-            client.close()
-            raise
-        with self._lock:
-            self._idle.append(client)
-
-    def _open(self) -> httpx.Client:
-        no_cookies = http.cookiejar.DefaultCookiePolicy(allowed_domains=[])
-        return httpx.Client(
-            limits=_LIMITS,
-            follow_redirects=False,
-            cookies=http.cookiejar.CookieJar(policy=no_cookies),
-            verify=_certificates(),
-            # Proxies from the environment are for other machines, not for this one.
-            trust_env=not _is_this_machine(self._url),
-        )
-
-    def close(self) -> None:
-        """Close all clients that are not in use."""
-        with self._lock:
-            idle, self._idle = self._idle, []
-        for client in idle:
-            client.close()
-
-
-@functools.cache
-def _certificates() -> ssl.SSLContext:
-    """Load the certificate authorities once: it is slow."""
-    return httpx.create_ssl_context()
-
-
-def _is_this_machine(url: str) -> bool:
-    host = urlsplit(url).hostname or ""
-    try:
-        return ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return host == "localhost"
-
-
 class AnswerStream:
     """A response without an end: its parts, until either side closes it."""
 
-    def __init__(self, response: httpx.Response) -> None:
+    def __init__(self, response: HttpResponse) -> None:
         self.body = b""
         self._response = response
 
     def parts(self) -> Iterator[bytes]:
         """Give the parts as they arrive; a broken connection ends the stream."""
         with contextlib.suppress(httpx.TransportError, OSError):
-            for part in self._response.iter_bytes():
+            for part in self._response.parts():
                 self.body += part[: max(0, _STREAM_BYTES_STORED - len(self.body))]
                 yield part
 
     def shut_down(self) -> None:
         """End it from another thread than the one that reads it."""
-        network = self._response.extensions["network_stream"]
-        with contextlib.suppress(OSError):
-            network.get_extra_info("socket").shutdown(socket.SHUT_RDWR)
+        self._response.shut_down()
 
 
-def _send_once(
-    client: httpx.Client, request: httpx.Request, is_stream: bool
-) -> httpx.Response:
-    response = client.send(request, stream=is_stream)
+def _send_once(connection: Connection, request: HttpRequest) -> HttpResponse:
+    response = connection.send(request)
     if media_type_of(response.headers) != EVENT_STREAM:
         response.read()
     return response
 
 
-def _read_first_event(response: httpx.Response) -> bytes:
+def _read_first_event(response: HttpResponse) -> bytes:
     """Read the first event of a stream that may have no end."""
     stream, until = AnswerStream(response), time.monotonic() + _FIRST_EVENT_TIMEOUT_S
     with contextlib.closing(response):
@@ -154,8 +81,24 @@ def _read_first_event(response: httpx.Response) -> bytes:
     return stream.body
 
 
+@functools.lru_cache(maxsize=512)
+def _parse_url(url: str) -> httpx.URL:
+    try:
+        return httpx.URL(url)
+    except httpx.InvalidURL as error:
+        # Paths of the kit are valid; `endpoint` is the server's.
+        raise Violation("a valid URL", f"{url!r}: {error}") from error
+
+
 # The value of a header Accept that is not sent, as by programs that name none.
 NO_ACCEPT = ""
+# Of every request that does not name others.
+_DEFAULT_HEADERS = {
+    "accept": ("Accept", "*/*"),
+    "accept-encoding": ("Accept-Encoding", "gzip, deflate"),
+    "connection": ("Connection", "keep-alive"),
+    "user-agent": ("User-Agent", "proctor-conformance"),
+}
 
 
 class HttpClient:
@@ -164,7 +107,7 @@ class HttpClient:
     def __init__(
         self,
         *,
-        clients: ClientPool,
+        connections: ConnectionPool,
         spec: Spec,
         base_url: str,
         token: str | None,
@@ -175,7 +118,7 @@ class HttpClient:
         self.base_url = base_url.rstrip("/")
         self.token = token
         self._token_name = token_name
-        self._clients = clients
+        self._connections = connections
         self._spec = spec
         self._exchange_log = exchange_log
         self._observe = observe
@@ -201,22 +144,22 @@ class HttpClient:
         if json is not None:
             content = json_module.dumps(json).encode()
             headers = {"Content-Type": JSON, **(headers or {})}
-        with self._clients.borrow() as client:
-            request, exchange = self._prepare(
-                client,
-                method,
-                path,
-                content=content,
-                headers=headers,
-                params=params,
-                timeout_s=timeout_s,
-                token=token,
-            )
-            if operation is None:
-                operation = self._operation_of(method, str(request.url))
-            response = self._send(client, request, exchange, operation)
-            is_read = response.is_stream_consumed
-            body = response.content if is_read else _read_first_event(response)
+        request, exchange = self._prepare(
+            method,
+            path,
+            content=content,
+            headers=headers,
+            params=params,
+            timeout_s=timeout_s,
+            token=token,
+        )
+        if operation is None:
+            operation = self._operation_of(method, exchange.url)
+        with self._connections.borrow() as connections:
+            response = self._send(connections, request, exchange, operation)
+            body = response.body
+            if body is None:
+                body = _read_first_event(response)
         return self._log_and_observe(response, body, exchange, operation)
 
     @contextlib.contextmanager
@@ -226,12 +169,12 @@ class HttpClient:
         """Send a GET for a stream; gives an Answer if the response is none."""
         # The connection is closed after the stream and not used again.
         headers = {"Connection": "close", **headers}
-        with self._clients.borrow() as client:
-            request, exchange = self._prepare(client, "GET", path, headers=headers)
-            response = self._send(client, request, exchange, operation)
-            if response.is_stream_consumed:
+        request, exchange = self._prepare("GET", path, headers=headers)
+        with self._connections.borrow() as connections:
+            response = self._send(connections, request, exchange, operation)
+            if response.body is not None:
                 yield self._log_and_observe(
-                    response, response.content, exchange, operation
+                    response, response.body, exchange, operation
                 )
                 return
             stream = AnswerStream(response)
@@ -243,7 +186,6 @@ class HttpClient:
 
     def _prepare(
         self,
-        client: httpx.Client,
         method: str,
         path: str,
         *,
@@ -252,35 +194,29 @@ class HttpClient:
         params: Mapping[str, Any] | None = None,
         timeout_s: float = 30.0,
         token: str | None = OWN_TOKEN,
-    ) -> tuple[httpx.Request, Exchange]:
-        url = path if "://" in path else self.base_url + path
+    ) -> tuple[HttpRequest, Exchange]:
+        url = _parse_url(path if "://" in path else self.base_url + path)
+        if params is not None:
+            url = httpx.URL(url, params=params)
         number = self._exchange_log.next_number()
         correlation_id = f"{self._exchange_log.name}/{number}"
-        own_headers = {"X-Correlation-Id": correlation_id}
+        sent = _DEFAULT_HEADERS | {
+            "x-correlation-id": ("X-Correlation-Id", correlation_id)
+        }
         bearer = self.token if token == OWN_TOKEN else token
         if bearer is not None:
-            own_headers["Authorization"] = f"Bearer {bearer}"
-        try:
-            request = client.build_request(
-                method,
-                url,
-                content=content,
-                headers={**own_headers, **(headers or {})},
-                params=params,
-                timeout=timeout_s,
-            )
-            if (headers or {}).get("Accept") == NO_ACCEPT:
-                del request.headers["Accept"]  # of the library
-        except httpx.InvalidURL as error:
-            # Paths of the kit are valid; `endpoint` is the server's.
-            raise Violation("a valid URL", f"{url!r}: {error}") from error
+            sent["authorization"] = ("Authorization", f"Bearer {bearer}")
+        sent |= {name.lower(): (name, value) for name, value in (headers or {}).items()}
+        if sent["accept"][1] == NO_ACCEPT:
+            del sent["accept"]
+        request = HttpRequest(method.upper(), url, sent, content, timeout_s)
         size = len(content) if isinstance(content, bytes) else None
         exchange = Exchange(
             number=number,
             correlation_id=correlation_id,
             method=method,
-            url=str(request.url),
-            token_name=self._name_of(request.headers.get("authorization")),
+            url=str(url),
+            token_name=self._name_of(sent.get("authorization", ("", None))[1]),
             request_headers={
                 name: value
                 for name, value in (headers or {}).items()
@@ -293,30 +229,31 @@ class HttpClient:
 
     def _send(
         self,
-        client: httpx.Client,
-        request: httpx.Request,
+        connections: Connections,
+        request: HttpRequest,
         exchange: Exchange,
         operation: Operation | None,
-    ) -> httpx.Response:
+    ) -> HttpResponse:
         """Give the response; of an event stream only the head.
 
         Raises httpx.LocalProtocolError, as of a mistake of the kit, when HTTP cannot
         carry the request.
         """
-        is_stream = operation is not None and operation.is_event_stream
         operation_id = operation.operation_id if operation is not None else None
         exchange.started_at = time.monotonic()
-        trace = ConnectionTrace()
-        request.extensions["trace"] = trace
         try:
+            connection = connections.to(request.url)
             try:
-                response = _send_once(client, request, is_stream)
+                response = _send_once(connection, request)
             except httpx.TransportError as error:
-                if not trace.was_closed_before_use(error):
+                if not connection.was_closed_before_use(error):
                     raise
-                if not is_repeatable(request, operation_id):
+                is_whole = isinstance(request.content, bytes | None)
+                if not is_whole or not is_repeatable(
+                    request.method, request.headers, operation_id
+                ):
                     raise
-                response = _send_once(client, request, is_stream)
+                response = _send_once(connection, request)
         except httpx.LocalProtocolError:
             raise
         except (httpx.RequestError, OSError) as error:
@@ -324,8 +261,8 @@ class HttpClient:
             if is_own_fault(error):
                 raise OwnConnectionFailed(f"{request.url}: {text}") from error
             raise self._log_no_answer(exchange, text) from error
-        if response.is_stream_consumed:
-            self._refuse_answer_of_proxy(response, exchange)
+        if response.body is not None:
+            self._refuse_answer_of_proxy(response, response.body, exchange)
         return response
 
     def _log_no_answer(self, exchange: Exchange, text: str) -> NoAnswer:
@@ -335,11 +272,11 @@ class HttpClient:
         return NoAnswer("an answer", text, exchange.number)
 
     def _refuse_answer_of_proxy(
-        self, response: httpx.Response, exchange: Exchange
+        self, response: HttpResponse, body: bytes, exchange: Exchange
     ) -> None:
         """Raise if a proxy answered: a 5xx says that it got no answer, either."""
-        status = response.status_code
-        proxy = find_proxy(status, response.headers, response.content)
+        status = response.status
+        proxy = find_proxy(status, response.headers, body)
         if proxy is None:
             return
         text = f"{proxy}, in front of the server, answered {status} in its place"
@@ -352,30 +289,31 @@ class HttpClient:
 
     def _log_and_observe(
         self,
-        response: httpx.Response,
+        response: HttpResponse,
         body: bytes,
         exchange: Exchange,
         operation: Operation | None,
     ) -> Answer:
         """Log an exchange and pass it to the observer."""
         ended_at = time.monotonic()
-        value, is_readable = parse(media_type_of(response.headers), body)
+        media_type = media_type_of(response.headers)
+        value, is_readable = parse(media_type, body)
         exchange.elapsed_s = ended_at - exchange.started_at
-        exchange.status = response.status_code
+        exchange.status = response.status
         exchange.answer_headers = dict(response.headers)
         exchange.answer_body = body
         self._exchange_log.add(exchange)
         parsed = ParsedAnswer(
-            status=response.status_code,
+            status=response.status,
             headers=response.headers,
-            media_type=media_type_of(response.headers),
+            media_type=media_type,
             body=body,
             value=value,
             is_readable=is_readable,
         )
         self._observe(operation, parsed, exchange)
         return Answer(
-            status=response.status_code,
+            status=response.status,
             headers=response.headers,
             body=body,
             started_at=exchange.started_at,

@@ -19,8 +19,9 @@ import msgspec
 
 from conformance.client import calibration_actions
 from conformance.client.adaptive_timeouts import AdaptiveTimeouts
+from conformance.client.connections.connection_pool import ConnectionPool
 from conformance.client.exchange_log import ExchangeLog
-from conformance.client.http_client import ClientPool, HttpClient, NoAnswer
+from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
@@ -50,7 +51,7 @@ class SharedContext:
     """What all checks of one process share."""
 
     settings: Settings
-    clients: ClientPool
+    connections: ConnectionPool
     spec: Spec
     timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
     # What one check made for others, by name: a run that is long to play.
@@ -61,11 +62,11 @@ class SharedContext:
         """Open the connections for one run of the kit."""
         is_policy = settings.profiles == [POLICY]
         spec = load_policy_spec() if is_policy else load_spec()
-        return cls(settings, ClientPool(settings.url), spec)
+        return cls(settings, ConnectionPool(settings.url), spec)
 
     def close(self) -> None:
         """Close the connections."""
-        self.clients.close()
+        self.connections.close()
 
 
 class RequestContext:
@@ -96,10 +97,13 @@ class RequestContext:
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
     def _open_client(
-        self, token: str | None, name: str, clients: ClientPool | None = None
+        self,
+        token: str | None,
+        name: str,
+        connections: ConnectionPool | None = None,
     ) -> HttpClient:
         return HttpClient(
-            clients=clients or self.shared.clients,
+            connections=connections or self.shared.connections,
             spec=self.spec,
             base_url=self._base_url,
             token=token,
@@ -111,8 +115,8 @@ class RequestContext:
     @contextlib.contextmanager
     def own_connection(self) -> Iterator[HttpClient]:
         """Give a client that sends its requests one by one over one connection."""
-        with contextlib.closing(ClientPool(self._base_url)) as clients:
-            yield self._open_client(self.shared.settings.token, "TOKEN", clients)
+        with contextlib.closing(ConnectionPool(self._base_url)) as connections:
+            yield self._open_client(self.shared.settings.token, "TOKEN", connections)
 
     @property
     def speaks_msgpack(self) -> bool:
@@ -276,9 +280,9 @@ class RequestContext:
             began_at = time.monotonic()
             with (
                 contextlib.suppress(httpx.TransportError),
-                self.shared.clients.borrow() as client,
+                self.shared.connections.borrow() as connections,
             ):
-                client.get(f"{self._base_url}/v1", timeout=_ROUND_TRIP_TIMEOUT_S)
+                connections.get(f"{self._base_url}/v1", _ROUND_TRIP_TIMEOUT_S)
             round_trips.append(time.monotonic() - began_at)
         round_trips.sort()
         longest_s = round_trips[-1]

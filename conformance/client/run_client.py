@@ -78,8 +78,11 @@ class RunClient:
     def clean_up(self) -> None:
         """Stop the run, so that it holds no simulator; best effort.
 
-        If the server cannot stop it, the sessions are detached one by one.
+        If the server cannot stop it, the sessions are detached one by one. A run that
+        was seen completed holds none, for good.
         """
+        if self.body.get("state") == "completed":
+            return
         with contextlib.suppress(Violation, SetUpFailed):
             abort = {"mode": "abort"}
             stopped = self.call("stop_run", json=abort, timeout_s=_CLEAN_UP_TIMEOUT_S)

@@ -156,9 +156,10 @@ def _require_version_overlap(service: dict[str, Any]) -> None:
     ours = load_spec().document["info"]["version"].rpartition(".")[0]
     low, high = service["protocol"]["min"], service["protocol"]["max"]
     if not _number(low) <= _number(ours) <= _number(high):
+        needed = high if _number(high) < _number(ours) else low
         raise CannotJudge(
             f"server supports protocol {low} to {high}; this kit tests {ours}: "
-            "use a matching kit version"
+            f"use the kit of Proctor {needed} (--version names what a kit tests)"
         )
 
 

@@ -8,7 +8,6 @@ after all others.
 import contextlib
 import shlex
 import subprocess
-import tempfile
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,7 +16,12 @@ from typing import Protocol
 import httpx
 
 from conformance.client.check_context import CheckContext
-from conformance.runner.server_process import AccountTokens, ServerProcess, StartFailed
+from conformance.runner.server_process import (
+    AccountTokens,
+    ServerProcess,
+    StartFailed,
+    open_directory,
+)
 from conformance.verdicts.expect import SetUpFailed, Violation
 
 _RESTART_S = 60.0
@@ -99,9 +103,9 @@ def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
     tokens = AccountTokens(
         settings.token or "", settings.token_2 or "", settings.token_read or ""
     )
-    with tempfile.TemporaryDirectory(prefix="proctor-conformance-") as directory:
+    with open_directory() as directory:
         log = Path(settings.report) / f"server-{context.name}.log"
-        process = ServerProcess(settings.start_cmd, tokens, Path(directory), log)
+        process = ServerProcess(settings.start_cmd, tokens, directory, log)
         _OPEN.add(process)
         try:
             process.start()

@@ -335,8 +335,8 @@ def _stop_if_unreachable(item: pytest.Item, context: CheckContext) -> None:
 def _is_reachable(shared: SharedContext) -> bool:
     for _ in range(2):
         try:
-            with shared.clients.borrow() as client:
-                client.get(f"{shared.settings.url}/v1", timeout=5.0)
+            with shared.connections.borrow() as connections:
+                connections.get(f"{shared.settings.url}/v1", 5.0)
         except httpx.TransportError:
             time.sleep(0.3)
         else:

@@ -9,7 +9,7 @@ from typing import Any
 
 from conformance.checks.profiles.test_record import play_everything
 from conformance.client.check_context import CheckContext
-from conformance.client.raw_connection import open_raw_connection
+from conformance.client.connections.raw_connection import open_raw_connection
 from conformance.profiles.changed_records import (
     KEY,
     broken_archives,

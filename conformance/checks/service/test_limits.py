@@ -15,8 +15,8 @@ from conformance.checks.support.operation_samples import (
     send_body,
 )
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.raw_connection import open_raw_connection
 from conformance.client.http_client import HttpClient
-from conformance.client.raw_connection import open_raw_connection
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement

@@ -7,12 +7,11 @@ import threading
 from collections.abc import Callable, Iterator
 from typing import Any
 
-import httpx
 import pytest
 
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.proxy_answers import find_proxy
 from conformance.client.http_client import AnsweredByProxy, NoAnswer
-from conformance.client.proxy_answers import find_proxy
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.pytest_plugin import _call_check
@@ -117,11 +116,11 @@ def test_a_new_connection_without_an_answer_is_a_violation() -> None:
 def test_an_error_of_this_side_is_no_violation(
     number: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def fail(*_: Any, **__: Any) -> httpx.Response:
-        raise httpx.ConnectError("lost") from OSError(number, "out of something")
+    def fail(*_: Any, **__: Any) -> socket.socket:
+        raise OSError(number, "out of something")
 
     with open_context(OneAnswerPerConnection()) as context:
-        monkeypatch.setattr(httpx.Client, "send", fail)
+        monkeypatch.setattr(socket, "create_connection", fail)
         with pytest.raises(OwnConnectionFailed):
             context.call("describe_service")
 

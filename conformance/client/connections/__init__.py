@@ -1,0 +1,1 @@
+"""Connections to a server: kept ones, those through proxies, and bare sockets."""

@@ -1,0 +1,177 @@
+"""A kept connection: what it sends, what it refuses, and how bodies arrive."""
+
+import contextlib
+import gzip
+import socket
+import threading
+from collections.abc import Iterator
+from dataclasses import replace
+
+import httpx
+import pytest
+
+from conformance.client.connections.connection_pool import ConnectionPool, Connections
+from conformance.client.connections.kept_connection import HttpRequest
+from conformance.client.connections.proxied_connection import ProxiedConnection
+
+TIMEOUT_S = 10.0
+SHORT = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
+
+
+class ScriptedServer:
+    """Receives one request for each answer on one connection."""
+
+    def __init__(self, *answers: bytes, closes: bool = False) -> None:
+        self.received: list[bytes] = []
+        self.was_closed = threading.Event()
+        self._answers, self._closes = answers, closes
+        self._listener = socket.create_server(("127.0.0.1", 0))
+        self.url = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
+        threading.Thread(target=self._serve, daemon=True).start()
+
+    def _serve(self) -> None:
+        with contextlib.suppress(OSError):
+            connection, _ = self._listener.accept()
+            with connection:
+                for answer in self._answers:
+                    self.received.append(connection.recv(2**16))
+                    connection.sendall(answer)
+                if not self._closes and not connection.recv(1):
+                    self.was_closed.set()
+
+    def close(self) -> None:
+        self._listener.close()
+
+
+@contextlib.contextmanager
+def connect(server: ScriptedServer) -> Iterator[Connections]:
+    with (
+        contextlib.closing(server),
+        contextlib.closing(ConnectionPool(server.url)) as pool,
+        pool.borrow() as connections,
+    ):
+        yield connections
+
+
+def request(
+    server: ScriptedServer, headers: dict[str, str] | None = None, method: str = "POST"
+) -> HttpRequest:
+    url = httpx.URL(f"{server.url}/v1/runs?limit=1")
+    named = {name.lower(): (name, value) for name, value in (headers or {}).items()}
+    return HttpRequest(method, url, named, b'{"a": 1}', TIMEOUT_S)
+
+
+def read(connections: Connections, sent: HttpRequest) -> bytes:
+    return connections.to(sent.url).send(sent).read()
+
+
+def test_a_request_is_sent_in_one_piece_and_the_connection_is_kept() -> None:
+    server = ScriptedServer(SHORT, SHORT)
+    with connect(server) as connections:
+        for _ in range(2):
+            assert read(connections, request(server, {"Accept": "x/y"})) == b"{}"
+    host = server.url.removeprefix("http://")
+    text = (
+        f"POST /v1/runs?limit=1 HTTP/1.1\r\nHost: {host}\r\nAccept: x/y\r\n"
+        'Content-Length: 8\r\n\r\n{"a": 1}'
+    )
+    assert server.received == [text.encode()] * 2
+
+
+def test_the_pool_closes_what_it_keeps() -> None:
+    server = ScriptedServer(SHORT)
+    with connect(server) as connections:
+        read(connections, request(server))
+    assert server.was_closed.wait(TIMEOUT_S)
+
+
+def test_a_body_arrives_in_chunks_and_compressed() -> None:
+    packed = gzip.compress(b"one body")
+    head = b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\nContent-Encoding: gzip"
+    chunks = b"".join(b"1\r\n%c\r\n" % byte for byte in packed) + b"0\r\n\r\n"
+    server = ScriptedServer(head + b"\r\n\r\n" + chunks, SHORT)
+    with connect(server) as connections:
+        assert read(connections, request(server)) == b"one body"
+        assert read(connections, request(server)) == b"{}"
+
+
+def test_a_body_that_is_iterated_is_sent_in_chunks() -> None:
+    server = ScriptedServer(b"HTTP/1.1 100 Continue\r\n\r\n" + SHORT)
+    url = httpx.URL(server.url)
+    with connect(server) as connections:
+        sent = HttpRequest("PUT", url, {}, iter([b"ab"]), TIMEOUT_S)
+        assert read(connections, sent) == b"{}"
+    assert b"Transfer-Encoding: chunked" in server.received[0]
+
+
+def test_headers_are_as_they_were_sent() -> None:
+    head = b"HTTP/1.1 200 OK\r\nVary: a\r\nvary: b\r\nContent-Length: 2\r\n\r\n{}"
+    server = ScriptedServer(head)
+    with connect(server) as connections:
+        sent = request(server)
+        response = connections.to(sent.url).send(sent)
+        assert response.headers.get_list("vary") == ["a", "b"]
+        assert response.headers.raw[0] == (b"Vary", b"a")
+
+
+@pytest.mark.parametrize(
+    ("answer", "expected"),
+    [
+        (b"", "without sending a response"),
+        (b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\n{}", "without sending complete"),
+        (b"HTTP/1.1 two hundred\r\n\r\n", "illegal status line"),
+        (b"HTTP/1.1 200 OK\r\nContent-Length: two\r\n\r\n{}", "bad Content-Length"),
+        (b"HTTP/1.1 200 OK\r\nA b: c\r\n\r\n", "illegal header line"),
+    ],
+)
+def test_an_answer_that_is_not_http_is_none(answer: bytes, expected: str) -> None:
+    server = ScriptedServer(answer, closes=True)
+    with (
+        pytest.raises(httpx.RemoteProtocolError, match=expected),
+        connect(server) as connections,
+    ):
+        read(connections, request(server, method="GET"))
+
+
+@pytest.mark.parametrize("headers", [{"Content-Length": "9"}, {"A b": "c"}])
+def test_what_http_cannot_carry_is_not_sent(headers: dict[str, str]) -> None:
+    server = ScriptedServer(SHORT)
+    with connect(server) as connections:
+        with pytest.raises(httpx.LocalProtocolError):
+            read(connections, request(server, headers))
+        assert server.received in ([], [b""])
+
+
+def test_a_server_that_is_silent_is_a_timeout() -> None:
+    server = ScriptedServer(b"HTTP/1.1 200 OK\r\n", SHORT)
+    with connect(server) as connections, pytest.raises(httpx.ReadTimeout):
+        read(connections, replace(request(server), timeout_s=0.05))
+
+
+def test_a_refused_connection_and_another_scheme_are_errors() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        url = httpx.URL(f"http://127.0.0.1:{free.getsockname()[1]}")
+    with ConnectionPool(str(url)).borrow() as connections:
+        with pytest.raises(httpx.ConnectError):
+            read(connections, HttpRequest("GET", url, {}, None, TIMEOUT_S))
+        with pytest.raises(httpx.UnsupportedProtocol):
+            connections.to(httpx.URL("ftp://127.0.0.1/"))
+
+
+def test_a_proxy_of_the_environment_gets_the_request(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """For another machine; for this one the proxy is not asked."""
+    proxy = ScriptedServer(SHORT)
+    monkeypatch.setenv("http_proxy", proxy.url)
+    url = httpx.URL("http://proctor.example/v1")
+    with contextlib.closing(proxy), ConnectionPool(str(url)).borrow() as connections:
+        connection = connections.to(url)
+        assert isinstance(connection, ProxiedConnection)
+        sent = HttpRequest("GET", url, {}, None, TIMEOUT_S)
+        assert connection.send(sent).read() == b"{}"
+        connections.close()
+    assert proxy.received[0].startswith(b"GET http://proctor.example/v1 HTTP/1.1\r\n")
+    server = ScriptedServer(SHORT)
+    with connect(server) as connections:
+        assert read(connections, request(server)) == b"{}"
