@@ -26,14 +26,16 @@ from reference_server.http.connections.connection_limits import (
     ConnectionLimiter,
     ConnectionLimits,
 )
+from reference_server.http.connections.draining_server import Drain, DrainingServer
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import TokenFile
 from reference_server.push.key_encryption import KeyEncryption
-from reference_server.runs.seed_secret import SeedSecret
 from reference_server.settings import Settings
+from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system import open_files
 from reference_server.system.log_output import log_config
+from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 
@@ -60,29 +62,6 @@ class HelpFormatter(argparse.RawDescriptionHelpFormatter):
         return lambda size: tuple(shown.get(n, n) for n in names(size))
 
 
-class Server(uvicorn.Server):
-    """uvicorn, with a message when it accepts requests and a callback when it ends."""
-
-    def __init__(
-        self,
-        config: uvicorn.Config,
-        startup_message: str,
-        on_shutdown: Callable[[], None],
-    ) -> None:
-        super().__init__(config)
-        self._startup_message = startup_message
-        self._on_shutdown = on_shutdown
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        await super().startup(sockets)
-        if self.started:
-            print(self._startup_message, flush=True)
-
-    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        self._on_shutdown()
-        await super().shutdown(sockets)
-
-
 def main() -> int:
     """Returns the exit code; a failure to start is 2 and one line on stderr."""
     try:
@@ -101,29 +80,48 @@ def main() -> int:
         return 2
     except KeyboardInterrupt:  # loading benchmarks may take a minute
         return 130
-    family = socket.AF_INET6 if ":" in settings.host else socket.AF_INET
-    # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
-    # waits 40 ms for an acknowledgement.
-    with socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP) as listener:
-        return _serve(listener, settings, tokens)
+    with contextlib.ExitStack() as stack:
+        try:
+            listener = stack.enter_context(_listen(settings.host, settings.port))
+            metrics_listener = None
+            if settings.metrics == "on":
+                metrics_listener = stack.enter_context(
+                    _listen(settings.metrics_host, settings.metrics_port, "--metrics-")
+                )
+        except _CannotUse as error:
+            _print_line(str(error))
+            return 2
+        return _serve(listener, metrics_listener, settings, tokens)
 
 
 def _print_line(line: str) -> None:
     print(f"proctor: {line}", file=sys.stderr, flush=True)
 
 
-def _serve(
-    listener: socket.socket, settings: Settings, configured: Tokens | None
-) -> int:
+def _listen(host: str, port: int, prefix: str = "--") -> socket.socket:
+    """A socket bound there. Raises _CannotUse, which names the flags with `prefix`."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
+    # waits 40 ms for an acknowledgement.
+    listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        listener.bind((settings.host, settings.port))
+        listener.bind((host, port))
     except OSError as error:
-        _print_line(
-            f"cannot listen on {settings.host}:{settings.port} "
-            f"({error.strerror}); choose another with --port"
-        )
-        return 2
+        listener.close()
+        raise _CannotUse(
+            f"cannot listen on {host}:{port} ({error.strerror}); choose another with "
+            f"{prefix}port"
+        ) from error
+    return listener
+
+
+def _serve(
+    listener: socket.socket,
+    metrics_listener: socket.socket | None,
+    settings: Settings,
+    configured: Tokens | None,
+) -> int:
     try:
         _check_database_and_keys(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
@@ -134,10 +132,13 @@ def _serve(
     port = listener.getsockname()[1]
     made_token.publish(port, None if made is None else settings.token_path)
     tokens = configured or Tokens.of_local_account(str(made))
-    app = build(settings, tokens)
+    if not settings.node_url:
+        settings.node_url = _url(settings.host, port)
+    limiter = ConnectionLimiter(_connection_limits(settings))
+    app = build(settings, tokens, limiter, metrics_listener)
     config = uvicorn.Config(
         app,
-        http=connection_factory(ConnectionLimiter(_connection_limits(settings))),
+        http=connection_factory(limiter),
         ws="none",  # none is offered, and it would have none of the bounds
         log_level=settings.log_level,
         log_config=log_config(
@@ -147,10 +148,18 @@ def _serve(
         ),
         access_log=False,  # ours has the account and the id of the request
         server_header=False,
-        timeout_graceful_shutdown=5,
     )
     message = _startup_message(settings, port, made)
-    server = Server(config, message, app.on_shutdown)
+    if metrics_listener is not None:
+        at = _url(settings.metrics_host, metrics_listener.getsockname()[1])
+        message += f"\nmetrics: {at}/metrics"
+    drain = Drain(
+        app.begin_drain,
+        app.turns_in_progress,
+        settings.drain_notice_s,
+        settings.drain_s,
+    )
+    server = DrainingServer(config, message, drain)
     # uvicorn shuts down in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])
@@ -164,7 +173,7 @@ class _CannotUse(Exception):
 def _check_database_and_keys(settings: Settings) -> None:
     try:
         runner = asyncio.Runner()
-        runner.run(_check_store(settings.database_url))
+        runner.run(_check_store(settings))
         runner.close()  # not on failure: a thread of the database driver may be alive
     except StoreFailed as error:
         raise _CannotUse(
@@ -209,17 +218,25 @@ def _connection_limits(settings: Settings) -> ConnectionLimits:
     )
 
 
-async def _check_store(url: str) -> None:
-    store = Store(url)
+async def _check_store(settings: Settings) -> None:
+    url, is_shared = settings.database_url, settings.cluster == "on"
+    lock, store = lock_of(url, lambda: None, is_shared=is_shared), Store(url)
     try:
-        await store.open()
+        await lock.acquire()
+        upgraded = await store.open()
     finally:
         await store.close()
+        await lock.release()
+    if upgraded is not None:
+        _print_line(f"the database was upgraded to version {upgraded.after}")
+
+
+def _url(host: str, port: int) -> str:
+    return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
 
 
 def _startup_message(settings: Settings, port: int, secret: str | None) -> str:
-    name = f"[{settings.host}]" if ":" in settings.host else settings.host
-    url = f"http://{name}:{port}"
+    url = _url(settings.host, port)
     lines = [f"Proctor is listening at {url}"]
     if secret is not None:
         path = settings.token_path

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import signal
+import socket
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
@@ -19,15 +21,28 @@ from starlette.routing import BaseRoute, Route, Router
 from starlette.types import ASGIApp, Lifespan, Message, Receive, Scope, Send
 
 from reference_record.formats.merkle_tree import leaf_hash
+from reference_server.cluster.server_node import ServerNode
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Tokens
-from reference_server.http.dispatch import ACCOUNT, Operation, perform
+from reference_server.http.connections.connection_limits import ConnectionLimiter
+from reference_server.http.dispatch import (
+    ACCOUNT,
+    OPERATION,
+    Operation,
+    operation_name,
+    perform,
+)
 from reference_server.http.event_streams import SharedStreams
-from reference_server.http.handlers import Handlers
+from reference_server.http.handlers import SOFTWARE_VERSION, Handlers
 from reference_server.http.pages.page_routes import Pages
+from reference_server.http.pages.page_sessions import PATH as PAGES_PATH
 from reference_server.http.problems import problem_response
 from reference_server.http.tokens.token_file import TokenFile
+from reference_server.monitoring.health import health_routes
+from reference_server.monitoring.metrics import ReadState, ServerState, metrics_route
+from reference_server.monitoring.metrics_listener import MetricsListener
+from reference_server.monitoring.readiness import Readiness
 from reference_server.profiles.operation_tables import profile_tables
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
@@ -45,13 +60,15 @@ from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.board_service import BoardService
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.seed_secret import SeedSecret
-from reference_server.runs.service import RunService
+from reference_server.runs.service import RunService, no_views_elsewhere
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.import_store import ImportStore
+from reference_server.storage.node_store import NodeStore
+from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store
+from reference_server.system.counters import COUNTERS
 from reference_server.system.hourly_work import HourlyWork
 from reference_server.system.log_output import (
     ACCESS_LOG,
@@ -59,6 +76,7 @@ from reference_server.system.log_output import (
     log_event,
     request_id_of,
 )
+from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorPool
 
 log = logging.getLogger("proctor.app")
@@ -67,12 +85,18 @@ access_log = logging.getLogger(ACCESS_LOG)
 _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 
 
-def build(settings: Settings, tokens: Tokens) -> Application:
-    """One server, its parts connected. Nothing runs before the lifespan begins."""
+def build(
+    settings: Settings,
+    tokens: Tokens,
+    limiter: ConnectionLimiter,
+    metrics_socket: socket.socket | None = None,
+) -> Application:
+    """One server, its parts connected. Nothing runs before the lifespan begins.
+
+    limiter: of its connections. metrics_socket: bound, for metrics; None for none.
+    """
     recordings, store, records, board_store = _storage_of(settings)
-    pool = SimulatorPool(
-        settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
-    )
+    pool = _pool_of(settings)
 
     # Called only while the server runs; by then both parts are there.
     def on_run_lost(run: Run) -> None:
@@ -81,22 +105,21 @@ def build(settings: Settings, tokens: Tokens) -> Application:
     def on_change(run: Run) -> None:
         driver.on_run_changed(run)
 
-    registry = _registry_of(settings, store, on_run_lost, on_change)
+    node = _node_of(settings, store, lambda: service)
+    registry = _registry_of(settings, store, on_run_lost, on_change, node)
     seed_secret = SeedSecret(settings.seed_secret_path)
     executor = _executor_of(settings, registry, pool, seed_secret, recordings)
     egress = EgressPolicy(settings.allow_private_policies)
     key_encryption = KeyEncryption(settings.sealing_key_path)
-    policy_server_validator = PolicyServerValidator(
-        egress, key_encryption, tuple(PROTOCOLS)
-    )
     service = _service_of(
         settings,
         registry,
         executor,
         benchmarks=Benchmarks(settings.max_chunk, seed_secret),
-        validator=policy_server_validator,
+        validator=PolicyServerValidator(egress, key_encryption, tuple(PROTOCOLS)),
         records=records,
         is_kept=None if board_store is None else board_store.keeps_run,
+        node=node,
     )
     retention = _retention_of(settings, service)
     board = _board_of(board_store, service)
@@ -108,36 +131,109 @@ def build(settings: Settings, tokens: Tokens) -> Application:
 
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
-        await store.open()
-        key_encryption.open()
-        seed_secret.open()
-        await _open_records(records, board)
-        await registry.open()
-        await pool.start()
-        if imports is not None:
-            await imports.open()
-        driver.open()
-        await asyncio.to_thread(token_file.read)
-        following = asyncio.create_task(token_file.follow())
-        retention.open()
-        try:
-            yield
-        finally:
-            following.cancel()
-            parts = (retention, driver, imports, executor, registry)
-            for part in (*parts, records, pool, store):
-                await _close(part)
+        async with _locked(settings):
+            await store.open()
+            key_encryption.open()
+            seed_secret.open()
+            await _open_all(records, registry)
+            await pool.start()
+            driver.open()
+            await _open_all(imports, node)
+            await asyncio.to_thread(token_file.read)
+            following = asyncio.create_task(token_file.follow())
+            retention.open()
+            await metrics.open()
+            try:
+                yield
+            finally:
+                following.cancel()
+                await _close_all(metrics, retention, driver, imports, executor)
+                await _close_all(registry, node, records, pool, store)
 
-    return Application(_router(handlers, tokens, lifespan), registry.release_waiters)
+    readiness = _readiness_of(store, pool, registry)
+    read_state = partial(_read_state, registry, executor, pool, streams, limiter)
+    metrics = _metrics_of(metrics_socket, readiness, read_state)
+    router = _router(handlers, tokens, readiness, lifespan, node)
+    return Application(router, partial(_begin_drain, registry, driver, node), executor)
+
+
+@asynccontextmanager
+async def _locked(settings: Settings) -> AsyncIterator[None]:
+    """While the server uses its database, as the only one or as one of its nodes."""
+    end_server = partial(signal.raise_signal, signal.SIGTERM)
+    is_shared = settings.cluster == "on"
+    lock = lock_of(settings.database_url, end_server, is_shared=is_shared)
+    await lock.acquire()
+    try:
+        yield
+    finally:
+        await lock.release()
+
+
+async def _begin_drain(
+    registry: RunRegistry, driver: Driver, node: ServerNode | None
+) -> None:
+    registry.begin_ending()
+    if node is not None:
+        node.membership.stop_claiming()
+    await driver.stop_playing()
+
+
+def _readiness_of(
+    store: Store, pool: SimulatorPool, registry: RunRegistry
+) -> Readiness:
+    checks = {"database": store.check_writable, "simulators": pool.check_start}
+    return Readiness(checks, is_draining=lambda: registry.is_ending)
+
+
+def _metrics_of(
+    listener: socket.socket | None, readiness: Readiness, read_state: ReadState
+) -> MetricsListener:
+    routes = [metrics_route(COUNTERS, read_state), *health_routes(readiness)]
+    return MetricsListener(listener, routes)
+
+
+def _read_state(
+    registry: RunRegistry,
+    executor: SessionExecutor,
+    pool: SimulatorPool,
+    streams: SharedStreams,
+    limiter: ConnectionLimiter,
+) -> ServerState:
+    """For the page of metrics, which is there without the database, too."""
+    return ServerState(
+        version=SOFTWARE_VERSION,
+        is_draining=registry.is_ending,
+        connections=limiter.count,
+        event_streams=streams.count,
+        sessions=executor.sessions,
+        turns=executor.turns_in_progress,
+        runs=registry.count_open(),
+        oldest_queued_s=registry.oldest_queued_s(),
+        simulators={"lent": pool.busy, "idle": pool.idle},
+        simulators_max=pool.size_max,
+        simulator_starts=pool.starts,
+    )
+
+
+class _Opened(Protocol):
+    async def open(self) -> None: ...
 
 
 class _Part(Protocol):
     async def close(self) -> None: ...
 
 
-async def _close(part: _Part | None) -> None:
-    if part is not None:
-        await part.close()
+async def _open_all(*parts: _Opened | None) -> None:
+    for part in parts:
+        if part is not None:
+            await part.open()
+
+
+async def _close_all(*parts: _Part | None) -> None:
+    for part in parts:
+        if part is not None:
+            await part.close()
 
 
 def _registry_of(
@@ -145,6 +241,7 @@ def _registry_of(
     store: Store,
     on_run_lost: Callable[[Run], None],
     on_change: Callable[[Run], None],
+    node: ServerNode | None,
 ) -> RunRegistry:
     return RunRegistry(
         store,
@@ -153,6 +250,27 @@ def _registry_of(
         on_change,
         unused_s=settings.unused_s_max,
         quota=_quota(settings),
+        ownership=None if node is None else node.membership,
+    )
+
+
+def _node_of(
+    settings: Settings, store: Store, service: Callable[[], RunService]
+) -> ServerNode | None:
+    """service: is there once the server is put together."""
+    if settings.cluster == "off":
+        return None
+    return ServerNode(
+        NodeStore(store, settings.node_lease_s),
+        settings.node_url or f"http://{settings.host}:{settings.port}",
+        settings.node_lease_s,
+        service,
+    )
+
+
+def _pool_of(settings: Settings) -> SimulatorPool:
+    return SimulatorPool(
+        settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
     )
 
 
@@ -173,20 +291,33 @@ def _executor_of(
     )
 
 
-def _router(handlers: Handlers, tokens: Tokens, lifespan: Lifespan[Any]) -> Router:
+def _router(
+    handlers: Handlers,
+    tokens: Tokens,
+    readiness: Readiness,
+    lifespan: Lifespan[Any],
+    node: ServerNode | None,
+) -> Router:
     table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
-    routes: list[BaseRoute] = [
-        Route(path, _Endpoint(operations, tokens, settings.max_body_bytes, hosts))
+    endpoints: dict[str, ASGIApp] = {
+        path: _Endpoint(operations, tokens, settings.max_body_bytes, hosts)
         for path, operations in table.items()
-    ]
+    }
+    if node is not None:
+        endpoints = node.routed(endpoints)
+    routes: list[BaseRoute] = [Route(*one) for one in endpoints.items()]
+    routes += health_routes(readiness)
     if settings.pages == "off":
         return Router(routes, False, _not_found, lifespan=lifespan)
+    node_id = str if node is None else node.node_id
+    pages = Pages(hosts, settings.public_url, node_id)
+    shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(_not_found))
+    if node is not None:
+        shown = node.routed_pages(shown)
     # Behind the operations: no turn looks at their routes.
-    pages = Pages(hosts, settings.public_url)
-    default = pages.lead_from_root(_not_found)
-    router = Router(routes + pages.routes(), False, default, lifespan=lifespan)
+    router = Router(routes, False, shown, lifespan=lifespan)
     pages.use_api(router)
     return router
 
@@ -211,7 +342,7 @@ def _recordings_of(settings: Settings) -> Recordings | None:
 
 def _store_of(settings: Settings, recordings: Recordings | None) -> Store:
     if recordings is None:
-        return Store(settings.database_url)
+        return Store(settings.database_url, is_shared=settings.cluster == "on")
     return Store(
         settings.database_url, recordings.finish_unplayed, recordings.remove_parts
     )
@@ -241,6 +372,7 @@ def _service_of(
     validator: PolicyServerValidator,
     records: RunRecords | None,
     is_kept: Callable[[str, bool], Awaitable[bool]] | None,
+    node: ServerNode | None,
 ) -> RunService:
     return RunService(
         SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),
@@ -252,6 +384,7 @@ def _service_of(
         records,
         deletes_played=settings.delete_played_runs == "on",
         is_kept=is_kept,
+        views_elsewhere=no_views_elsewhere if node is None else node.views.fetch,
     )
 
 
@@ -287,12 +420,6 @@ def _imports_of(
     return RecordImports(ImportStore(store), pool, records, imports)
 
 
-async def _open_records(records: RunRecords | None, board: BoardService | None) -> None:
-    if records is not None and board is not None:
-        await records.open()
-        await board.open()
-
-
 def _quota(settings: Settings) -> Quota:
     return Quota(
         settings.max_open_runs, settings.max_idempotency_keys, settings.max_stored_bytes
@@ -310,6 +437,10 @@ class _Endpoint:
         hosts: AllowedHosts,
     ) -> None:
         self._operations = operations
+        self._names = {
+            method: operation_name(operation)
+            for method, operation in operations.items()
+        }
         self._tokens = tokens
         self._max_body = max_body
         self._hosts = hosts
@@ -319,6 +450,7 @@ class _Endpoint:
         if operation is None:
             response = self._not_allowed(scope["method"])
         else:
+            scope[OPERATION] = self._names[scope["method"]]
             request = Request(scope, receive)
             response = await perform(
                 request, operation, self._tokens, self._max_body, self._hosts
@@ -342,12 +474,22 @@ class Application:
     One layer around the router, not a framework's stack of them: a turn passes every
     layer three times.
 
-    on_shutdown: to be called when the server begins to end; ends waiting requests.
+    begin_drain: to be called when the server begins to end; ends waiting requests, and
+    from then on nothing new begins. executor: has the turns that are to be finished.
     """
 
-    def __init__(self, app: ASGIApp, on_shutdown: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        app: ASGIApp,
+        begin_drain: Callable[[], Awaitable[None]],
+        executor: SessionExecutor,
+    ) -> None:
         self._app = app
-        self.on_shutdown = on_shutdown
+        self._executor = executor
+        self.begin_drain = begin_drain
+
+    def turns_in_progress(self) -> int:
+        return self._executor.turns_in_progress
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":
@@ -376,16 +518,24 @@ class Application:
             refused = Refused("internal_error", "Internal server error.")
             await problem_response(refused)(scope, receive, send_versioned)
         finally:
+            took_s = time.perf_counter() - started
+            operation = scope.get(OPERATION) or _other(scope["path"])
+            COUNTERS.requests[operation, status // 100].add(took_s)
             log_event(
                 access_log,
                 "request",
                 method=scope["method"],
                 path=scope["path"],
                 status=status,
-                ms=round(1000 * (time.perf_counter() - started), 1),
+                ms=round(1000 * took_s, 1),
                 account=scope.get(ACCOUNT),
                 client=(scope.get("client") or ("-",))[0],
             )
+
+
+def _other(path: str) -> str:
+    """What a request that is no operation counts as."""
+    return "pages" if path.startswith(PAGES_PATH) else "other"
 
 
 def _header(scope: Scope, name: bytes) -> bytes | None:

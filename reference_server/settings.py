@@ -49,7 +49,29 @@ class Settings(BaseSettings):
     )
     database: str = Field(
         "var/proctor.sqlite",
-        description="Path of an SQLite file, or a SQLAlchemy URL.",
+        description="Path of an SQLite file, or the URL of a PostgreSQL database, "
+        "postgresql://USER:PASSWORD@HOST/NAME. One server at a time uses it, or the "
+        "nodes of one cluster.",
+    )
+    cluster: Literal["off", "on"] = Field(
+        "off",
+        description="Whether several servers share the database: each is a node that "
+        "plays runs of its own, and passes requests for those of the others on. Needs "
+        "equal settings on all nodes, recordings off, no profiles and, without an "
+        "SQLite file, tokens, sealing_key and seed_secret.",
+    )
+    node_url: str = Field(
+        "",
+        pattern=r"^(http://[^\s/]{1,380})?$",
+        description="Cluster: base URL at which the other nodes reach this one. If "
+        "empty, host and port.",
+    )
+    node_lease_s: float = Field(
+        5.0,
+        ge=0.5,
+        le=600,
+        description="Cluster: time after which the runs of a node that does not reach "
+        "the database are taken over by the others.",
     )
     benchmarks: str = Field(
         "",
@@ -63,14 +85,15 @@ class Settings(BaseSettings):
         "is read, run or read+run, with +read_all a reader of the runs of all "
         "accounts, and with +host one who flags entries of the leaderboard; token is "
         "the secret or sha256=<its hex digest>. If empty, one is made and printed. It "
-        "is kept in a file next to the SQLite file, and stays the same; with another "
-        "database it lasts until the server stops.",
+        "is kept in a file next to the SQLite file, and stays the same; with "
+        "PostgreSQL in var/postgresql.token.",
     )
     tokens_file: str = Field(
         "",
         description="File with more tokens, one on a line, each "
         "account:scopes:sha256=HEX; `proctor admin token` writes it. It is read again "
-        "when it changes. If empty, a file next to the SQLite file, if there is one.",
+        "when it changes. If empty, a file next to the SQLite file; with PostgreSQL "
+        "var/postgresql.tokens.",
     )
     profiles: str = Field(
         "",
@@ -130,7 +153,7 @@ class Settings(BaseSettings):
     records_dir: str = Field(
         "",
         description="Folder of the recordings; created if missing. If empty, a folder "
-        "next to the SQLite file; with another database, var/records; with one in "
+        "next to the SQLite file; with PostgreSQL, var/records; with a database in "
         "memory, a folder that is removed when the server stops.",
     )
     record_promise: Literal["exact", "outcome"] = Field(
@@ -141,8 +164,8 @@ class Settings(BaseSettings):
     signing_key: str = Field(
         "",
         description="File with the key that signs records; created if missing. If "
-        "empty, a file next to the SQLite file; with another database, a key in memory "
-        "that is lost when the server stops.",
+        "empty, a file next to the SQLite file; with PostgreSQL "
+        "var/postgresql.signing-key.",
     )
     records_keep_days: float = Field(
         0,
@@ -216,14 +239,14 @@ class Settings(BaseSettings):
         "",
         description="File with the key that encrypts API keys of policy servers in the "
         "database; created if missing. If empty, a file next to the SQLite file; with "
-        "another database, a key in memory that is lost when the server stops.",
+        "PostgreSQL var/postgresql.key.",
     )
     seed_secret: str = Field(
         "",
         description="File with the secret that the seeds of sealed splits are drawn "
         "with; created if missing. Servers that share a database share it. If empty, a "
-        "file next to the SQLite file; with another database, a secret in memory that "
-        "is lost when the server stops, and with it the runs that have such seeds.",
+        "file next to the SQLite file; with PostgreSQL var/postgresql.seeds. With a "
+        "database in memory it is lost when the server stops.",
     )
     max_workers: int = Field(
         16, ge=1, le=1024, description="Maximum live workers per run."
@@ -248,8 +271,8 @@ class Settings(BaseSettings):
         16 * 2**30,
         ge=1,
         description="Maximum bytes that the runs of one account may take in the "
-        "database: their submissions, and 512 for each episode. They are kept for "
-        "good.",
+        "database: their submissions, 512 for each episode, and what the history of "
+        "the leaderboard says of their entries. They are kept for good.",
     )
     max_simulators: int = Field(
         64, ge=1, description="Maximum simulator processes, over all runs."
@@ -324,6 +347,35 @@ class Settings(BaseSettings):
     max_chunk: int = Field(
         64, ge=4, le=4096, description="Maximum actions in one turn."
     )
+    metrics: Literal["off", "on"] = Field(
+        "off",
+        description="Whether metrics for Prometheus are served, at /metrics of a port "
+        "of their own, with /livez and /readyz.",
+    )
+    metrics_host: str = Field(
+        "127.0.0.1",
+        description="Address of that port. There is no token: name one that only the "
+        "operator reaches.",
+    )
+    metrics_port: int = Field(
+        9464, ge=0, le=65535, description="That port; 0 chooses a free port."
+    )
+    drain_s: float = Field(
+        10.0,
+        ge=0,
+        le=3600,
+        description="After SIGTERM or Ctrl-C, how long the server waits for turns in "
+        "progress and sends their answers. What is new is refused meanwhile. A second "
+        "signal ends it at once.",
+    )
+    drain_notice_s: float = Field(
+        0.0,
+        ge=0,
+        le=3600,
+        description="After SIGTERM or Ctrl-C, how long the server listens in any case "
+        "and answers /readyz with 503, so that a load balancer learns that it ends. "
+        "drain_s begins after it.",
+    )
     log_level: Literal["critical", "error", "warning", "info", "debug", "trace"] = (
         Field(
             "warning",
@@ -372,6 +424,29 @@ class Settings(BaseSettings):
             )
         return self
 
+    @model_validator(mode="after")
+    def _check_cluster(self) -> Self:
+        """What is kept by each server alone cannot be shared by nodes."""
+        if self.cluster == "off":
+            return self
+        if ":memory:" in self.database:
+            raise ValueError("cluster needs a database that other servers can open")
+        if self.recordings != "off" or self.record_imports != "off":
+            raise ValueError("cluster needs recordings off and record_imports off")
+        if self.profiles:
+            raise ValueError("cluster needs profiles empty")
+        if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104
+            raise ValueError(
+                f"cluster with host {self.host!r} needs node_url: set it to the URL at "
+                "which the other nodes reach this one, such as http://10.0.0.1:8460"
+            )
+        is_file = "://" not in self.database
+        if not (is_file or (self.tokens and self.sealing_key and self.seed_secret)):
+            raise ValueError(
+                "cluster needs tokens, sealing_key and seed_secret, equal on all nodes"
+            )
+        return self
+
     @field_validator("allow_private_policies")
     @classmethod
     def _check_networks(cls, text: str) -> str:
@@ -409,7 +484,9 @@ class Settings(BaseSettings):
         )
 
     def _beside_database(self, ending: str) -> Path | None:
-        """A file that is kept with the database; None if that is no file."""
+        """A file that is kept with the database; None for one that lasts no longer."""
+        if self.database.startswith("postgres"):
+            return Path(f"var/postgresql.{ending}")
         if "://" in self.database or ":memory:" in self.database:
             return None
         return Path(f"{self.database}.{ending}")
@@ -450,9 +527,7 @@ class Settings(BaseSettings):
         """The file of the key that signs records; None for a key in memory."""
         if self.signing_key:
             return Path(self.signing_key)
-        if "://" in self.database or ":memory:" in self.database:
-            return None
-        return Path(f"{self.database}.signing-key")
+        return self._beside_database("signing-key")
 
     @property
     def database_url(self) -> str:

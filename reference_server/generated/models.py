@@ -366,6 +366,20 @@ class EntryScore(BaseModel):
     success_interval: Interval
     mean_interval: Interval
     counts: OutcomeCounts
+    by_task: Annotated[
+        dict[str, GroupScore] | MISSING,
+        Field(
+            description="Absent where the server does not show it, such as for many tasks.",
+            max_length=100000,
+        ),
+    ] = MISSING
+    by_split: Annotated[
+        dict[str, GroupScore] | MISSING,
+        Field(
+            description="Absent where the server does not show it, such as for many splits.",
+            max_length=100000,
+        ),
+    ] = MISSING
 
 
 EntryState = TypeAliasType(

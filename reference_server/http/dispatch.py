@@ -78,6 +78,8 @@ QUERY_PATTERNS: dict[str, str] = {
 }
 # Where a request's scope has the account of its caller, for the log.
 ACCOUNT = "proctor.account"
+# And the name of its operation, for the metrics.
+OPERATION = "proctor.operation"
 # What a pattern cannot say of a number: the least and the largest.
 QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}
 
@@ -109,6 +111,14 @@ class Operation:
     max_body_bytes: int = sys.maxsize
     without_token: bool = False
     has_streamed_body: bool = False
+
+
+def operation_name(operation: Operation) -> str:
+    """The name of its handler, after that of the profile where it has another API."""
+    handler = operation.handler
+    name = getattr(handler, "__name__", "unnamed")
+    _, _, profile = handler.__module__.partition(".profiles.")
+    return f"{profile.partition('.')[0]}_{name}" if profile else name
 
 
 @dataclass(slots=True)

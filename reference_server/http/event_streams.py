@@ -24,7 +24,7 @@ from starlette.types import Receive, Scope, Send
 from reference_server.rules.events import Cursor, EventBatch, next_batch
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.registry import RunChange, RunRegistry
 from reference_server.storage.store import StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
 from reference_server.views.run_views import episode_view
@@ -63,8 +63,8 @@ class SharedStreams:
     def __init__(self, per_run: int = 100) -> None:
         self._per_run = per_run
         self._open: Counter[tuple[str, str]] = Counter()
-        # Change that ends it → what was asked → the batch.
-        self._batches: WeakKeyDictionary[asyncio.Event, Batches] = WeakKeyDictionary()
+        # RunChange that ends it → what was asked → the batch.
+        self._batches: WeakKeyDictionary[RunChange, Batches] = WeakKeyDictionary()
 
     def enter(self, account: str, run_id: str) -> Callable[[], None]:
         """Count a stream; returns what to call at its end. Raises Refused."""
@@ -78,9 +78,13 @@ class SharedStreams:
         self._open.update(list(places))
         return partial(self._leave, list(places))
 
+    @property
+    def count(self) -> int:
+        return sum(n for (kind, _), n in self._open.items() if kind == "run")
+
     async def batch(
         self,
-        change: asyncio.Event,
+        change: RunChange,
         key: Hashable,
         read: Callable[[], Coroutine[Any, Any, EventBatch]],
     ) -> EventBatch:
@@ -139,7 +143,7 @@ class EventStream:
         body = self._stream_events(first, change)
         return _CountedResponse(body, leave)
 
-    async def _next_batch(self, cursor: Cursor, change: asyncio.Event) -> EventBatch:
+    async def _next_batch(self, cursor: Cursor, change: RunChange) -> EventBatch:
         # A token that sees more shares nothing with another one of its account.
         key = (cursor, self._reader, self.view_id)
         return await self.shared.batch(change, key, partial(self._read_batch, cursor))
@@ -162,7 +166,7 @@ class EventStream:
         )
 
     async def _stream_events(
-        self, batch: EventBatch, change: asyncio.Event
+        self, batch: EventBatch, change: RunChange
     ) -> AsyncIterator[bytes]:
         """What is sent, part by part; the next is made when the last was sent."""
         last_sent_at = last_read_at = time.monotonic()

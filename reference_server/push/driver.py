@@ -39,6 +39,7 @@ from reference_server.rules.lifecycle import (
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs.registry import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
@@ -124,7 +125,7 @@ class Driver:
         if not self._closed:
             self.open()
 
-    async def close(self) -> None:
+    async def stop_playing(self) -> None:
         """Cancel every call; the runs are continued at the next start."""
         self._closed = True
         drives = list(self._drives.values())
@@ -132,6 +133,9 @@ class Driver:
             drive.cancel()
         if drives:
             await asyncio.wait(drives)
+
+    async def close(self) -> None:
+        await self.stop_playing()
         self._egress.close()
 
     def on_run_changed(self, run: Run) -> None:
@@ -177,6 +181,8 @@ class Driver:
                 policy = PROTOCOLS[config.protocol](run, config, calls)
                 drive = _Drive(run.run_id, policy, await policy.describe(), calls)
                 await self._play_all(drive, config, len(run.pending))
+        except OwnedElsewhere:
+            log.info("run %s is played by another node", run.run_id)
         except PolicyFault as error:
             await self._fail_run(run.run_id, str(error))
         except _RunCannotContinue as error:
@@ -221,6 +227,8 @@ class Driver:
                     backoff = Backoff.between_sessions()
                     worker = _Worker(f"push-{number}", drive, backoff)
                     group.create_task(self._run_worker(worker))
+        except* OwnedElsewhere:
+            raise OwnedElsewhere(drive.run_id) from None
         except* (PolicyFault, _RunCannotContinue) as errors:
             reason = str(errors.exceptions[0])
             raise _RunCannotContinue(reason) from errors
@@ -244,6 +252,8 @@ class Driver:
 
     def _handle_refusal(self, drive: _Drive, refused: Refused, refusals: int) -> None:
         """This server refused its own worker: raises unless waiting can help."""
+        if isinstance(refused, OwnedElsewhere):
+            raise refused
         if refused.code in ("convention_mismatch", "benchmark_unavailable"):
             details = "; ".join(f"{at} {text}" for at, text in refused.errors)
             redacted = drive.calls.redact_key(details)

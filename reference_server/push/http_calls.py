@@ -33,6 +33,7 @@ from reference_server.push.egress import (
     HostNotResolved,
 )
 from reference_server.rules.refusal import Refused
+from reference_server.system.counters import COUNTERS, timed
 
 _PROBLEM_TEXT_MAX = 200
 # Of an answer; policy.yaml has it as what a server reads at least. Only actions may be
@@ -162,7 +163,8 @@ class HttpCalls:
         while True:
             try:
                 async with self._slots:
-                    return await self._call_with_deadline(call)
+                    with timed(COUNTERS.policy_calls):
+                        return await self._call_with_deadline(call)
             except PolicyFault as fault:
                 if not fault.retryable or left == 0:
                     tries = self._limits.max_retries - left + 1

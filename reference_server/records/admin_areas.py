@@ -34,13 +34,16 @@ class CannotDo(Exception):
 class AdminFiles:
     """Where a server has what it signs and records; keep_days: its promise, 0 all.
 
-    key_path, folder: None where they last as long as the server.
+    key_path, folder, seed_secret_path: None where they last as long as the server.
+    benchmarks: the host's own, as in the setting.
     """
 
     database_url: str
     key_path: Path | None
     folder: Path | None
     keep_days: float
+    seed_secret_path: Path | None = None
+    benchmarks: str = ""
 
 
 def add_areas(areas: Any) -> None:
@@ -82,7 +85,7 @@ def list_keys(files: AdminFiles, _args: argparse.Namespace) -> None:
 
 
 async def _keys_of(url: str) -> list[PublicKey]:
-    async with _opened(url) as store:
+    async with opened_store(url) as store:
         return await store.keys()
 
 
@@ -148,7 +151,7 @@ async def _usage_of(files: AdminFiles) -> list[RunUsage]:
     folder = _folder_of(files)
     names = sorted(path.name for path in folder.iterdir() if path.is_dir())
     found: list[RunUsage] = []
-    async with _opened(files.database_url) as store:
+    async with opened_store(files.database_url) as store:
         for start in range(0, len(names), RUNS_PER_READ):
             page = names[start : start + RUNS_PER_READ]
             heads = await store.heads(page)
@@ -179,7 +182,7 @@ def prune_old(files: AdminFiles, args: argparse.Namespace) -> None:
 
 async def _prune(files: AdminFiles, days: float, *, is_dry: bool) -> list[str]:
     recordings = Recordings(_folder_of(files))
-    async with _opened(files.database_url) as store:
+    async with opened_store(files.database_url) as store:
         records = RunRecords(store, recordings, HostSettings("", None, keep_days=days))
         try:
             return await records.remove_old(time.time(), is_dry=is_dry)
@@ -194,10 +197,10 @@ def _folder_of(files: AdminFiles) -> Path:
 
 
 @asynccontextmanager
-async def _opened(url: str) -> AsyncIterator[Store]:
+async def opened_store(url: str) -> AsyncIterator[Store]:
     store = Store(url)
     try:
-        await store.open()
+        await store.open(upgrade=False)
         yield store
     finally:
         await store.close()

@@ -1,33 +1,33 @@
-"""Archives that were handed in, as files: received within a bound, examined, kept.
+"""Archives that were handed in, as files: received within a bound, and kept.
 
-An archive has its name only when it is whole and on disk. What reads it first is a
-process of its own (`verify_process.py`): it may be hostile.
+An archive has its name only when it is whole and on disk. Nothing here parses one.
 
     IMPORTS/imp_4f2a.proctor    a record in which nothing is wrong
     IMPORTS/.imp_4f2a.part      bytes that are being received or examined
+    IMPORTS/.imp_4f2a.pending   its row is being added or deleted
+
+Whatever else is there was not written here, and stays.
 """
 
 from __future__ import annotations
 
 import asyncio
 import hashlib
+import logging
 import os
-import sys
+import re
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import msgspec
+log = logging.getLogger("proctor.imports")
 
-from reference_record.broken import ARCHIVE, BrokenRecord
-from reference_server.records.verify_process import Found, RecordFacts
-
-SUFFIX, DRAFT_SUFFIX = ".proctor", ".part"
+SUFFIX, DRAFT_SUFFIX, PENDING_SUFFIX = ".proctor", ".part", ".pending"
+_OWN_NAME = re.compile(r"\.?(imp_[0-9a-f]{24})(\.[a-z]+)", re.ASCII)
+NAMED_MAX = 5
 # Parts of a body are collected up to this size: a write is a switch to a thread.
 WRITE_BYTES = 2**20
-# A record of 4 GiB is read through in a tenth of it.
-EXAMINE_S_MAX = 600.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,15 +45,44 @@ class ImportFiles:
     def __init__(self, folder: Path | None) -> None:
         self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
         self._folder = folder or Path(self._temporary.name if self._temporary else "")
-        # One at a time: the processors are there for those who play.
-        self._examining = asyncio.Lock()
 
     def open(self, import_ids: set[str]) -> None:
-        """Make the folder, and remove what is no import's. Raises OSError."""
+        """Make the folder, and finish what a crash cut off. Raises OSError.
+
+        import_ids: those of the database. An archive of no import is kept: the folder
+        may be that of another server, or the database an older copy.
+        """
         self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-        for path in self._folder.iterdir():
-            if path.suffix == DRAFT_SUFFIX or path.stem not in import_ids:
-                path.unlink()
+        unknown = [
+            path.name
+            for path in sorted(self._folder.iterdir())
+            if not self._is_settled(path, import_ids)
+        ]
+        if unknown:
+            named = ", ".join(unknown[:NAMED_MAX])
+            text = "%s: %d files belong to no record of this database, and are kept: %s"
+            log.warning(text, self._folder, len(unknown), named)
+
+    def _is_settled(self, path: Path, import_ids: set[str]) -> bool:
+        """Whether the file is known; what was left of an import is removed.
+
+        In the order of names: `.imp_x.pending` comes before what it decides about.
+        """
+        own = _OWN_NAME.fullmatch(path.name)
+        if own is None or path.is_dir():
+            return False
+        import_id = own[1]
+        if path == self.draft_path(import_id):
+            path.unlink(missing_ok=True)
+        elif path == self._pending_path(import_id):
+            if import_id not in import_ids:
+                self.path(import_id).unlink(missing_ok=True)
+            path.unlink(missing_ok=True)
+        else:
+            return path == self.path(import_id) and (
+                import_id in import_ids or not path.exists()
+            )
+        return True
 
     def close(self) -> None:
         if self._temporary is not None:
@@ -64,6 +93,9 @@ class ImportFiles:
 
     def draft_path(self, import_id: str) -> Path:
         return self._folder / f".{import_id}{DRAFT_SUFFIX}"
+
+    def _pending_path(self, import_id: str) -> Path:
+        return self._folder / f".{import_id}{PENDING_SUFFIX}"
 
     async def receive(self, import_id: str, parts: AsyncIterator[bytes]) -> Draft:
         """Write a body to a draft. Raises OSError, and what `parts` raises."""
@@ -85,58 +117,27 @@ class ImportFiles:
             await asyncio.to_thread(write, bytes(collected))
         return Draft(path, size, digest.hexdigest())
 
-    async def examine(self, draft: Draft) -> RecordFacts:
-        """REC-113: what the record says; raises BrokenRecord."""
-        async with self._examining:
-            process = await asyncio.create_subprocess_exec(
-                *(
-                    sys.executable,
-                    "-P",
-                    "-m",
-                    "reference_server.records.verify_process",
-                ),
-                str(draft.path.absolute()),
-                stdin=asyncio.subprocess.DEVNULL,
-                stdout=asyncio.subprocess.PIPE,
-                env=_environment(),
-                start_new_session=True,  # a terminal's Ctrl-C is the server's to handle
-            )
-            try:
-                said, _ = await asyncio.wait_for(process.communicate(), EXAMINE_S_MAX)
-            except TimeoutError:
-                said = b""
-            finally:
-                if process.returncode is None:
-                    process.kill()
-                    await process.wait()
-        try:
-            found = msgspec.json.decode(said, type=Found)
-        except msgspec.DecodeError as error:
-            detail = "it takes more memory or time than a verifier has for it"
-            raise BrokenRecord(ARCHIVE, "REC-030", detail) from error
-        if found.facts is None:
-            assert found.broken is not None
-            raise BrokenRecord(
-                found.broken.file, found.broken.rule, found.broken.detail
-            )
-        return found.facts
-
     async def keep(self, import_id: str, draft: Draft) -> None:
-        """Give the draft its name, durably. Raises OSError."""
+        """Give the draft its name, durably; `settle` has to follow. Raises OSError."""
+        self.begin_change(import_id)
         await asyncio.to_thread(_rename_durably, draft.path, self.path(import_id))
+
+    def begin_change(self, import_id: str) -> None:
+        """Its row is about to change: `open` looks how it did. Raises OSError."""
+        self._pending_path(import_id).touch(0o600)
+
+    def is_changing(self, import_id: str) -> bool:
+        return self._pending_path(import_id).exists()
+
+    def settle(self, import_id: str) -> None:
+        """The database says what is true of it. Raises OSError."""
+        self._pending_path(import_id).unlink(missing_ok=True)
 
     def remove(self, import_id: str) -> None:
         """Remove all that is there of an import."""
         for path in (self.draft_path(import_id), self.path(import_id)):
             path.unlink(missing_ok=True)
-
-
-def _environment() -> dict[str, str]:
-    """Without the server's settings: tokens and database passwords are there."""
-    root = str(Path(__file__).parents[2])
-    paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
-    kept = {k: v for k, v in os.environ.items() if not k.startswith("PROCTOR_")}
-    return kept | {"PYTHONPATH": os.pathsep.join(paths)}
+        self.settle(import_id)
 
 
 def _rename_durably(draft: Path, path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Simulates records that were handed in again, one after another, oldest first.
+"""Simulates records that were handed in again, one after another, accounts in turn.
 
 Each has a simulator beside those of runs, with low priority: no run waits for it. What
 a restart cuts off begins again. It decides no level of trust.
@@ -10,24 +10,25 @@ import asyncio
 import contextlib
 import logging
 import time
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 from typing import cast
 
 import msgspec
+from pydantic import ValidationError
 
 from reference_record.broken import BrokenRecord, UnusableRecord
-from reference_record.formats.bundle import open_bundle
-from reference_record.formats.names import MANIFEST, STATEMENT
 from reference_record.replay_verdict import (
     Divergence,
     ReplaySummary,
     Result,
     replay_of,
 )
-from reference_record.statement import EpisodeLine
-from reference_record.verification import read_statement
+from reference_record.statement import RecordedResult
+from reference_server.generated import models
+from reference_server.records.record_verifier import ExaminationFailed, RecordVerifier
 from reference_server.rules import imported_record
 from reference_server.rules.imported_record import ImportReplay, RecordImport
 from reference_server.storage.import_store import ImportStore
@@ -40,10 +41,11 @@ from reference_sim.process.pool import (
     SimulatorPool,
     TaskUnplayable,
 )
+from reference_sim.replay.foreign_manifest import BenchmarkChoice
 from reference_sim.replay.record_replay import (
+    NO_SEEDS,
     ReplayedBenchmark,
-    replayable_lines,
-    resolve,
+    resolve_choice,
 )
 
 log = logging.getLogger("proctor.imports")
@@ -67,17 +69,20 @@ class ImportReplays:
         self,
         store: ImportStore,
         pool: SimulatorPool,
+        verifier: RecordVerifier,
+        *,
         path_of: Callable[[str], Path],
         sign: Sign,
         replay_s_max: float,
     ) -> None:
-        self._store, self._pool = store, pool
+        self._store, self._pool, self._verifier = store, pool, verifier
         self._path_of, self._sign = path_of, sign
         self._replay_s_max = replay_s_max
         self._wake = asyncio.Event()
         self._worker: asyncio.Task[None] | None = None
         self._current: tuple[str, asyncio.Task[None]] | None = None
         self._replayed = 0
+        self._last_turns: dict[str, int] = {}
 
     def open(self) -> None:
         """REC-123: go on with what is not finished."""
@@ -112,12 +117,20 @@ class ImportReplays:
             await self._wake.wait()
             self._wake.clear()
             try:
-                while (one := await self._store.oldest_unfinished()) is not None:
+                while (one := await self._next()) is not None:
                     await self._finish_task(one)
             except (StoreFailed, NoCapacity) as error:
                 log.warning("records are not replayed at the moment: %s", error)
                 await asyncio.sleep(RETRY_S)
                 self._wake.set()
+
+    async def _next(self) -> RecordImport | None:
+        waiting = await self._store.oldest_unfinished()
+        one = imported_record.next_to_replay(waiting, self._last_turns)
+        if one is not None:
+            turn = 1 + max(self._last_turns.values(), default=0)
+            self._last_turns[one.account] = turn
+        return one
 
     async def _finish_task(self, one: RecordImport) -> None:
         """In a task of its own, which `stop` may cancel."""
@@ -160,21 +173,35 @@ class ImportReplays:
     async def _replay(self, one: RecordImport) -> ReplaySummary:
         path = self._path_of(one.import_id)
         try:
-            benchmark, lines = await asyncio.to_thread(_prepare, path)
-        except (UnusableRecord, BrokenRecord, OSError) as error:
+            benchmark, recorded = await self._prepare(path)
+        except (UnusableRecord, BrokenRecord, ExaminationFailed, OSError) as error:
             raise NotReplayed(f"It cannot be replayed here: {error}.") from error
         results: dict[int, tuple[Result, Divergence | None]] = {}
         handle: SimulatorHandle | None = None
         try:
-            for line in lines:
+            for result in recorded:
                 if handle is None:
                     handle = await self._start(benchmark)
-                results[line.index] = await _replay_line(handle, path, benchmark, line)
+                found = await _replay_one(handle, path, benchmark, result)
+                results[result.index] = found
                 self._replayed = len(results)
         finally:
             if handle is not None:
                 handle.discard()
         return replay_of(results, engine_fingerprint())
+
+    async def _prepare(
+        self, path: Path
+    ) -> tuple[ReplayedBenchmark, Iterator[RecordedResult]]:
+        """The benchmark as this server has it, and the results to be simulated."""
+        recorded = await self._verifier.read_for_replay(path)
+        check_choice(recorded.choice)
+        benchmark = await asyncio.to_thread(resolve_choice, recorded.choice)
+        found = (one for one in recorded.results() if benchmark.can_simulate(one.index))
+        first = next(found, None)
+        if first is None:
+            raise UnusableRecord(NO_SEEDS)
+        return benchmark, chain([first], found)
 
     async def _start(self, benchmark: ReplayedBenchmark) -> SimulatorHandle:
         try:
@@ -183,24 +210,33 @@ class ImportReplays:
             raise NotReplayed(f"No simulator could be made for it: {fault}.") from fault
 
 
-def _prepare(path: Path) -> tuple[ReplayedBenchmark, list[EpisodeLine]]:
-    """What the manifest names, as this server has it, and what can be simulated."""
-    bundle = open_bundle(path)
-    statement, _ = read_statement(bundle.read(STATEMENT))
-    benchmark = resolve(statement.predicate, bundle.read(MANIFEST))
-    return benchmark, replayable_lines(path, benchmark)
-
-
-async def _replay_line(
-    handle: SimulatorHandle, path: Path, benchmark: ReplayedBenchmark, line: EpisodeLine
-) -> tuple[Result, Divergence | None]:
-    plan = msgspec.json.encode(benchmark.plan_of(line.index))
+def check_choice(choice: BenchmarkChoice) -> None:
+    """As a submission is checked: raises UnusableRecord for what none may have."""
+    said = {"benchmark_id": choice.benchmark_id, "policy": {"name": "a record"}}
+    select = None if choice.select is None else msgspec.to_builtins(choice.select)
+    chosen = {"options": choice.options, "images": choice.images, "select": select}
+    said |= {name: value for name, value in chosen.items() if value is not None}
     try:
-        found = await handle.replay(path, msgspec.json.encode(line), plan)
+        models.SubmitRun.model_validate(said, strict=True)
+    except ValidationError as error:
+        at = ".".join(map(str, error.errors(include_input=False)[0]["loc"]))[:100]
+        text = f"no run can be submitted with what it says in {at}"
+        raise UnusableRecord(text) from error
+
+
+async def _replay_one(
+    handle: SimulatorHandle,
+    path: Path,
+    benchmark: ReplayedBenchmark,
+    one: RecordedResult,
+) -> tuple[Result, Divergence | None]:
+    plan = msgspec.json.encode(benchmark.plan_of(one.index))
+    try:
+        found = await handle.replay(path, msgspec.json.encode(one), plan)
     except (SimulatorFault, TaskUnplayable) as fault:
-        text = f"The simulator failed in episode {line.index}: {fault}."
+        text = f"The simulator failed in episode {one.index}: {fault}."
         raise NotReplayed(text) from fault
-    where = None if found.where is None else Divergence(line.index, *found.where)
+    where = None if found.where is None else Divergence(one.index, *found.where)
     return cast("Result", found.result), where
 
 

@@ -23,8 +23,10 @@ from reference_record.export import Record, with_verdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_name
 from reference_record.replay_verdict import ReplaySummary
+from reference_server.records.examination_turns import NoTurn
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays
+from reference_server.records.record_verifier import ExaminationFailed, RecordVerifier
 from reference_server.rules.imported_record import (
     ImportUsage,
     RecordImport,
@@ -33,6 +35,7 @@ from reference_server.rules.imported_record import (
     trust_of,
 )
 from reference_server.rules.refusal import Refused
+from reference_server.storage.database import StoreFailed
 from reference_server.storage.import_store import ImportStore
 from reference_sim.process.pool import SimulatorPool
 
@@ -74,8 +77,14 @@ class RecordImports:
     ) -> None:
         self._store, self._keys, self._settings = store, keys, settings
         self._files = ImportFiles(settings.folder)
+        self._verifier = RecordVerifier()
         self._replays = ImportReplays(
-            store, pool, self._files.path, keys.sign_verdict, settings.replay_s_max
+            store,
+            pool,
+            self._verifier,
+            path_of=self._files.path,
+            sign=keys.sign_verdict,
+            replay_s_max=settings.replay_s_max,
         )
         self._receiving = Counter[str]()  # of each account
         # What is counted and what is stored of an account does not change in between.
@@ -120,10 +129,24 @@ class RecordImports:
         finally:
             self._receiving[account] -= 1
             if not is_kept:
-                with suppress(OSError):
-                    self._files.remove(import_id)
+                await self._remove_unless_stored(import_id)
         self._replays.wake()
         return found
+
+    async def _remove_unless_stored(self, import_id: str) -> None:
+        """A write that failed or was cancelled may have stored the row all the same.
+
+        Where that cannot be looked up, `open` does it.
+        """
+        with suppress(OSError, StoreFailed):
+            if (
+                self._files.is_changing(import_id)
+                and await self._store.find(None, import_id) is not None
+            ):
+                self._files.settle(import_id)
+                self._replays.wake()
+            else:
+                self._files.remove(import_id)
 
     async def _check_quota(self, account: str, size_bytes: int) -> None:
         """REC-122."""
@@ -136,7 +159,12 @@ class RecordImports:
         self, account: str, import_id: str, draft: Draft
     ) -> RecordImport:
         try:
-            facts = await self._files.examine(draft)
+            facts = await self._verifier.examine(account, draft.path)
+        except NoTurn as error:
+            text = f"{self._verifier.waiting} records wait to be read before this one."
+            raise Refused("unavailable", text) from error
+        except ExaminationFailed as failed:
+            raise Refused("unavailable", f"The record: {failed}.") from failed
         except BrokenRecord as broken:  # REC-113
             raise Refused(
                 "record_broken",
@@ -162,6 +190,8 @@ class RecordImports:
             await self._check_quota(one.account, one.size_bytes)
             await self._files.keep(one.import_id, draft)
             await self._store.add(one)
+            with suppress(OSError):  # the next start does it
+                self._files.settle(one.import_id)
         return one
 
     async def find(self, account: str | None, import_id: str) -> RecordImport:
@@ -178,8 +208,10 @@ class RecordImports:
         return await self._store.page(account, before, limit)
 
     async def delete(self, account: str, import_id: str) -> None:
-        """REC-120: the row first: without it a file is removed at the next start."""
+        """REC-120: the row first: what a crash leaves of it is removed at the start."""
         one = await self.find(account, import_id)
+        with suppress(OSError):  # a full disk, of which this makes room
+            self._files.begin_change(import_id)
         await self._store.delete(one.import_id)
         await self._replays.stop(one.import_id)
         await asyncio.to_thread(self._files.remove, one.import_id)

@@ -13,11 +13,12 @@ finished, never dropped.
 from __future__ import annotations
 
 import asyncio
-import errno
+import contextlib
 import logging
+import re
 import shutil
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
@@ -27,7 +28,7 @@ from weakref import WeakValueDictionary
 
 import msgspec
 
-from reference_record.formats.recording_parts import append_part, parts_of
+from reference_record.formats.recording_parts import NO_ROOM, append_part, parts_of
 from reference_record.recording import (
     AttemptEvent,
     EpisodeResult,
@@ -35,9 +36,10 @@ from reference_record.recording import (
     Message,
     timestamp,
 )
-from reference_record.recording_file import join_parts
+from reference_record.recording_file import DRAFT_SUFFIX, join_parts
 from reference_server.rules.run import Episode, Recording, Result, Run
 from reference_server.storage.store import StoreFailed
+from reference_server.system.counters import COUNTERS
 from reference_sim.process.pool import RecordingPlan
 
 log = logging.getLogger("proctor.records")
@@ -47,12 +49,11 @@ PARTS_MAX = 10_000
 # Episodes whose files are written at once.
 THREADS = 4
 
+# The name of the file and of the folder of parts: the index of the episode.
+_EPISODE = re.compile("[0-9]{5}")
+
 Done = TypeVar("Done")
 Key = tuple[str, int]  # run id, index of the episode
-
-
-# The database cannot be written then, either: no episode is charged with it.
-_NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 
 
 class RecordingFailed(Exception):
@@ -70,6 +71,7 @@ class Recordings:
         self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
         self._folder = folder or Path(self._temporary.name if self._temporary else "")
         self._pictures = pictures
+        self._opened_at_wall = 0.0
         # One thread each: what is appended to an episode keeps its order.
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
@@ -80,6 +82,7 @@ class Recordings:
     def open(self) -> None:
         """Make the folder, which its owner alone may read. Raises OSError."""
         self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        self._opened_at_wall = time.time() - 1.0  # the clock of files lags behind
 
     async def close(self) -> None:
         """Returns when everything that was begun is written."""
@@ -143,6 +146,8 @@ class Recordings:
         parts, target = self._parts(*key), self.path(*key)
         work = partial(join_parts, parts, target, last, steps=steps)
         summary = await self._in_thread(key, work)
+        COUNTERS.recordings += 1
+        COUNTERS.recording_bytes += summary.bytes
         latency = msgspec.structs.asdict(summary.latency)
         return Recording(
             summary.sha256,
@@ -194,6 +199,30 @@ class Recordings:
         """Of the runs that have files here. Reads the folder."""
         return sorted(path.name for path in self._folder.iterdir())
 
+    # --- what a crash has left ---
+
+    def remove_drafts(self) -> None:
+        """Of files that were being joined before this server was opened. Blocks."""
+        for draft in self._folder.glob("*/*" + DRAFT_SUFFIX):
+            if _EPISODE.fullmatch(draft.stem):
+                with contextlib.suppress(OSError):
+                    if draft.stat().st_mtime < self._opened_at_wall:
+                        draft.unlink()
+
+    def runs_with_joined_parts(self) -> list[str]:
+        """Of the runs where an episode has its file and its parts. Blocks."""
+        return sorted({folder.parent.name for folder in self._joined_parts("*")})
+
+    def remove_joined_parts(self, run_id: str) -> None:
+        """Of a run whose results are all stored: no part is needed. Blocks."""
+        for folder in self._joined_parts(run_id):
+            _remove_folder(folder)
+
+    def _joined_parts(self, run_id: str) -> Iterator[Path]:
+        for folder in self._folder.glob(f"{run_id}/*.parts"):
+            if _EPISODE.fullmatch(folder.stem) and folder.with_suffix(".mcap").exists():
+                yield folder
+
     # --- writing in order ---
 
     def _append(self, key: Key, topic: str, message: Message) -> None:
@@ -229,8 +258,9 @@ class Recordings:
         try:
             return await loop.run_in_executor(threads, work)
         except OSError as error:
+            COUNTERS.recordings_failed += 1
             text = f"the recording could not be written: {error.strerror or error}"
-            if error.errno in _NO_ROOM:
+            if error.errno in NO_ROOM:  # no episode is charged with it
                 raise StoreFailed(text) from error
             raise RecordingFailed(text) from error
 

@@ -46,6 +46,7 @@ from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.manifest import without_sealed_seeds
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.storage.store import Store, StoreFailed
+from reference_server.system.private_files import restrict
 from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")
@@ -91,6 +92,8 @@ class RunRecords:
         """Read or make the key. Raises UnusableRecord, OSError and StoreFailed."""
         self._recordings.open()
         path = self._settings.key_path
+        if path is not None:  # a volume that is mounted may give it to a group
+            restrict(path)
         self._key = make_key() if path is None else load_or_make(path)
         await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
         self._removing = asyncio.create_task(self._remove_for_ever())
@@ -113,14 +116,30 @@ class RunRecords:
         await self._recordings.close()
 
     async def _remove_for_ever(self) -> None:
+        has_leftovers = True
         while True:
             try:
+                if has_leftovers:
+                    await self.remove_leftovers()
+                    has_leftovers = False
                 await self.remove_deleted()
                 if self._settings.keep_days:
                     await self.remove_old(time.time())
             except (StoreFailed, OSError) as error:
                 log.warning("recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)
+
+    async def remove_leftovers(self) -> None:
+        """Remove the drafts and parts that are left where a server was killed.
+
+        Parts stay until the run is completed: its results may have to be joined again.
+        """
+        await asyncio.to_thread(self._recordings.remove_drafts)
+        run_ids = await asyncio.to_thread(self._recordings.runs_with_joined_parts)
+        for start in range(0, len(run_ids), RUNS_PER_READ):
+            heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
+            for run_id in (one for one in heads if heads[one].state == "completed"):
+                await asyncio.to_thread(self._recordings.remove_joined_parts, run_id)
 
     async def remove_deleted(self) -> None:
         """Remove what is left of deleted runs: a server may end before it is removed.

@@ -1,7 +1,11 @@
-"""`python -m reference_server.records.verify_process FILE`: examines a record.
+"""`python -m reference_server.records.verify_process TASK FILE`: reads a record.
 
-A process of its own, with low priority and a bound of its memory, for files that may be
-hostile. It writes one JSON value, and knows no key but those in the file.
+A process of its own, with low priority and bounds of its memory and its time, for files
+that may be hostile: nothing else of the server parses what stands in one. What it
+writes is small, and knows no key but those in the file.
+
+    examine    one JSON value, Found
+    replay     one JSON value in a line, Replayable; then a RecordedResult in each line
 """
 
 from __future__ import annotations
@@ -9,17 +13,26 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
 
 from reference_record.broken import ARCHIVE, BrokenRecord
-from reference_record.formats.bundle import open_bundle
-from reference_record.verification import Report, verify
+from reference_record.formats.bundle import Bundle, open_bundle
+from reference_record.formats.names import EPISODES, MANIFEST, STATEMENT
+from reference_record.statement import read_lines
+from reference_record.verification import Report, read_statement, verify
+from reference_sim.replay.foreign_manifest import BenchmarkChoice, read_choice
 
-# What the bounds of REC-030 allow takes a tenth of it.
-MEMORY_BYTES_MAX = 2**31
+# Twice what the worst file takes that the bounds of REC-030 allow.
+MEMORY_BYTES_MAX = 2**30
+# A record of 4 GiB is read through in a fifth of it.
+CPU_S_MAX = 300
 NICENESS = 15
+# Options that the schema of a submission allows have a tenth of it.
+CHOICE_BYTES_MAX = 2**15
+DETAIL_CHARS_MAX = 1000
 
 
 class RecordFacts(msgspec.Struct, frozen=True):
@@ -44,6 +57,10 @@ class BrokenPart(msgspec.Struct, frozen=True):
     rule: str
     detail: str
 
+    @classmethod
+    def of(cls, broken: BrokenRecord) -> BrokenPart:
+        return cls(broken.file, broken.rule, broken.detail[:DETAIL_CHARS_MAX])
+
 
 class Found(msgspec.Struct, frozen=True):
     """One of the two is there."""
@@ -52,15 +69,26 @@ class Found(msgspec.Struct, frozen=True):
     broken: BrokenPart | None = None
 
 
+class Replayable(msgspec.Struct, frozen=True):
+    """What a replay needs to know of the benchmark, or why there is none."""
+
+    choice: BenchmarkChoice | None = None
+    broken: BrokenPart | None = None
+
+
 def examine(path: Path) -> Found:
     """REC-029, REC-030: what a file says, or what is wrong with it. Raises OSError."""
     try:
         return Found(facts=_facts_of(verify(open_bundle(path))))
     except BrokenRecord as broken:
-        return Found(broken=BrokenPart(broken.file, broken.rule, broken.detail))
+        return Found(broken=BrokenPart.of(broken))
     except MemoryError:
-        detail = "it takes more memory than a verifier has for it"
-        return Found(broken=BrokenPart(ARCHIVE, "REC-030", detail))
+        return Found(broken=BrokenPart.of(takes_too_much()))
+
+
+def takes_too_much() -> BrokenRecord:
+    detail = "it takes more memory or time than a verifier has for it"
+    return BrokenRecord(ARCHIVE, "REC-030", detail)
 
 
 def _facts_of(report: Report) -> RecordFacts:
@@ -79,19 +107,51 @@ def _facts_of(report: Report) -> RecordFacts:
     )
 
 
+def describe_replay(path: Path) -> Iterator[bytes]:
+    """The lines of the task `replay`, of a record that was verified. Raises OSError."""
+    try:
+        bundle = open_bundle(path)
+        choice = _choice_of(bundle)
+        yield msgspec.json.encode(Replayable(choice=choice)) + b"\n"
+    except BrokenRecord as broken:
+        yield msgspec.json.encode(Replayable(broken=BrokenPart.of(broken))) + b"\n"
+        return
+    for line in read_lines(bundle.blocks(EPISODES)):
+        if line.recording is not None:
+            yield msgspec.json.encode(line.result) + b"\n"
+
+
+def _choice_of(bundle: Bundle) -> BenchmarkChoice:
+    statement, _ = read_statement(bundle.read(STATEMENT))
+    choice = read_choice(statement.predicate, bundle.read(MANIFEST))
+    if len(msgspec.json.encode(choice)) > CHOICE_BYTES_MAX:
+        detail = "no benchmark has options of this length"
+        raise BrokenRecord(STATEMENT, "REC-030", detail)
+    return choice
+
+
 def _bound_this_process() -> None:
     with contextlib.suppress(ImportError, AttributeError):  # not on every system
         import resource
 
-        most = MEMORY_BYTES_MAX, MEMORY_BYTES_MAX
-        resource.setrlimit(resource.RLIMIT_AS, most)
+        for bound, most in (
+            (resource.RLIMIT_AS, MEMORY_BYTES_MAX),
+            (resource.RLIMIT_CORE, 0),
+            (resource.RLIMIT_FSIZE, 0),  # it writes to a pipe alone
+        ):
+            resource.setrlimit(bound, (most, most))
+        # The first ends it by a signal of its own, which says that it was this bound.
+        resource.setrlimit(resource.RLIMIT_CPU, (CPU_S_MAX, CPU_S_MAX + 1))
         os.nice(NICENESS)
 
 
-def main(path: str) -> None:
+def main(task: str, path: str) -> None:
     _bound_this_process()
-    sys.stdout.buffer.write(msgspec.json.encode(examine(Path(path))))
+    if task == "examine":
+        sys.stdout.buffer.write(msgspec.json.encode(examine(Path(path))))
+    else:
+        sys.stdout.buffer.writelines(describe_replay(Path(path)))
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main(*sys.argv[1:])

@@ -13,7 +13,7 @@ from __future__ import annotations
 import heapq
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from reference_server.rules.lifecycle import Refuse
@@ -26,19 +26,27 @@ DIFFERENCE_MIN = 2
 
 @dataclass(frozen=True, slots=True)
 class WaitingRun:
-    """All that admission reads of a run: thousands may wait, and none is in memory.
+    """All that is read of a run in the queue: thousands may wait, none in memory.
 
-    number: 0 for one that is not stored yet.
+    number: 0 for one that is not stored yet. updated_at_wall: of no account in who is
+    admitted.
     """
 
     run_id: str
     number: int
     account: str
     queue_until_wall: float
+    updated_at_wall: float = field(default=0.0, compare=False)
 
     @classmethod
     def of(cls, run: RunHead) -> WaitingRun:
-        return cls(run.run_id, run.number, run.account, run.queue_until_wall)
+        return cls(
+            run.run_id,
+            run.number,
+            run.account,
+            run.queue_until_wall,
+            run.updated_at_wall,
+        )
 
 
 class Shares(NamedTuple):
@@ -155,13 +163,16 @@ def below_quota(open_runs: int, open_runs_max: int) -> Refuse | None:
 
 
 def below_storage_quota(has: Quota, most: Quota, *, has_key: bool) -> Refuse | None:
-    """One more run of an account may be stored, with an Idempotency-Key or without."""
+    """One more run or leaf of an account may be stored; a run may have a key."""
     if has_key and has.keys >= most.keys:  # LIM-009
         text = (
             f"The account has used {has.keys} Idempotency-Keys, which is its maximum."
         )
         return Refuse("quota_exceeded", text, "LIM-009")
     if has.stored_bytes >= most.stored_bytes:  # LIM-010
-        text = f"The runs of the account take {has.stored_bytes} bytes, its maximum."
+        text = (
+            f"The runs of the account, with what is kept of its entries, take "
+            f"{has.stored_bytes} bytes, and may take {most.stored_bytes}."
+        )
         return Refuse("quota_exceeded", text, "LIM-010")
     return None

@@ -5,7 +5,7 @@ Plain data and what follows from it. Files, simulators and the database are else
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
@@ -120,3 +120,14 @@ def refuse_import(
         )
         return Refuse("quota_exceeded", text, "REC-122")
     return None
+
+
+def next_to_replay(
+    waiting: Sequence[RecordImport], last_turns: Mapping[str, int]
+) -> RecordImport | None:
+    """Accounts in turn: of the one whose last turn is the longest ago.
+
+    waiting: the oldest of each account, oldest first. last_turns: account → number of
+    its last turn.
+    """
+    return min(waiting, key=lambda one: last_turns.get(one.account, 0), default=None)

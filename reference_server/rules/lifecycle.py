@@ -87,6 +87,8 @@ STATES_AFTER_RESTART: Mapping[State, State] = {
 RESTART_REASON = "The server was restarted."
 # The run counts among those that the server plays at once.
 ACTIVE_STATES = PLAYABLE_STATES | STATES_AFTER_RESTART.keys()
+# LIM-007: the run counts among the open ones of its account.
+OPEN_STATES = ACTIVE_STATES | WAITING_STATES
 # What a stored run in one of these was when it left memory, it still is: neither
 # capacity nor the loss of its sessions changes it.
 RESTING_STATES = (

@@ -113,10 +113,15 @@ def seal(manifest: Manifest, secret: bytes, block: int, seed_max: int) -> Manife
             episodes.append({**episode, "seed": seeds[-1]})
         else:
             episodes.append(episode)
-    salt = _derive(secret, "salt", benchmark_id)
+    salt = salt_of(secret, benchmark_id)
     commitment = hashlib.sha256(salt + json.dumps(seeds).encode()).hexdigest()
     sealed = {**manifest, "episodes": episodes, "seeds_sha256": commitment}
     return cast("Manifest", sealed)
+
+
+def salt_of(secret: bytes, benchmark_id: str) -> bytes:
+    """What is hashed with the seeds of a benchmark; a host opens it with them."""
+    return _derive(secret, "salt", benchmark_id)
 
 
 def without_sealed_seeds(manifest: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -175,6 +175,7 @@ class RunHead:
     this one included; None if it is older than this member.
     played_number: its place among those of them in which an action was executed, the
     first one 1; None if none was executed, or this is not stored yet.
+    owner, fence: in a cluster the node that acts for it, and how often that changed.
     total, scored: how many episodes it has, and how many of them a result.
     """
 
@@ -195,6 +196,8 @@ class RunHead:
     queue_until_wall: float
     attempts_by_submitter: int | None = field(default=None, kw_only=True)
     played_number: int | None = field(default=None, kw_only=True)
+    owner: str | None = field(default=None, kw_only=True)
+    fence: int = field(default=0, kw_only=True)
     total: int = field(default=0, kw_only=True)
     scored: int = field(default=0, kw_only=True)
 

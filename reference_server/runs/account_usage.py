@@ -39,6 +39,14 @@ class AccountUsage:
         else:
             ids.discard(run_id)
 
+    def count_open(self) -> int:
+        """Of all accounts."""
+        return sum(map(len, self._open.values()))
+
+    def forget_open(self) -> None:
+        """Other servers have the runs now."""
+        self._open.clear()
+
     def note_stored(self, run: Run, key: str | None, *, is_stored: bool = True) -> None:
         """Count a run that is about to be stored; or no more, for it was not."""
         sign = 1 if is_stored else -1
@@ -49,12 +57,29 @@ class AccountUsage:
 
     def note_deleted(self, run: Run) -> None:
         """DEL-005, DEL-006: its key and its row are kept."""
-        self._bytes[run.account] -= stored_bytes(run) - RUN_BYTES
+        left = self._bytes.get(run.account, 0) - stored_bytes(run) + RUN_BYTES
+        self._bytes[run.account] = left
+
+    def note_kept(self, account: str, size_bytes: int) -> None:
+        """Count what the history of the leaderboard keeps for good."""
+        self._bytes[account] = self._bytes.get(account, 0) + size_bytes
+
+    def check_kept(self, has: Quota) -> None:
+        """Refuse if no more may be kept for an account that has so much."""
+        _raise_if(below_storage_quota(has, self.quota, has_key=False))
 
     def check_open(self, account: str) -> None:
         """Refuse if the account has as many open runs as it may have."""
-        has = len(self._open.get(account, ()))
-        _raise_if(below_quota(has, self.quota.open_runs))
+        self.check_open_runs(len(self._open.get(account, ())))
+
+    def check_open_runs(self, open_runs: int) -> None:
+        """Refuse if that is as many as an account may have open."""
+        _raise_if(below_quota(open_runs, self.quota.open_runs))
+
+    def check_stored(self, has_key: bool, has: Quota) -> None:
+        """Refuse if an account that has so much may not have another run."""
+        self.check_open_runs(has.open_runs)
+        _raise_if(below_storage_quota(has, self.quota, has_key=has_key))
 
     def check_new(self, account: str, *, has_key: bool) -> None:
         """Refuse if the account may not have another run."""

@@ -26,7 +26,7 @@ from reference_server.rules.manifest import (
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import Selection
-from reference_server.runs.seed_secret import SeedSecret
+from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 
 CACHED_CONFIGS_MAX = 256

@@ -57,9 +57,6 @@ class BoardService:
         self._rankings: OrderedDict[tuple[str, str], RankedEntries] = OrderedDict()
         self._ranking = asyncio.Lock()
 
-    async def open(self) -> None:
-        await self._store.open()
-
     # --- entries ---
 
     async def publish(
@@ -80,10 +77,13 @@ class BoardService:
             return _accepted(rules.publish(fresh, stored, description))
 
         try:
-            entry, is_new = await self._store.change(run_id, decide, needs_run=True)
+            changed = await self._store.change(
+                run_id, decide, needs_run=True, check=self._registry.usage.check_kept
+            )
         except RunDeleted as error:
             raise Refused("not_found", f"There is no run {run_id}.") from error
-        return await self._view(entry), is_new
+        self._registry.usage.note_kept(changed.entry.account, changed.kept_bytes)
+        return await self._view(changed.entry), changed.is_new
 
     async def withdraw(self, account: str, run_id: str) -> Json:
         """Schema BoardEntry."""
@@ -95,8 +95,9 @@ class BoardService:
                 raise Refused("not_found", "The run has no entry.")
             return rules.withdraw(stored, time.time())
 
-        entry, _ = await self._store.change(run_id, decide)
-        return await self._view(entry)
+        changed = await self._store.change(run_id, decide)
+        self._registry.usage.note_kept(changed.entry.account, changed.kept_bytes)
+        return await self._view(changed.entry)
 
     async def flag(self, entry_id: str, *, flagged: bool, reason: str) -> Json:
         """Schema BoardEntry."""
@@ -108,8 +109,8 @@ class BoardService:
             verdict = rules.flag(stored, flagged=flagged, reason=reason, at_wall=at)
             return _accepted(verdict)
 
-        entry, _ = await self._store.change(found.run_id, decide)
-        return await self._view(entry)
+        changed = await self._store.change(found.run_id, decide)
+        return await self._view(changed.entry)
 
     async def get(self, account: str | None, entry_id: str) -> Json:
         """Schema BoardEntry of one that the account may see."""

@@ -32,6 +32,10 @@ class Places:
         """Whether the run has a place."""
         return run_id in self._account_of
 
+    def run_ids(self) -> list[str]:
+        """Of the runs that have a place or wait for one."""
+        return [*self._account_of, *self._waiting]
+
     def play(self, run_id: str, account: str) -> None:
         """The run is played: it has a place until `rest` or `leave`."""
         self._take(run_id, account)

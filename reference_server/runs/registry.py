@@ -9,6 +9,8 @@ Memory may be ahead of the disk while a write is in progress. That is never show
 view is taken from memory and returned once it is stored (`render_when_stored`;
 CRASH-001, EVT-009). A failed write drops the run from memory, because the database
 holds the valid state, and its sessions end as in a restart.
+
+In a cluster it has the runs of its node alone; of others it shows what is stored.
 """
 
 from __future__ import annotations
@@ -18,10 +20,10 @@ import contextvars
 import logging
 import time
 from bisect import bisect_left, insort
-from collections import OrderedDict, deque
+from collections import Counter, OrderedDict, deque
 from collections.abc import Awaitable, Callable, Sequence
 from functools import partial
-from typing import TypeVar
+from typing import Protocol, TypeVar
 from weakref import WeakValueDictionary
 
 from reference_server.rules import effects
@@ -37,6 +39,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.rules.submission import (
     KeyUse,
     key_conflict,
@@ -47,7 +50,13 @@ from reference_server.runs import steady_clock
 from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.places import Places
 from reference_server.runs.run_log import RunLog, new_results
-from reference_server.storage.store import RunIsKept, Store, StoreFailed
+from reference_server.storage.store import (
+    OwnershipLost,
+    RunIsKept,
+    Store,
+    StoreFailed,
+)
+from reference_server.system.counters import COUNTERS, timed
 from reference_server.system.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.runs")
@@ -64,13 +73,31 @@ VIEWS_AT_ONCE = 20
 Rendered = TypeVar("Rendered")
 
 
+class RunChange(asyncio.Event):
+    """The next change of a run. is_elsewhere: it will happen on another node."""
+
+    is_elsewhere = False
+
+
+class Ownership(Protocol):
+    """This server as one of several that share the database."""
+
+    @property
+    def node_id(self) -> str:
+        """Whose runs are in memory; another one after they were lost."""
+
+    async def claim(self, run_id: str) -> bool:
+        """Become the owner, unless another node is it; whether this one is it now."""
+
+
 class RunRegistry:
     """All runs of this server, by id.
 
     active_max: places of runs that are played or about to be. unused_s: when others
     wait, how long a run without a worker keeps its place. quota: of each account.
     on_run_lost: ends the sessions of a run whose write failed. on_change: is called
-    with a run whose state may have changed.
+    with a run whose state may have changed. ownership: None for a server that has
+    the database for itself.
     """
 
     def __init__(
@@ -82,23 +109,23 @@ class RunRegistry:
         *,
         unused_s: float = 120.0,
         quota: Quota | None = None,
+        ownership: Ownership | None = None,
     ) -> None:
-        self._store = store
+        self._store, self._ownership = store, ownership
         self._on_run_lost, self._on_change = on_run_lost, on_change
         self._places = Places(active_max, unused_s)
-        self._usage = AccountUsage(quota or Quota())
+        self.usage = AccountUsage(quota or Quota())
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._queued: dict[str, int] = {}  # their numbers, by id
         self._queue: list[int] = []  # the same numbers, the next one first
+        self._queued_at: dict[int, float] = {}  # wall time, by the same numbers
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
         self._deleting: dict[str, asyncio.Task[None]] = {}
         # Referenced only by the requests that wait for a change.
-        self._change_events: WeakValueDictionary[str, asyncio.Event] = (
-            WeakValueDictionary()
-        )
+        self._change_events: WeakValueDictionary[str, RunChange] = WeakValueDictionary()
         self._admission_timer: asyncio.TimerHandle | None = None
         self._reload_timers: dict[str, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Future[object]] = set()
@@ -110,29 +137,41 @@ class RunRegistry:
         """Apply what a restart does, then admit what waits for capacity.
 
         What was played has a place, for its workers come back; what was only ready gets
-        one when a worker attaches. No run is loaded for that.
+        one when a worker attaches. No run is loaded for that. In a cluster this happens
+        to each run when a node claims it, and `get` admits it.
         """
+        if self._ownership is not None:
+            return
         now = time.monotonic()
         for run in await self._store.waiting_runs(*STATES_AFTER_RESTART):
             self._places.play(run.run_id, run.account)
             self._places.rest(run.run_id, now)
         await self._store.replace_states(STATES_AFTER_RESTART, RESTART_REASON)
-        self._usage.load_stored(*await self._store.sizes_of_accounts())
+        self.usage.load_stored(*await self._store.sizes_of_accounts())
         for run in await self._store.waiting_runs(*ACTIVE_STATES):
-            self._usage.note_open(run.account, run.run_id, is_open=True)
+            self.usage.note_open(run.account, run.run_id, is_open=True)
         for run in await self._store.waiting_runs(*WAITING_STATES):
-            self._usage.note_open(run.account, run.run_id, is_open=True)
+            self.usage.note_open(run.account, run.run_id, is_open=True)
             if run.queue_until_wall <= steady_clock.now_wall():
                 self._note_queued(run, is_queued=True)
             else:  # seldom, and for seconds: `_adopt` checks it by what was asked for
                 await self.get(run.run_id)
         self._admit()
 
-    def release_waiters(self) -> None:
-        """The server will shut down: end every wait for a change."""
+    def begin_ending(self) -> None:
+        """The server will shut down: end every wait for a change, begin nothing new."""
         self._ending = True
         for run_id in list(self._change_events):
             self._wake(run_id)
+
+    @property
+    def is_ending(self) -> bool:
+        return self._ending
+
+    def refuse_if_ending(self) -> None:
+        """Of what is new: what has begun is finished."""
+        if self._ending:
+            raise Refused("unavailable", "The server is shutting down.")
 
     async def close(self) -> None:
         """Wait until every write that was begun has ended; no other begins."""
@@ -149,6 +188,8 @@ class RunRegistry:
             await asyncio.wait([deleting])
         run = self._in_memory.get(run_id) or await self._load(run_id)
         if run is not None and run.lost:  # a write that its loading began has failed
+            if self._in_memory.get(run_id) is run:
+                del self._in_memory[run_id]
             run = self._in_memory.get(run_id) or await self._load(run_id)
             if run is not None and run.lost:
                 raise StoreFailed("the run could not be stored")
@@ -183,8 +224,19 @@ class RunRegistry:
         window = partial(Run.window, start=start, end=end, scored=scored)
         return await self.render_when_stored(run, lambda run: view(run, window(run)))
 
+    def has(self, run_id: str) -> bool:
+        """Whether the run is in memory."""
+        return run_id in self._in_memory
+
+    def is_elsewhere(self, head: RunHead) -> bool:
+        """Whether another node acts for the run, or will."""
+        owners = self._ownership
+        return owners is not None and owners.node_id != head.owner
+
     def _is_current(self, head: RunHead) -> bool:
         """Whether the run is as it was just read: it was not loaded meanwhile."""
+        if self.is_elsewhere(head):
+            return True  # all that this node can know
         # What is known to be in the queue leaves it only in memory.
         is_stable = head.state in RESTING_STATES or head.run_id in self._queued
         return is_stable and head.run_id not in self._in_memory
@@ -195,25 +247,35 @@ class RunRegistry:
         RUN-027: only a run that is stored uses up its key. RUN-029: without a key
         nothing is looked up.
         """
-        await self._check_quota(run.account, key)
+        self.refuse_if_ending()
+        check = None
+        if self._ownership is None:
+            await self._check_quota(run.account, key)
+        else:  # others count, too: in the transaction that stores it
+            run.owner, run.fence = self._ownership.node_id, 1
+            check = partial(self.usage.check_stored, key is not None)
         # At once: what is submitted at the same time counts it.
-        self._usage.note_open(run.account, run.run_id, is_open=True)
-        self._usage.note_stored(run, key)
+        self.usage.note_open(run.account, run.run_id, is_open=True)
+        self.usage.note_stored(run, key)
         # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
         self._admit(run)  # before it is stored: one submit is one transaction
         is_stored = False
         try:
-            is_stored = await self._store.insert(run, key, body_sha256)
+            with timed(COUNTERS.database_writes):
+                is_stored = await self._store.insert(run, key, body_sha256, check)
         finally:
             if not is_stored:
                 self._in_memory.pop(run.run_id, None)
-                self._usage.note_open(run.account, run.run_id, is_open=False)
-                self._usage.note_stored(run, key, is_stored=False)
+                self.usage.note_open(run.account, run.run_id, is_open=False)
+                self.usage.note_stored(run, key, is_stored=False)
                 self._places.leave(run.run_id)
                 self._admit()
         if is_stored:
             self._life.log_submitted(run)
+            if run.lost:  # `drop_all` meanwhile: the node that claims it plays it
+                text = "The node lost its lease. Repeat with the same Idempotency-Key."
+                raise Refused("unavailable", text)
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
@@ -226,12 +288,21 @@ class RunRegistry:
             raise Refused.from_verdict(conflict)
         try:
             return await self.get(use.run_id)
+        except OwnedElsewhere:
+            return await self._read_foreign(use.run_id)
         except Refused as refused:
             raise Refused(
                 "not_found",
                 "The run of this Idempotency-Key was deleted; use a new key.",
                 requirement="DEL-005",
             ) from refused
+
+    async def _read_foreign(self, run_id: str) -> Run:
+        """A run of another node as it is stored, to be shown."""
+        run = await self._store.load(run_id)
+        if run is None:
+            raise _no_run(run_id)
+        return run
 
     async def find_by_key(self, account: str, key: str) -> KeyUse | None:
         """What an Idempotency-Key of the account made, if it was used (RUN-026)."""
@@ -322,12 +393,15 @@ class RunRegistry:
         try:
             await self.is_stored(run)  # a write that was begun would come after it
             await self._store.delete(run, time.time(), by_host=by_host)
+        except OwnershipLost:
+            self._drop(run)
+            raise
         except (StoreFailed, RunIsKept):
             self._evict(run)
             raise
         else:
             self._life.log_deleted(run)
-            self._usage.note_deleted(run)
+            self.usage.note_deleted(run)
             self._forget(run)
         finally:
             del self._deleting[run.run_id]
@@ -343,19 +417,20 @@ class RunRegistry:
             states, before_wall, after, HEADS_PER_READ
         )
 
-    def change_event(self, run_id: str) -> asyncio.Event:
+    def change_event(self, run_id: str) -> RunChange:
         """The next change of what get_run shows; take it before reading the run."""
-        return self._change_events.setdefault(run_id, asyncio.Event())
+        return self._change_events.setdefault(run_id, RunChange())
 
-    async def wait_for_change(self, change: asyncio.Event, timeout_s: float) -> bool:
+    async def wait_for_change(self, change: RunChange, timeout_s: float) -> bool:
         """Wait for a change; whether there was one in time."""
         try:
             if not self._ending:
                 await asyncio.wait_for(change.wait(), timeout_s)
         except TimeoutError:
             return False
-        if self._ending:
-            raise Refused("unavailable", "The server is shutting down.")
+        self.refuse_if_ending()
+        if change.is_elsewhere:
+            raise Refused("unavailable", "Another node has taken over the run.")
         return True
 
     def notify(self, run: Run) -> None:
@@ -366,15 +441,21 @@ class RunRegistry:
         self._wake(run.run_id)
         self._admit()
 
+    async def check_open_elsewhere(self, account: str) -> None:
+        """LIM-007: in a cluster, what the account has open on every node."""
+        if self._ownership is not None:
+            self.usage.check_open_runs((await self._store.usage_of(account)).open_runs)
+
     def open_again(self, run: Run) -> None:
         """LIM-007: a resume makes a run count at once, or is refused."""
-        self._usage.check_open(run.account)
-        self._usage.note_open(run.account, run.run_id, is_open=True)
+        self.refuse_if_ending()
+        self.usage.check_open(run.account)
+        self.usage.note_open(run.account, run.run_id, is_open=True)
 
     async def _check_quota(self, account: str, key: str | None) -> None:
         """A key that is used makes no run (RUN-003)."""
         try:
-            self._usage.check_new(account, has_key=key is not None)
+            self.usage.check_new(account, has_key=key is not None)
         except Refused:
             if key is None or await self.find_by_key(account, key) is None:
                 raise
@@ -395,6 +476,8 @@ class RunRegistry:
     async def push_runs(self) -> list[str]:
         """Ids of the push runs that may be played; none is loaded for that."""
         found: list[str] = []
+        if self._ownership is not None:  # each is found when a node claims it
+            return found
         ids = await self._store.in_states(*ACTIVE_STATES)
         for start in range(0, len(ids), HEADS_PER_READ):
             heads = await self._store.heads(ids[start : start + HEADS_PER_READ])
@@ -406,6 +489,21 @@ class RunRegistry:
         if run.state not in WAITING_STATES:
             return None
         return 1 + bisect_left(self._queue, run.number)
+
+    def count_open(self) -> dict[str, int]:
+        """How many runs have not ended, by state."""
+        played = Counter(run.state for run in list(self._in_memory.values()))
+        counts: dict[str, int] = {"queued": len(self._queued)}
+        # What has a live session is in memory.
+        counts |= {"running": played["running"], "stopping": played["stopping"]}
+        counts["ready"] = max(0, self.usage.count_open() - sum(counts.values()))
+        return counts
+
+    def oldest_queued_s(self) -> float:
+        """How long the first of the queue has waited; 0 without one."""
+        if not self._queue:
+            return 0.0
+        return max(0.0, time.time() - self._queued_at[self._queue[0]])
 
     def _index_by_state(self, run: Run, state: State | None) -> None:
         """With a place, in the queue, or nowhere, as the state says; None: unknown."""
@@ -420,7 +518,7 @@ class RunRegistry:
         self._note_queued(WaitingRun.of(run), is_queued=is_queued)
         if state is not None:
             is_open = is_queued or state in ACTIVE_STATES
-            self._usage.note_open(run.account, run.run_id, is_open=is_open)
+            self.usage.note_open(run.account, run.run_id, is_open=is_open)
             self._on_change(run)
 
     def _note_queued(self, run: WaitingRun, *, is_queued: bool) -> None:
@@ -432,17 +530,20 @@ class RunRegistry:
         if is_queued:
             self._queued[run.run_id] = run.number
             insort(self._queue, run.number)
+            self._queued_at[run.number] = run.updated_at_wall
         else:
             number = self._queued.pop(run.run_id)
             del self._queue[bisect_left(self._queue, number)]
+            del self._queued_at[number]
         # Rarely as many wait for a change as there are in the queue.
         for run_id in list(self._change_events):
             if self._queued.get(run_id, 0) > run.number:
                 self._wake(run_id)
 
-    def _wake(self, run_id: str) -> None:
+    def _wake(self, run_id: str, *, is_elsewhere: bool = False) -> None:
         event = self._change_events.pop(run_id, None)
         if event is not None:
+            event.is_elsewhere = is_elsewhere
             event.set()
 
     def _admit(self, new: Run | None = None) -> None:
@@ -531,7 +632,12 @@ class RunRegistry:
     async def _save(self, run: Run) -> bool:
         scored = new_results(run)
         try:
-            await self._store.save(run)
+            with timed(COUNTERS.database_writes):
+                await self._store.save(run)
+        except OwnershipLost as error:
+            self._failures.report("a run was stored by another node", str(error))
+            self._drop(run)
+            return False
         except Exception as error:  # whatever it was: memory is ahead of the disk now
             if isinstance(error, StoreFailed):
                 self._failures.report("a run could not be stored", str(error))
@@ -557,9 +663,21 @@ class RunRegistry:
 
     async def _load_once(self, run_id: str) -> Run | None:
         try:
-            return self._adopt(await self._store.load(run_id))
+            loaded = await self._store.load(run_id)
+            if loaded is not None and self.is_elsewhere(loaded):
+                loaded = await self._claim(run_id)
+            return self._adopt(loaded)
         finally:
             del self._loading[run_id]
+
+    async def _claim(self, run_id: str) -> Run | None:
+        """The run of another node that has ended. Raises OwnedElsewhere."""
+        assert self._ownership is not None, "without it no run is elsewhere"
+        if await self._ownership.claim(run_id):
+            loaded = await self._store.load(run_id)
+            if loaded is None or not self.is_elsewhere(loaded):
+                return loaded
+        raise OwnedElsewhere(run_id)
 
     def _adopt(self, loaded: Run | None) -> Run | None:
         """A run just loaded was not in memory, so no session of it is live."""
@@ -598,6 +716,27 @@ class RunRegistry:
         self._on_run_lost(run)
         self._reload_later(run.run_id)
 
+    def drop_all(self) -> None:
+        """This node lost its runs: others may have claimed them."""
+        for run in list(self._in_memory.values()):
+            self._drop(run)
+        for run_id in self._places.run_ids():
+            self._places.leave(run_id)
+        self.usage.forget_open()
+        self._queued.clear()
+        self._queue.clear()
+        self._queued_at.clear()
+        for run_id in list(self._change_events):
+            self._wake(run_id, is_elsewhere=True)
+
+    def _drop(self, run: Run) -> None:
+        """Another node acts for the run: this one forgets it, and ends its sessions."""
+        if not run.lost:
+            self._wake(run.run_id, is_elsewhere=True)
+            self.usage.note_open(run.account, run.run_id, is_open=False)
+            self._forget(run)
+            self._on_run_lost(run)
+
     def _forget(self, run: Run) -> None:
         """Drop it from memory; a view of it that was not shown yet is taken again."""
         run.lost = True
@@ -618,7 +757,12 @@ class RunRegistry:
 
     def _reload(self, run_id: str) -> None:
         del self._reload_timers[run_id]
-        self.run_in_background(self._retry_load(run_id))
+        self.load_in_background(run_id)
+
+    def load_in_background(self, run_id: str) -> None:
+        """Load a run without a request for it, as soon as the store has it."""
+        if not self._closed:
+            self.run_in_background(self._retry_load(run_id))
 
     async def _retry_load(self, run_id: str) -> None:
         try:

@@ -1,4 +1,4 @@
-"""What is logged of a run's life: submitted, ready, attached, scored, ended.
+"""What is logged and counted of a run's life: submitted, ready, scored, ended.
 
 A line is logged when the change is stored, with the ids that find it again. It decides
 nothing.
@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from weakref import WeakKeyDictionary
 
 from reference_server.rules.run import Episode, Run, Session, State
+from reference_server.system.counters import COUNTERS
 from reference_server.system.log_output import log_event
 
 log = logging.getLogger("proctor.runs")
@@ -63,6 +64,7 @@ class RunLog:
         if self._states.get(run) == run.state:
             return
         self._states[run] = run.state
+        COUNTERS.runs[run.state] += 1
         log_event(
             log,
             f"run {run.state}",
@@ -93,6 +95,7 @@ def log_attached(run: Run, session: Session) -> None:
 
 
 def log_left(run: Run, session: Session) -> None:
+    COUNTERS.sessions_ended[session.ended_by or "unknown"] += 1
     log_event(
         log,
         "worker left",
@@ -105,6 +108,7 @@ def log_left(run: Run, session: Session) -> None:
 def _log_scored(run: Run, episode: Episode) -> None:
     result = episode.result
     assert result is not None
+    COUNTERS.episodes[result.outcome] += 1
     log_event(
         log,
         "episode scored",

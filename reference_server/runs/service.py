@@ -13,7 +13,7 @@ import contextlib
 import hashlib
 import secrets
 import time
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -25,6 +25,7 @@ from reference_record.export import Record
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
+    OPEN_STATES,
     Attach,
     Availability,
     Delete,
@@ -62,7 +63,16 @@ Json = dict[str, Any]
 SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
 
 
+ViewsElsewhere = Callable[[Sequence[RunHead], str], Awaitable[Mapping[str, Json]]]
+
 DAY_S = 86_400.0
+
+
+async def no_views_elsewhere(
+    _runs: Sequence[RunHead], _endpoint: str
+) -> Mapping[str, Json]:
+    """Without a cluster every run is here."""
+    return {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +93,8 @@ class RunService:
     # deletes it. None where there is no board.
     is_kept: Callable[[str, bool], Awaitable[bool]] | None = None
     scores: ScoreCache = field(default_factory=ScoreCache)
+    # In a cluster: runs of other nodes by id, as these show them under an endpoint.
+    views_elsewhere: ViewsElsewhere = no_views_elsewhere
 
     # --- control plane ---
 
@@ -158,6 +170,9 @@ class RunService:
     async def resume_run(self, account: str, run_id: str) -> Run:
         """The run, in the queue again; unchanged when it goes on already."""
         run = await self._run_accepting(account, run_id, Resume())
+        if changes_state(run, "resume_run"):
+            await self.registry.check_open_elsewhere(run.account)
+            run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
             self.registry.open_again(run)
             until = steady_clock.now_wall() + queue_s(run.submission)
@@ -272,10 +287,18 @@ class RunService:
     ) -> list[tuple[int, Json]]:
         """(number, schema Run) of the account's runs below a number, newest first."""
 
+        elsewhere: list[RunHead] = []
+
         def view(run: RunHead) -> tuple[int, Json]:
+            if run.state in OPEN_STATES and self.registry.is_elsewhere(run):
+                elsewhere.append(run)
             return run.number, self._run_view(endpoint, run)
 
-        return await self.registry.page(account, before, limit, view)
+        found = await self.registry.page(account, before, limit, view)
+        if elsewhere:
+            fresh = await self.views_elsewhere(elsewhere, endpoint)
+            found = [(n, fresh.get(body["run_id"], body)) for n, body in found]
+        return found
 
     async def list_episodes(
         self, account: str | None, run_id: str, start: int, end: int

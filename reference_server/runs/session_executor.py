@@ -36,14 +36,16 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.run_log import log_attached
-from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_server.storage.store import StoreFailed
+from reference_server.system.counters import COUNTERS
+from reference_server.system.seed_secret import SeedSecret
 from reference_server.views import turn_view
 from reference_sim.process.pool import (
     ChunkReply,
     EpisodeStart,
     NoCapacity,
+    NoRoomToRecord,
     RecordingPlan,
     SimulatorFault,
     SimulatorPool,
@@ -160,6 +162,7 @@ class SessionExecutor:
                 case Replay(session):
                     return run, self._replay_turn(session)
                 case _:
+                    self._registry.refuse_if_ending()
                     return run, None
 
     # --- ended by the control plane or by the clock ---
@@ -194,6 +197,16 @@ class SessionExecutor:
     async def close(self) -> None:
         """End every session without counting anything."""
         self._resources.discard_sessions()
+
+    @property
+    def sessions(self) -> int:
+        """How many have not ended."""
+        return len(self._resources)
+
+    @property
+    def turns_in_progress(self) -> int:
+        """How many sessions this server executes something for."""
+        return self._resources.count_busy()
 
     # --- playing ---
 
@@ -232,6 +245,8 @@ class SessionExecutor:
                 think_ms=think_ms,
             )
             now_wall, executed = time.time(), played.executed
+            COUNTERS.steps += executed
+            COUNTERS.simulate_s += played.timing.simulate_s
             clipped = action_space.count_clipped(command.actions, actions, executed)
             if played.ended:
                 self._ensure_live(resources)
@@ -357,6 +372,7 @@ class SessionExecutor:
             resources.session.episode,
         )
         assert episode is not None
+        COUNTERS.simulator_faults += 1
         detail = episode.without_sealed_seed(str(error))
         log.warning("run %s, %s: %s", run.run_id, episode.episode_id, detail)
         if self._recordings is not None:
@@ -404,6 +420,9 @@ class SessionExecutor:
         except NoCapacity as error:
             self._abort(resources)
             raise Refused("no_capacity", str(error)) from error
+        except NoRoomToRecord as error:  # no fault, and no attempt
+            self._abort(resources)
+            raise Refused("unavailable", f"The server: {error}.") from error
         except Refused:
             self._abort(resources)
             raise

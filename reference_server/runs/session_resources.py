@@ -19,7 +19,7 @@ from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.run_log import log_left
-from reference_server.runs.seed_secret import SeedSecret
+from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
 
@@ -76,6 +76,10 @@ class ResourceManager:
 
     def __len__(self) -> int:
         return len(self._by_session)
+
+    def count_busy(self) -> int:
+        """Sessions whose turn is in execution."""
+        return sum(session.busy is not None for session in self._by_session)
 
     def find(self, session: Session) -> SessionResources | None:
         return self._by_session.get(session)

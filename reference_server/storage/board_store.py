@@ -10,37 +10,24 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import msgspec
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection
 
-from reference_server.rules.board.entry_changes import BoardEntry, Change, withdraw
+from reference_server.rules.board.entry_changes import (
+    BoardEntry,
+    Change,
+    is_of_account,
+    withdraw,
+)
+from reference_server.rules.capacity import Quota
+from reference_server.storage.column_types import any_number
+from reference_server.storage.database_tables import entries as _entries
+from reference_server.storage.database_tables import history as _leaves
 from reference_server.storage.store import RunIsKept, Store
 
-_tables = sa.MetaData()
-
-_entries = sa.Table(
-    "entries",
-    _tables,
-    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
-    sa.Column("entry_id", sa.String(64), unique=True, nullable=False),
-    sa.Column("run_id", sa.String(64), unique=True, nullable=False),
-    sa.Column("account", sa.String(200), nullable=False, index=True),
-    sa.Column("benchmark_id", sa.String(64), nullable=False),
-    sa.Column("manifest_sha256", sa.String(64), nullable=False, index=True),
-    sa.Column("is_listed", sa.Boolean, nullable=False),
-    sa.Column("is_public", sa.Boolean, nullable=False),
-    sa.Column("entry", sa.LargeBinary, nullable=False),
-)
-_leaves = sa.Table(
-    "history",
-    _tables,
-    sa.Column("index", sa.Integer, primary_key=True, autoincrement=False),
-    sa.Column("leaf", sa.Text, nullable=False),
-    sa.Column("leaf_sha256", sa.LargeBinary, nullable=False),
-)
 _NUMBERED = sa.select(_entries.c.number, _entries.c.entry)
 _SIZE = sa.select(sa.func.count()).select_from(_leaves)
 _ENTRY = msgspec.json.Decoder(BoardEntry)
@@ -48,6 +35,14 @@ _ENTRY = msgspec.json.Decoder(BoardEntry)
 
 class RunDeleted(Exception):
     """The run of the entry was deleted meanwhile."""
+
+
+class Changed(NamedTuple):
+    """is_new: there was no entry. kept_bytes: what the leaf counts for the account."""
+
+    entry: BoardEntry
+    is_new: bool
+    kept_bytes: int = 0
 
 
 class BoardStore:
@@ -60,22 +55,19 @@ class BoardStore:
         self._store, self._leaf_hash = store, leaf_hash
         store.before_delete(self._release_run)
 
-    async def open(self) -> None:
-        """Create the tables that are missing."""
-        async with self._store.write() as connection:
-            await connection.run_sync(_tables.create_all)
-
     async def change(
         self,
         run_id: str,
         decide: Callable[[BoardEntry | None], Change],
         *,
         needs_run: bool = False,
-    ) -> tuple[BoardEntry, bool]:
-        """Store what `decide` makes of the entry of a run; whether there was none.
+        check: Callable[[Quota], None] | None = None,
+    ) -> Changed:
+        """Store what `decide` makes of the entry of a run.
 
-        needs_run: raises RunDeleted if there is no such run any more. What `decide`
-        raises ends the transaction, and nothing is stored.
+        needs_run: raises RunDeleted if there is no such run any more. check: is called
+        with what the account has, if a leaf is added. What one of them raises ends the
+        transaction, and nothing is stored.
         """
         query = _NUMBERED.where(_entries.c.run_id == run_id)
         async with self._store.write() as connection:
@@ -85,21 +77,31 @@ class BoardStore:
             before = None if row is None else _entry_of(*row)
             change = decide(before)
             if change.entry == before:
-                return before, False
+                return Changed(before, is_new=False)
             number = await _store_entry(connection, change.entry)
+            kept = 0
             if change.leaf is not None:
-                await self._append(connection, change.leaf)
-        return replace(change.entry, number=number), before is None
+                if check is not None:
+                    account = change.entry.account
+                    check(await self._store.usage_in(connection, account))
+                size = await self._append(connection, change.leaf)
+                if is_of_account(change.leaf):
+                    kept = size
+                    await self._store.count_kept(connection, run_id, kept)
+        entry = replace(change.entry, number=number)
+        return Changed(entry, before is None, kept)
 
     async def _append(
         self, connection: AsyncConnection, members: Mapping[str, Any]
-    ) -> None:
+    ) -> int:
+        """Returns the bytes of the leaf."""
         leaf = msgspec.json.encode(members, order="deterministic")
         # Two servers that share the database cannot take the same index.
         index = await connection.scalar(_SIZE)
         hashed = self._leaf_hash(leaf)
         row = {"index": index, "leaf": leaf.decode(), "leaf_sha256": hashed}
         await connection.execute(_leaves.insert().values(row))
+        return len(leaf)
 
     async def find(self, entry_id: str) -> BoardEntry | None:
         """An entry, withdrawn or not."""
@@ -148,7 +150,7 @@ class BoardStore:
         if benchmark_id is not None:
             query = query.where(_entries.c.benchmark_id == benchmark_id)
         if before is not None:
-            query = query.where(_entries.c.number < before)
+            query = query.where(_entries.c.number < any_number(before))
         return await self._all(query.order_by(_entries.c.number.desc()).limit(limit))
 
     async def of_manifest(
@@ -175,7 +177,7 @@ class BoardStore:
 
     async def leaves(self, start: int, limit: int) -> list[str]:
         """Leaves by index, oldest first."""
-        query = sa.select(_leaves.c.leaf).where(_leaves.c.index >= start)
+        query = sa.select(_leaves.c.leaf).where(_leaves.c.index >= any_number(start))
         query = query.order_by(_leaves.c.index).limit(limit)
         return await self._store.read(lambda c: list(c.scalars(query)))
 

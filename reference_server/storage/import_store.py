@@ -16,35 +16,10 @@ from reference_server.rules.imported_record import (
     ImportUsage,
     RecordImport,
 )
-from reference_server.storage.store import TABLES, Store
+from reference_server.storage.column_types import any_number
+from reference_server.storage.database_tables import record_imports as _imports
+from reference_server.storage.store import Store
 
-_imports = sa.Table(
-    "record_imports",
-    TABLES,
-    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
-    sa.Column("import_id", sa.String(64), unique=True, nullable=False),
-    sa.Column("account", sa.String(200), nullable=False),
-    sa.Column("archive_sha256", sa.String(64), nullable=False),
-    sa.Column("size_bytes", sa.BigInteger, nullable=False),
-    sa.Column("statement_sha256", sa.String(64), nullable=False),
-    sa.Column("keyid", sa.Text, nullable=False),
-    sa.Column("run_id", sa.Text, nullable=False),
-    sa.Column("benchmark_id", sa.Text, nullable=False),
-    sa.Column("benchmark_version", sa.Text, nullable=False),
-    sa.Column("manifest_sha256", sa.String(64), nullable=False),
-    sa.Column("policy_name", sa.Text, nullable=False),
-    sa.Column("policy_version", sa.Text),
-    sa.Column("score", sa.Float),
-    sa.Column("episodes", sa.Integer, nullable=False),
-    sa.Column("imported_at_wall", sa.Float, nullable=False),
-    sa.Column("state", sa.String(16), nullable=False),
-    sa.Column("replay", sa.LargeBinary),
-    sa.Column("verdict", sa.LargeBinary),
-    sa.Column("reason", sa.Text),
-    sa.Column("finished_at_wall", sa.Float),
-    # One account does not have the same bytes twice (REC-119).
-    sa.Index("archives_of_account", "account", "archive_sha256", unique=True),
-)
 _COLUMNS = [_imports.c[one.name] for one in fields(RecordImport)]
 _IS_UNFINISHED = _imports.c.state != "finished"
 
@@ -84,9 +59,12 @@ class ImportStore:
         query = sa.select(*_COLUMNS).where(_imports.c.archive_sha256 == sha256)
         return await self._first(_of_account(query, account))
 
-    async def oldest_unfinished(self) -> RecordImport | None:
-        query = sa.select(*_COLUMNS).where(_IS_UNFINISHED)
-        return await self._first(query.order_by(_imports.c.number))
+    async def oldest_unfinished(self) -> list[RecordImport]:
+        """Of each account that has one, oldest first."""
+        oldest = sa.select(sa.func.min(_imports.c.number)).where(_IS_UNFINISHED)
+        numbers = oldest.group_by(_imports.c.account).scalar_subquery()
+        query = sa.select(*_COLUMNS).where(_imports.c.number.in_(numbers))
+        return await self._all(query.order_by(_imports.c.number))
 
     async def page(
         self, account: str | None, before: int | None, limit: int
@@ -94,7 +72,7 @@ class ImportStore:
         """Those below a number, newest first."""
         query = _of_account(sa.select(*_COLUMNS), account)
         if before is not None:
-            query = query.where(_imports.c.number < before)
+            query = query.where(_imports.c.number < any_number(before))
         return await self._all(query.order_by(_imports.c.number.desc()).limit(limit))
 
     async def ids(self) -> set[str]:

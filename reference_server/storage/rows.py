@@ -40,6 +40,7 @@ _COPIED_COLUMNS = (
     "queue_until_wall",
     "attempts_by_submitter",
     "played_number",
+    "owner",
 )
 # Stored of a run beside its submission, and of an episode: its plan and its result.
 RUN_BYTES, EPISODE_BYTES = 1024, 512
@@ -60,6 +61,8 @@ def new_run_row(run: Run) -> dict[str, Any]:
         "created_at_wall": run.created_at_wall,
         "benchmark_id": run.manifest["benchmark_id"],
         "attempts_by_submitter": run.attempts_by_submitter,
+        "owner": run.owner,
+        "fence": run.fence,
         "stored_bytes": stored_bytes(run),
     }
 
@@ -157,6 +160,7 @@ def _columns_of(row: Row, manifest: Manifest) -> dict[str, Any]:
         "manifest": manifest,
         "submission": msgspec.json.decode(row["submission"]),
         "images": msgspec.json.decode(row["images"]),
+        "fence": row["fence"] or 0,
     }
     return {name: row[name] for name in _COPIED_COLUMNS} | decoded
 

@@ -1,15 +1,12 @@
-"""What outlives the process: the one module that knows the database.
+"""What outlives the process: runs, their episodes, and what was signed.
 
-SQLAlchemy over SQLite by default; a URL makes it PostgreSQL. It stores and returns
-runs and holds no rule: what a restart does to runs is a table that it is given.
-Sessions are not stored: they end with the process.
+It stores and returns them and holds no rule: what a restart does to runs is a table
+that it is given. Sessions are not stored: they end with the process.
 """
 
 from __future__ import annotations
 
 import asyncio
-import contextlib
-from collections import Counter
 from collections.abc import (
     AsyncIterator,
     Awaitable,
@@ -19,112 +16,35 @@ from collections.abc import (
     Mapping,
     Sequence,
 )
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import asynccontextmanager
-from pathlib import Path
-from typing import Any, TypeVar
+from contextlib import asynccontextmanager, contextmanager
+from functools import partial
+from typing import Any
 
 import msgspec
 import sqlalchemy as sa
-from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
+from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy.ext.asyncio import AsyncConnection
 
-from reference_server.rules.capacity import WaitingRun
+from reference_server.rules.capacity import Quota, WaitingRun
+from reference_server.rules.lifecycle import OPEN_STATES
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, PublicKey, Run, RunHead, State
 from reference_server.storage import rows
-from reference_server.system import private_files
+from reference_server.storage.column_types import any_number
+from reference_server.storage.database import Database, Found, StoreFailed
+from reference_server.storage.database_tables import accounts as _accounts
+from reference_server.storage.database_tables import episodes as _episodes
+from reference_server.storage.database_tables import idempotency_keys as _keys
+from reference_server.storage.database_tables import manifests as _manifests
+from reference_server.storage.database_tables import runs as _runs
+from reference_server.storage.database_tables import signing_keys as _signing_keys
+from reference_server.storage.database_tables import statements as _statements
+from reference_server.storage.schema_version import Upgrade
 
-Found = TypeVar("Found")
+__all__ = ["OwnershipLost", "RunIsKept", "Store", "StoreFailed"]
 
-# Reads of the database file that run at once.
-READER_THREADS = 4
 # Decoded manifests kept, for all the runs that share them.
 CACHED_MANIFESTS_MAX = 64
-
-# Tables of other modules of this folder are added to these.
-TABLES = sa.MetaData()
-
-_runs = sa.Table(
-    "runs",
-    TABLES,
-    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
-    sa.Column("run_id", sa.String(64), unique=True, nullable=False),
-    sa.Column("account", sa.String(200), nullable=False),
-    sa.Column("state", sa.String(16), nullable=False, index=True),
-    sa.Column("reason", sa.Text),
-    sa.Column("retryable", sa.Boolean),
-    sa.Column("manifest_sha256", sa.String(64), nullable=False),
-    sa.Column("submission", sa.LargeBinary, nullable=False),
-    sa.Column("max_workers", sa.Integer, nullable=False),
-    sa.Column("idle_timeout_s", sa.Float, nullable=False),
-    sa.Column("images", sa.LargeBinary, nullable=False),
-    sa.Column("created_at_wall", sa.Float, nullable=False),
-    sa.Column("updated_at_wall", sa.Float, nullable=False),
-    sa.Column("queue_until_wall", sa.Float, nullable=False),
-    # How many of its episodes have a result; NULL in rows older than this column.
-    sa.Column("scored", sa.Integer),
-    # NULL in rows older than these columns.
-    sa.Column("benchmark_id", sa.String(64)),
-    sa.Column("attempts_by_submitter", sa.Integer),
-    # What it counts for its account; NULL in rows older than this column.
-    sa.Column("stored_bytes", sa.BigInteger),
-    # NULL if no action was executed in it.
-    sa.Column("played_number", sa.Integer),
-    # NULL unless it was deleted: its row stays, so that it stays counted.
-    sa.Column("deleted_at_wall", sa.Float),
-    sa.Index("runs_of_account", "account", "number"),
-    sa.Index("runs_of_benchmark", "account", "benchmark_id", "attempts_by_submitter"),
-    sa.Index("runs_played", "account", "benchmark_id", "played_number"),
-)
-# A manifest is stored once, however many runs use it.
-_manifests = sa.Table(
-    "manifests",
-    TABLES,
-    sa.Column("manifest_sha256", sa.String(64), primary_key=True),
-    sa.Column("manifest", sa.LargeBinary, nullable=False),
-)
-# Only episodes that something happened to; the others follow from the manifest.
-_episodes = sa.Table(
-    "episodes",
-    TABLES,
-    sa.Column("number", sa.ForeignKey("runs.number"), primary_key=True),
-    sa.Column("index", sa.Integer, primary_key=True),
-    sa.Column("attempt", sa.Integer, nullable=False),
-    sa.Column("faults", sa.Integer, nullable=False),
-    sa.Column("faults_forgiven", sa.Integer, nullable=False),
-    sa.Column("result", sa.LargeBinary),
-    sa.Column("policy_fault", sa.Text),
-    # Of its result among those of the run; NULL in rows older than this column.
-    sa.Column("place", sa.Integer),
-    # NULL if the episode was not recorded.
-    sa.Column("recording", sa.LargeBinary),
-)
-_keys = sa.Table(
-    "idempotency_keys",
-    TABLES,
-    sa.Column("account", sa.String(200), primary_key=True),
-    sa.Column("key", sa.String(128), primary_key=True),
-    sa.Column("body_sha256", sa.String(64), nullable=False),
-    sa.Column("run_id", sa.String(64), nullable=False),
-)
-
-# The statements of records, in the order in which they were signed.
-_statements = sa.Table(
-    "statements",
-    TABLES,
-    sa.Column("number", sa.Integer, primary_key=True, autoincrement=True),
-    sa.Column("run_id", sa.String(64), unique=True, nullable=False),
-    sa.Column("statement", sa.LargeBinary, nullable=False),
-    sa.Column("sha256", sa.String(64), nullable=False),
-)
-_signing_keys = sa.Table(
-    "signing_keys",
-    TABLES,
-    sa.Column("keyid", sa.String(80), primary_key=True),
-    sa.Column("public_key", sa.LargeBinary, nullable=False),
-    sa.Column("created_at_wall", sa.Float, nullable=False),
-    sa.Column("retired_at_wall", sa.Float),
-)
 
 _COUNT_SCORED = (
     sa.select(sa.func.count(_episodes.c.result))
@@ -132,6 +52,10 @@ _COUNT_SCORED = (
     .scalar_subquery()
 )
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
+# Rows may be older than the column.
+_STORED_BYTES = sa.func.coalesce(
+    _runs.c.stored_bytes, sa.func.length(_runs.c.submission)
+)
 _NOT_IN_HEADS = ("scored", "stored_bytes", "deleted_at_wall")
 _HEADS = sa.select(
     *(one for one in _runs.c if one.name not in _NOT_IN_HEADS),
@@ -155,9 +79,30 @@ _EPISODES_SCORED = (
     .limit(_end - _start)
 )
 
+# Made once, so that what they are compiled to is found at once.
+_NEW_RUN = _runs.insert().returning(_runs.c.number)
+_NEW_KEY = _keys.insert()
+_FIND_KEY = sa.select(_keys.c.body_sha256, _keys.c.run_id).where(
+    _keys.c.account == sa.bindparam("account"), _keys.c.key == sa.bindparam("key")
+)
+_HAS_MANIFEST = sa.select(_manifests.c.manifest_sha256).where(
+    _manifests.c.manifest_sha256 == sa.bindparam("manifest_sha256")
+)
+_OWNED_RUN = _runs.update().where(
+    _runs.c.number == sa.bindparam("of_number"),
+    sa.func.coalesce(_runs.c.fence, 0) == sa.bindparam("of_fence"),
+)
+_NEW_EPISODE = _episodes.insert()
+_OLD_EPISODE = _episodes.delete().where(
+    _episodes.c.number == sa.bindparam("of_number"),
+    _episodes.c.index == sa.bindparam("of_index"),
+)
 
-class StoreFailed(Exception):
-    """The database failed; nothing of the transaction was stored."""
+_OF_NO_ACCOUNT = {"account": "", "counted": 0}
+
+
+class OwnershipLost(StoreFailed):
+    """Another node has claimed the run: nothing of it was stored, nor will be."""
 
 
 class RunIsKept(Exception):
@@ -181,7 +126,8 @@ class Store:
     """Runs on disk. Writes happen one after another; each is one transaction.
 
     before_save: completes a run that is about to be stored. after_save: is called with
-    the run and the indices of the episodes that were stored.
+    the run and the indices of the episodes that were stored. is_shared: other nodes
+    write to the database, too.
     """
 
     def __init__(
@@ -189,63 +135,42 @@ class Store:
         url: str,
         before_save: Callable[[Run], Awaitable[None]] = _complete_nothing,
         after_save: Callable[[Run, set[int]], None] = lambda _run, _indices: None,
+        *,
+        is_shared: bool = False,
     ) -> None:
         self._before_save, self._after_save = before_save, after_save
+        self._is_shared = is_shared
         self._before_delete: BeforeDelete = _delete_nothing_else
-        try:
-            self._url = sa.make_url(url)
-            self._engine: AsyncEngine = create_async_engine(self._url)
-        except (sa.exc.SQLAlchemyError, ImportError) as error:
-            raise StoreFailed(_one_line(error)) from error
+        self._database = Database(url, is_shared=is_shared)
         self._write_lock = asyncio.Lock()
-        # A database in memory is one connection, and so one transaction at a time.
-        shared = isinstance(self._engine.pool, sa.StaticPool)
-        self._exclusive = asyncio.Lock() if shared else contextlib.nullcontext()
-        if self._url.get_backend_name() == "sqlite":
-            sa.event.listen(self._engine.sync_engine, "connect", _tune_sqlite)
-        # The async driver switches to its thread and back for each step of a query. For
-        # reads of a file one switch is enough for all queries of one read.
-        self._read_engine: sa.Engine | None = None
-        # Not the loop's own threads: a slow DNS look-up may occupy those.
-        self._reader_threads = ThreadPoolExecutor(READER_THREADS, "store")
-        if self._url.get_backend_name() == "sqlite" and not shared:
-            self._read_engine = sa.create_engine(self._url.set(drivername="sqlite"))
-            sa.event.listen(self._read_engine, "connect", _set_query_only)
-            sa.event.listen(self._read_engine, "begin", _begin)
+        self._last_write_failed = False
         self._manifest_cache: dict[str, Manifest] = {}
 
-    async def open(self) -> None:
-        """Create the tables and the columns that are missing."""
-        path = _database_file(self._url)
-        if path is not None:
-            try:
-                private_files.create_empty(path)
-            except OSError as error:
-                raise StoreFailed(_one_line(error)) from error
-        async with self._transaction() as connection:
-            await connection.run_sync(TABLES.create_all)
-            added = await connection.run_sync(_add_missing_columns)
-            await connection.run_sync(_number_older_attempts)
-            if _runs.c.played_number in added:
-                await connection.run_sync(_number_older_played)
-        if path is not None:  # only now it is known to be a database
-            for suffix in ("", "-wal", "-shm"):
-                private_files.restrict(path.with_name(path.name + suffix))
+    async def open(self, *, upgrade: bool = True) -> Upgrade | None:
+        """Create or upgrade the tables, as Database.open does it."""
+        return await self._database.open(upgrade=upgrade)
 
     async def close(self) -> None:
-        await self._engine.dispose()
-        if self._read_engine is not None:
-            self._reader_threads.shutdown(wait=False)
-            self._read_engine.dispose()
+        await self._database.close()
 
     @asynccontextmanager
     async def _transaction(self) -> AsyncIterator[AsyncConnection]:
-        try:
-            async with self._exclusive, self._engine.begin() as connection:
+        with self._note_failure():
+            async with self._database.transaction() as connection:
                 yield connection
-        except (sa.exc.SQLAlchemyError, OSError) as error:
-            # An unreachable server is reported by its driver, not by SQLAlchemy.
-            raise StoreFailed(_one_line(error)) from error
+
+    async def _write_at_once(self, store: Callable[[sa.Connection], Found]) -> Found:
+        """A transaction of a caller that has the lock of writes."""
+        with self._note_failure():
+            return await self._database.write(store)
+
+    @contextmanager
+    def _note_failure(self) -> Iterator[None]:
+        try:
+            yield
+        except StoreFailed as error:
+            self._last_write_failed |= not isinstance(error, OwnershipLost)
+            raise
 
     @asynccontextmanager
     async def write(self) -> AsyncIterator[AsyncConnection]:
@@ -253,58 +178,62 @@ class Store:
         async with self._write_lock, self._transaction() as connection:
             yield connection
 
-    async def _read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """What `fetch` finds, all of it as it was at one moment."""
-        if self._read_engine is None:
-            async with self._transaction() as connection:
-                return await connection.run_sync(fetch)
-        try:
-            loop = asyncio.get_running_loop()
-            return await loop.run_in_executor(
-                self._reader_threads, _run_in_connection, self._read_engine, fetch
-            )
-        except (sa.exc.SQLAlchemyError, OSError) as error:
-            raise StoreFailed(_one_line(error)) from error
-
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """What `fetch` finds in tables of another module of storage/."""
-        return await self._read(fetch)
+        """What `fetch` finds, all of it as it was at one moment."""
+        return await self._database.read(fetch)
 
-    async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:
+    async def check_writable(self) -> None:
+        """Raises StoreFailed if no write can begin, or none is stored after a failure.
+
+        On a full disk writes begin. So after one that failed a row is written, and
+        deleted again, until that works.
+        """
+        nothing = _runs.update().where(sa.false()).values(state=_runs.c.state)
+        is_tried = self._last_write_failed
+        async with self.write() as connection:
+            await connection.execute(nothing)
+            if is_tried:
+                of_none = _accounts.c.account == ""
+                await connection.execute(_accounts.insert().values(_OF_NO_ACCOUNT))
+                await connection.execute(_accounts.delete().where(of_none))
+        if is_tried:
+            self._last_write_failed = False
+
+    async def insert(
+        self,
+        run: Run,
+        key: str | None,
+        body_sha256: str,
+        check: Callable[[Quota], None] | None = None,
+    ) -> bool:
         """Store a new run and give it its number, unless its key is taken (CRASH-003).
 
+        check: raises if the account, which has so much, may not have another one.
         Returns whether it was stored.
         """
-        async with self._write_lock, self._transaction() as connection:
-            if key is not None and await _find_key(connection, run.account, key):
-                return False
-            before = await connection.scalar(_last_attempt(run))
-            run.attempts_by_submitter = 1 + (before or 0)  # REC-110
-            row = rows.new_run_row(run)
-            known = sa.select(_manifests.c.manifest_sha256).where(
-                _manifests.c.manifest_sha256 == run.manifest_sha256
-            )
-            if (await connection.execute(known)).first() is None:
-                await connection.execute(
-                    _manifests.insert().values(
-                        manifest_sha256=run.manifest_sha256,
-                        manifest=msgspec.json.encode(run.manifest),
-                    )
-                )
-            inserted = await connection.execute(
-                _runs.insert().values(row).returning(_runs.c.number)
-            )
-            run.number = inserted.scalar_one()
-            if key is not None:
-                await connection.execute(
-                    _keys.insert().values(
-                        account=run.account,
-                        key=key,
-                        body_sha256=body_sha256,
-                        run_id=run.run_id,
-                    )
-                )
-        return True
+        async with self._write_lock:
+            row = rows.new_run_row(run)  # of the moment at which it is stored
+
+            def store(connection: sa.Connection) -> tuple[int, int] | None:
+                self._lock_account(connection, run.account)
+                if key is not None and _find_key(connection, run.account, key):
+                    return None
+                if check is not None:
+                    check(_usage_of(connection, run.account))
+                before = connection.scalar(_last_attempt(run))
+                row["attempts_by_submitter"] = 1 + (before or 0)  # REC-110
+                _add_manifest(connection, run)
+                number = connection.execute(_NEW_RUN, row).scalar_one()
+                if key is not None:
+                    of_key = {"account": run.account, "key": key}
+                    made = {"body_sha256": body_sha256, "run_id": run.run_id}
+                    connection.execute(_NEW_KEY, of_key | made)
+                return number, row["attempts_by_submitter"]
+
+            numbers = await self._write_at_once(store)
+            if numbers is not None:
+                run.number, run.attempts_by_submitter = numbers
+        return numbers is not None
 
     async def save(self, run: Run) -> None:
         """Commit the run's state and the episodes that changed since.
@@ -321,15 +250,17 @@ class Store:
             changed, run.changed = run.changed, set()
             row, episodes = rows.run_row(run), rows.episode_rows(run, changed)
             count = run.is_played and run.played_number is None
+
+            def store(connection: sa.Connection) -> None:
+                if count:
+                    self._lock_account(connection, run.account)
+                    before = connection.scalar(_last_played(run))
+                    row["played_number"] = 1 + (before or 0)
+                _update_owned(connection, run, row)
+                _replace_episodes(connection, episodes)
+
             try:
-                async with self._transaction() as connection:
-                    if count:
-                        before = await connection.scalar(_last_played(run))
-                        row["played_number"] = 1 + (before or 0)
-                    await connection.execute(
-                        _runs.update().where(_runs.c.number == run.number).values(row)
-                    )
-                    await _replace_episodes(connection, run.number, episodes)
+                await self._write_at_once(store)
             except StoreFailed:
                 run.changed |= changed
                 raise
@@ -348,7 +279,6 @@ class Store:
         Its Idempotency-Key stays used (DEL-005), and of its statement the digest, which
         the next one names. Raises RunIsKept.
         """
-        of_run = _runs.c.number == run.number
         emptied = _statements.update().where(_statements.c.run_id == run.run_id)
         async with self._write_lock, self._transaction() as connection:
             await self._before_delete(connection, run.run_id, by_host)
@@ -356,14 +286,19 @@ class Store:
                 _episodes.delete().where(_episodes.c.number == run.number)
             )
             await connection.execute(emptied.values(statement=b""))
-            await connection.execute(
-                _runs.update().where(of_run).values(rows.deleted_run_row(now_wall))
-            )
+            size = rows.stored_bytes(run)
+            counted = sa.func.coalesce(_runs.c.stored_bytes, size)
+            row = rows.deleted_run_row(now_wall)
+            # What it has in the history of the leaderboard is kept, and counted.
+            kept = counted - size + row.pop("stored_bytes")
+            await connection.run_sync(partial(_update_owned, run=run, row=row))
+            of_run = _runs.update().where(_runs.c.number == run.number)
+            await connection.execute(of_run.values(stored_bytes=kept))
 
     async def deleted_ids(self, run_ids: Sequence[str]) -> set[str]:
         """Which of these runs were deleted."""
         query = sa.select(_runs.c.run_id).where(~_IS_THERE, _runs.c.run_id.in_(run_ids))
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             return set(await connection.scalars(query))
 
     async def is_deleted(self, connection: AsyncConnection, run_id: str) -> bool:
@@ -382,13 +317,12 @@ class Store:
             _runs.c.updated_at_wall < before,
         )
         query = query.order_by(_runs.c.number).limit(limit)
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             return [(n, r) for n, r in await connection.execute(query)]
 
     async def find_key(self, account: str, key: str) -> tuple[str, str] | None:
         """(body_sha256, run_id) of an account's Idempotency-Key, if it was used."""
-        async with self._transaction() as connection:
-            return await _find_key(connection, account, key)
+        return await self.read(partial(_find_key, account=account, key=key))
 
     async def load(self, run_id: str) -> Run | None:
         """The run with all its episodes."""
@@ -400,7 +334,7 @@ class Store:
                 )
             return None
 
-        return await self._read(fetch)
+        return await self.read(fetch)
 
     async def read_window(
         self, run_id: str, start: int, end: int | None, scored: bool = False
@@ -419,7 +353,7 @@ class Store:
                 return head, rows.episodes_of(manifest, places, found)
             return None
 
-        return await self._read(fetch)
+        return await self.read(fetch)
 
     async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
         """Those runs by id, without their episodes."""
@@ -428,7 +362,7 @@ class Store:
             found = (rows.head_of(*one) for one in self._heads(connection, run_ids))
             return {head.run_id: head for head in found}
 
-        return await self._read(fetch)
+        return await self.read(fetch)
 
     def _heads(
         self, connection: sa.Connection, run_ids: Sequence[str]
@@ -461,13 +395,13 @@ class Store:
         if account is not None:
             query = query.where(_runs.c.account == account)
         if before is not None:
-            query = query.where(_runs.c.number < before)
+            query = query.where(_runs.c.number < any_number(before))
         query = query.order_by(_runs.c.number.desc()).limit(limit)
 
         def fetch(connection: sa.Connection) -> list[tuple[int, str]]:
             return [(n, r) for n, r in connection.execute(query)]
 
-        return await self._read(fetch)
+        return await self.read(fetch)
 
     async def replace_states(self, states: Mapping[State, State], reason: str) -> None:
         """Move every run in one of these states to the state beside it."""
@@ -479,11 +413,37 @@ class Store:
                     .values(state=after, reason=reason)
                 )
 
+    def _lock_account(self, connection: sa.Connection, account: str) -> None:
+        """Until its end, no other transaction that does this counts the account."""
+        if not self._is_shared:  # the lock of writes is enough
+            return
+        is_sqlite = connection.dialect.name == "sqlite"
+        insert = (sqlite if is_sqlite else postgresql).insert(_accounts)
+        known = insert.values(account=account, counted=0).on_conflict_do_nothing()
+        connection.execute(known)
+        counted = _accounts.update().where(_accounts.c.account == account)
+        connection.execute(counted.values(counted=_accounts.c.counted + 1))
+
+    async def usage_of(self, account: str) -> Quota:
+        """What an account has of what its quota bounds."""
+        return await self.read(partial(_usage_of, account=account))
+
+    async def usage_in(self, connection: AsyncConnection, account: str) -> Quota:
+        """`usage_of`, as a transaction of `write` sees it."""
+        return await connection.run_sync(partial(_usage_of, account=account))
+
+    async def count_kept(
+        self, connection: AsyncConnection, run_id: str, size: int
+    ) -> None:
+        """Count bytes that are kept for good because of a run."""
+        row = _runs.update().where(_runs.c.run_id == run_id)
+        await connection.execute(row.values(stored_bytes=_STORED_BYTES + size))
+
     # --- records ---
 
     async def count_attempts(self, run: RunHead) -> int:
         """How many runs of its benchmark the run's account has submitted so far."""
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             # Its rows may be older than the column that counts.
             return max(1, await connection.scalar(_last_attempt(run)) or 0)
 
@@ -500,18 +460,18 @@ class Store:
         def fetch(connection: sa.Connection) -> dict[tuple[str, str], int]:
             return {(a, b): n for a, b, n in connection.execute(query)}
 
-        return await self._read(fetch)
+        return await self.read(fetch)
 
     async def find_statement(self, run_id: str) -> bytes | None:
         """That of the run's record, if it was signed."""
         query = sa.select(_statements.c.statement).where(_statements.c.run_id == run_id)
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             return await connection.scalar(query)
 
     async def last_statement_sha256(self) -> str | None:
         """Of the statement that was signed last; None before the first."""
         query = sa.select(_statements.c.sha256).order_by(_statements.c.number.desc())
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             return await connection.scalar(query.limit(1))
 
     async def add_statement(self, run_id: str, statement: bytes, sha256: str) -> None:
@@ -540,31 +500,36 @@ class Store:
         """All keys that signed, the newest first."""
         columns = (_signing_keys.c[n] for n in PublicKey.__dataclass_fields__)
         query = sa.select(*columns).order_by(_signing_keys.c.created_at_wall.desc())
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             return [PublicKey(*row) for row in await connection.execute(query)]
 
     async def in_states(self, *states: str) -> list[str]:
         """Ids of all runs in these states, oldest first."""
         in_states = _runs.c.state.in_(states)
         query = sa.select(_runs.c.run_id).where(_IS_THERE, in_states)
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             return list(await connection.scalars(query.order_by(_runs.c.number)))
 
+    async def runs_of_manifests(self, benchmark_id: str) -> list[str]:
+        """The id of one run of each manifest of a benchmark."""
+        query = sa.select(sa.func.max(_runs.c.run_id))
+        query = query.where(_IS_THERE, _runs.c.benchmark_id == benchmark_id)
+        query = query.group_by(_runs.c.manifest_sha256)
+        async with self._database.transaction_that_reads() as connection:
+            return sorted(await connection.scalars(query))
+
     async def waiting_runs(self, *states: str) -> list[WaitingRun]:
-        """All runs in these states as admission reads them, oldest first."""
+        """All runs in these states as the queue reads them, oldest first."""
         columns = (_runs.c[name] for name in WaitingRun.__dataclass_fields__)
         query = sa.select(*columns).where(_IS_THERE, _runs.c.state.in_(states))
-        async with self._transaction() as connection:
+        async with self._database.transaction_that_reads() as connection:
             found = await connection.execute(query.order_by(_runs.c.number))
             return [WaitingRun(*row) for row in found]
 
     async def sizes_of_accounts(self) -> tuple[dict[str, int], dict[str, int]]:
         """Of each account the number of its Idempotency-Keys, and its stored bytes."""
-        size = sa.func.coalesce(
-            _runs.c.stored_bytes, sa.func.length(_runs.c.submission)
-        )
-        counted = ((_keys, sa.func.count()), (_runs, sa.func.sum(size)))
-        async with self._transaction() as connection:
+        counted = ((_keys, sa.func.count()), (_runs, sa.func.sum(_STORED_BYTES)))
+        async with self._database.transaction_that_reads() as connection:
             keys, sizes = [
                 await connection.execute(
                     sa.select(table.c.account, count).group_by(table.c.account)
@@ -572,6 +537,33 @@ class Store:
                 for table, count in counted
             ]
             return {a: int(n) for a, n in keys}, {a: int(n) for a, n in sizes}
+
+
+def _add_manifest(connection: sa.Connection, run: Run) -> None:
+    """Store the manifest of a run, unless another run has it."""
+    of_run = {"manifest_sha256": run.manifest_sha256}
+    if connection.execute(_HAS_MANIFEST, of_run).first() is None:
+        row = of_run | {"manifest": msgspec.json.encode(run.manifest)}
+        connection.execute(_manifests.insert(), row)
+
+
+def _update_owned(
+    connection: sa.Connection, run: RunHead, row: Mapping[str, Any]
+) -> None:
+    """Change the row of a run, unless another node has claimed it since it was read."""
+    owned = {"of_number": run.number, "of_fence": run.fence}
+    if connection.execute(_OWNED_RUN, {**row, **owned}).rowcount == 0:
+        raise OwnershipLost(f"another node has claimed {run.run_id}")
+
+
+def _usage_of(connection: sa.Connection, account: str) -> Quota:
+    is_open = sa.and_(_IS_THERE, _runs.c.state.in_(OPEN_STATES))
+    count = sa.func.count()
+    query = sa.select(count.filter(is_open), sa.func.sum(_STORED_BYTES))
+    of_account = query.where(_runs.c.account == account)
+    open_runs, stored = connection.execute(of_account).one()
+    keys = sa.select(count).select_from(_keys).where(_keys.c.account == account)
+    return Quota(open_runs, connection.scalar(keys) or 0, int(stored or 0))
 
 
 def _last_attempt(run: RunHead) -> sa.Select[Any]:
@@ -590,117 +582,22 @@ def _last_played(run: RunHead) -> sa.Select[Any]:
     )
 
 
-def _run_in_connection(
-    engine: sa.Engine, fetch: Callable[[sa.Connection], Found]
-) -> Found:
-    with engine.connect() as connection:
-        return fetch(connection)
-
-
-def _add_missing_columns(connection: sa.Connection) -> set[sa.Column[Any]]:
-    """Add the columns that an older database does not have, empty; and the indexes."""
-    added = set()
-    for table in TABLES.sorted_tables:
-        columns = sa.inspect(connection).get_columns(table.name)
-        present = {column["name"] for column in columns}
-        for column in table.columns:
-            if column.name not in present:
-                kind = column.type.compile(connection.dialect)
-                add = f"ALTER TABLE {table.name} ADD {column.name} {kind}"
-                connection.execute(sa.text(add))
-                added.add(column)
-        for index in table.indexes:
-            index.create(connection, checkfirst=True)
-    return added
-
-
-def _number_older_attempts(connection: sa.Connection) -> None:
-    """Fill what counts attempts (REC-110) in rows that are older than its columns."""
-    older = _runs.c.benchmark_id.is_(None)
-    used = sa.select(_runs.c.manifest_sha256).where(older).distinct()
-    for sha256 in connection.scalars(used).all():
-        known = {"manifest_sha256": sha256}
-        manifest = msgspec.json.decode(connection.scalars(_MANIFEST, known).one())
-        filled = _runs.update().where(older, _runs.c.manifest_sha256 == sha256)
-        connection.execute(filled.values(benchmark_id=manifest["benchmark_id"]))
-    unnumbered = sa.func.coalesce(_runs.c.attempts_by_submitter, 0) == 0
-    columns = (_runs.c.number, _runs.c.account, _runs.c.benchmark_id)
-    query = sa.select(*columns).where(unnumbered).order_by(_runs.c.number)
-    counts: Counter[tuple[str, str]] = Counter()
-    for number, *of in connection.execute(query).all():
-        counts[tuple(of)] += 1
-        row = _runs.update().where(_runs.c.number == number)
-        connection.execute(row.values(attempts_by_submitter=counts[tuple(of)]))
-
-
-def _number_older_played(connection: sa.Connection) -> None:
-    """Number the runs of which something was stored before that was counted (DEL-006).
-
-    An older row does not say whether a turn inside an episode was its only one.
-    """
-    of_episode = sa.select(_episodes.c.number).distinct()
-    columns = (_runs.c.number, _runs.c.account, _runs.c.benchmark_id)
-    query = sa.select(*columns).where(_runs.c.number.in_(of_episode))
-    counts: Counter[tuple[str, str]] = Counter()
-    for number, *of in connection.execute(query.order_by(_runs.c.number)).all():
-        counts[tuple(of)] += 1
-        row = _runs.update().where(_runs.c.number == number)
-        connection.execute(row.values(played_number=counts[tuple(of)]))
-
-
-def _database_file(url: sa.URL) -> Path | None:
-    """The file of an SQLite database; None if it is in memory, or another database."""
-    name = url.database or ":memory:"
-    if url.get_backend_name() != "sqlite" or name.startswith((":memory:", "file:")):
-        return None
-    return Path(name)
-
-
-def _one_line(error: Exception) -> str:
-    return str(error).partition("\n")[0]
-
-
-def _tune_sqlite(connection: Any, _record: object) -> None:
-    cursor = connection.cursor()
-    # WAL lets readers pass a writer; FULL makes a commit survive a power cut too.
-    for pragma in ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON"):
-        cursor.execute(f"PRAGMA {pragma}")
-    cursor.close()
-
-
-def _set_query_only(connection: Any, _record: object) -> None:
-    connection.isolation_level = None  # `_begin` begins the transaction
-    connection.execute("PRAGMA query_only=ON").close()
-
-
-def _begin(connection: sa.Connection) -> None:
-    """All that is read until the end is of one moment."""
-    connection.exec_driver_sql("BEGIN")
-
-
-async def _find_key(
-    connection: AsyncConnection, account: str, key: str
+def _find_key(
+    connection: sa.Connection, account: str, key: str
 ) -> tuple[str, str] | None:
-    query = sa.select(_keys.c.body_sha256, _keys.c.run_id).where(
-        _keys.c.account == account, _keys.c.key == key
-    )
-    row = (await connection.execute(query)).first()
+    row = connection.execute(_FIND_KEY, {"account": account, "key": key}).first()
     return None if row is None else (row[0], row[1])
 
 
-async def _replace_episodes(
-    connection: AsyncConnection, number: int, rows: list[dict[str, Any]]
+def _replace_episodes(
+    connection: sa.Connection, episodes: Sequence[Mapping[str, Any]]
 ) -> None:
     """Delete and insert: an upsert that every database speaks."""
-    if not rows:
+    if not episodes:
         return
-    await connection.execute(
-        _episodes.delete().where(
-            _episodes.c.number == number,
-            _episodes.c.index.in_([row["index"] for row in rows]),
-        )
-    )
-    await connection.execute(_episodes.insert(), rows)
+    old = [{"of_number": one["number"], "of_index": one["index"]} for one in episodes]
+    connection.execute(_OLD_EPISODE, old)
+    connection.execute(_NEW_EPISODE, episodes)
 
 
 def _stored_episodes(

@@ -50,10 +50,12 @@ def log_config(
     }
     access_level = logging.INFO if access else logging.CRITICAL
     loggers[ACCESS_LOG] = {"level": access_level}
+    loggers["uvicorn.asgi"] = {"filters": ["without_query"]}
     formatter = JsonFormatter if form == "json" else TextFormatter
     return {
         "version": 1,
         "disable_existing_loggers": False,
+        "filters": {"without_query": {"()": QueryRemover}},
         "formatters": {"chosen": {"()": formatter}},
         "handlers": {
             "stderr": {
@@ -66,6 +68,21 @@ def log_config(
         # Others log elsewhere: asyncio what nothing caught, the pool of simulators.
         "root": {"level": max(number, logging.WARNING), "handlers": ["stderr"]},
     }
+
+
+class QueryRemover(logging.Filter):
+    """From what uvicorn logs of a request, for a query has the ids of sessions."""
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        if isinstance(record.args, tuple):
+            record.args = tuple(map(_without_query, record.args))
+        return True
+
+
+def _without_query(logged: object) -> object:
+    if isinstance(logged, dict) and "query_string" in logged:
+        return logged | {"query_string": "<...>"}
+    return logged
 
 
 class TextFormatter(logging.Formatter):

@@ -32,20 +32,24 @@ def read_or_create(path: Path, make: Callable[[], bytes]) -> bytes:
     return path.read_bytes().strip()
 
 
-def create_empty(path: Path) -> None:
-    """Create the file for its owner only, unless it exists. Raises OSError.
+def create_empty(path: Path) -> bool:
+    """Create the file for its owner only, unless it or a link exists. Raises OSError.
 
+    Returns whether it was created.
     root gives it to the owner of its folder: a server that is not root must read it.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    with contextlib.suppress(FileExistsError):
+    try:
         descriptor = os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, _OWNER_ONLY)
-        try:
-            if os.geteuid() == 0:
-                folder = path.parent.stat()
-                os.fchown(descriptor, folder.st_uid, folder.st_gid)
-        finally:
-            os.close(descriptor)
+    except FileExistsError:
+        return False
+    try:
+        if os.geteuid() == 0:
+            folder = path.parent.stat()
+            os.fchown(descriptor, folder.st_uid, folder.st_gid)
+    finally:
+        os.close(descriptor)
+    return True
 
 
 def restrict(path: Path) -> None:

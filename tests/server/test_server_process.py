@@ -24,12 +24,15 @@ from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
 from tests.support.paths import ROOT
 from tests.support.processes import descendants, wait_until_ended
-from tests.support.server.http_runs import predict_body, submit
+from tests.support.server.http_runs import (
+    attach,
+    predict_body,
+    submit,
+    worker_path,
+)
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers")
-
-WORKER = "/v1/runs/{run_id}/workers/w"
 
 
 def environment(**settings: str) -> dict[str, str]:
@@ -43,17 +46,10 @@ def environment(**settings: str) -> dict[str, str]:
     return inherited | settings
 
 
-def attach(client: httpx.Client, run_id: str, key: str = "key") -> dict[str, Any]:
-    path = WORKER.format(run_id=run_id)
-    answer = client.put(path, json={"attach_key": key})
-    assert answer.status_code == 200, answer.text
-    return dict(answer.json())
-
-
 def predict(
     client: httpx.Client, run_id: str, turn: dict[str, Any], **values: float
 ) -> dict[str, Any]:
-    path = WORKER.format(run_id=run_id) + "/predict"
+    path = worker_path(run_id) + "/predict"
     answer = client.post(path, json=predict_body(turn, **values))
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
@@ -107,6 +103,24 @@ def test_a_failed_start_prints_one_line(tmp_path: Path, cause: str, about: str) 
     assert ended.stdout == ""
     # A server beside ours may be using the database: it was left alone.
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.slow("starts a server")
+def test_a_second_server_on_a_database_is_refused(tmp_path: Path) -> None:
+    """The runs of the first one go on: nothing was done to them."""
+    with ReferenceServer(tmp_path) as server, server.client() as client:
+        ended = subprocess.run(
+            [sys.executable, "-m", "reference_server", "--port", "0"],
+            cwd=ROOT,
+            env=environment(PROCTOR_DATABASE=str(server.database_file)),
+            capture_output=True,
+            text=True,
+            timeout=TIMEOUT_S,
+            check=False,
+        )
+        assert is_one_line(ended.returncode, ended.stderr, about="another server")
+        assert str(server.process.pid) in ended.stderr
+        assert client.get("/v1/runs").status_code == 200
 
 
 @pytest.mark.parametrize(
@@ -304,7 +318,7 @@ def in_play(
     **values: float,
 ) -> Iterator[None]:
     """A turn is executed meanwhile, which the server's end may break off."""
-    path, body = f"{WORKER.format(run_id=run_id)}/predict", predict_body(turn, **values)
+    path, body = f"{worker_path(run_id)}/predict", predict_body(turn, **values)
 
     def play() -> None:
         with server.client() as player, contextlib.suppress(httpx.TransportError):
@@ -346,7 +360,7 @@ def test_a_kill_loses_no_scored_episode(server: ReferenceServer) -> None:
         after = client.get(f"/v1/runs/{run_id}").json()
         assert (before["state"], after["state"]) == ("running", "ready")
         assert after["live_workers"] == 0
-        path = WORKER.format(run_id=run_id)
+        path = worker_path(run_id)
         refused = client.post(f"{path}/predict", json=predict_body(turn))
         assert refused.json()["ended_by"] == "unknown"
         turn = attach(client, run_id)

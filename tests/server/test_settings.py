@@ -6,6 +6,7 @@
 import os
 import sys
 import typing
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -123,6 +124,9 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),
         "ebench_prefixes": ("/a", "/a,/b/c"),
         "pages": ("off", "off"),
+        "metrics": ("on", "on"),
+        "cluster": ("off", "off"),
+        "node_url": ("http://10.0.0.1:8460", "http://b"),
         "recordings": ("off", "pictures"),
         "record_promise": ("exact", "exact"),
         "ebench_equal_steps": ("answer", "answer_chunks"),
@@ -199,6 +203,16 @@ def test_an_account_without_token_is_for_this_machine_alone(
         Settings(flageval_account="local", **other)  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("host", ["0.0.0.0", "::"])  # noqa: S104
+def test_a_node_on_every_address_is_given_the_url_of_one(host: str) -> None:
+    cluster: dict[str, Any] = {"cluster": "on", "recordings": "off"}
+    assert Settings(**cluster).cluster == "on"
+    given = Settings(**cluster, host=host, node_url="http://10.0.0.1:8460")
+    assert given.node_url is not None
+    with pytest.raises(ValidationError, match="needs node_url: set it to"):
+        Settings(**cluster, host=host)
+
+
 @pytest.mark.parametrize(
     ("database", "url"),
     [
@@ -209,6 +223,17 @@ def test_an_account_without_token_is_for_this_machine_alone(
 )
 def test_a_database_is_a_path_or_a_url(database: str, url: str) -> None:
     assert Settings(database=database).database_url == url
+
+
+def test_keys_of_a_server_with_postgresql_are_files() -> None:
+    settings = Settings(database="postgresql://host/name")
+    files = (
+        *(settings.token_path, settings.tokens_file_path, settings.sealing_key_path),
+        *(settings.seed_secret_path, settings.signing_key_path),
+    )
+    endings = ("token", "tokens", "key", "seeds", "signing-key")
+    assert files == tuple(Path(f"var/postgresql.{one}") for one in endings)
+    assert settings.records_path == Path("var/records")
 
 
 # --- tokens ---

@@ -27,6 +27,7 @@ from reference_server.http.connections.connection_limits import (
 )
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
+from reference_server.system.counters import COUNTERS
 
 _HEAD_END = b"\r\n\r\n"
 # Of an end of a head, what may stand in the bytes before.
@@ -388,6 +389,7 @@ class BoundedConnection(HttpToolsProtocol):
 
     def _refuse(self, status: int) -> None:
         """Answer in the words of the HTTP layer and close; nothing more is parsed."""
+        COUNTERS.refused_requests[status] += 1
         cycle = self.cycle
         in_work = self._phase == _BODY and not cycle.response_complete
         self._phase = _REFUSED

@@ -150,6 +150,11 @@ class ConnectionLimiter:
         self._count += 1
         return True
 
+    @property
+    def count(self) -> int:
+        """Connections that are open, without those that are being refused."""
+        return self._count
+
     def may_wait_refused(self, connection: Connection) -> bool:
         """Whether a refused connection may stay until it has its answer."""
         if len(self._leaving) >= REFUSED_MAX:

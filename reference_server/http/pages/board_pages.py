@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
 
@@ -32,6 +32,8 @@ _SORTS: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
     "attempts": lambda row: row["entry"]["attempts"],
     "newest": lambda row: _reversed(row["entry"]["published_at"]),
 }
+# Parts of a score, and what a column of a spreadsheet calls one of them.
+_GROUPS = {"by_task": "task", "by_split": "split"}
 # What a spreadsheet would compute instead of showing it.
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
@@ -51,6 +53,7 @@ async def show_leaderboard(call: PageCall) -> str:
     return render_page(
         "leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark, ranking=ranking,
         rows=rows, selected=selected, sorts=list(_SORTS),
+        groups={kind: found for kind in _GROUPS if (found := _names(rows, kind))[1:]},
     )  # fmt: skip
 
 
@@ -84,6 +87,12 @@ async def _ranking(call: PageCall) -> tuple[dict[str, Any], dict[str, Any]]:
     return benchmark, ranking
 
 
+def _names(rows: Sequence[Mapping[str, Any]], kind: str) -> list[str]:
+    """The tasks or splits of the entries; entries of older servers have none."""
+    shown = (row["entry"]["score"].get(kind, {}) for row in rows)
+    return list(dict.fromkeys(name for one in shown for name in one))
+
+
 def _has(entry: Mapping[str, Any], text: str) -> bool:
     names = ("model_name", "model_type", "organisation", "submitter", "level")
     return any(text.lower() in str(entry.get(name, "")).lower() for name in names)
@@ -92,13 +101,16 @@ def _has(entry: Mapping[str, Any], text: str) -> bool:
 def _csv(ranking: Mapping[str, Any]) -> str:
     out = io.StringIO()
     writer = csv.writer(out)
+    rows = ranking["rows"]
+    groups = [(kind, name) for kind in _GROUPS for name in _names(rows, kind)]
+    columns = [f"success_rate {_GROUPS[kind]} {name}" for kind, name in groups]
     names = ("submitter", "model_name", "model_type", "organisation", "level")
     more = ("attempts", "published_at", "homepage", "code_url")
     writer.writerow(
         ["rank_low", "rank_high", "letters", "score", "success_rate", "success_low",
-         "success_high", "episodes", *names, *more, "flag"]
+         "success_high", "episodes", *names, *more, "flag", *map(_as_text, columns)]
     )  # fmt: skip
-    for row in ranking["rows"]:
+    for row in rows:
         entry, rank = row["entry"], row.get("rank") or {}
         score = entry["score"]
         interval = score["success_interval"]
@@ -107,6 +119,10 @@ def _csv(ranking: Mapping[str, Any]) -> str:
             score["score"], score["success_rate"], interval["low"], interval["high"],
             score["counts"]["total"], *(entry.get(name) for name in (*names, *more)),
             (entry.get("flag") or {}).get("reason"),
+            *(
+                score.get(kind, {}).get(name, {}).get("success_rate")
+                for kind, name in groups
+            ),
         ]  # fmt: skip
         writer.writerow([_as_text(value) for value in values])
     return out.getvalue()

@@ -74,12 +74,15 @@ class Pages:
     """The pages of a server, over its API.
 
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
+    node_id: see PageSessions.
     """
 
-    def __init__(self, hosts: AllowedHosts, public_url: str) -> None:
+    def __init__(
+        self, hosts: AllowedHosts, public_url: str, node_id: Callable[[], str] = str
+    ) -> None:
         self._hosts = hosts
         self._is_https = public_url.startswith("https:")
-        self._sessions = PageSessions()
+        self._sessions = PageSessions(node_id=node_id)
         self._handlers = PageHandlers()
         self._api: ASGIApp | None = None
 

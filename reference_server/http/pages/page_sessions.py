@@ -40,10 +40,18 @@ class PageSession:
 
 
 class PageSessions:
-    """The sessions of this server; they end with it, and it forgets old ones first."""
+    """The sessions of this server; they end with it, and it forgets old ones first.
 
-    def __init__(self, now: Callable[[], float] = time.monotonic) -> None:
-        self._now = now
+    node_id: of this server among several; each cookie begins with it, so that the
+    others find the one that has the session.
+    """
+
+    def __init__(
+        self,
+        now: Callable[[], float] = time.monotonic,
+        node_id: Callable[[], str] = str,
+    ) -> None:
+        self._now, self._node_id = now, node_id
         # By cookie, the one that was used longest ago first.
         self._sessions: OrderedDict[str, PageSession] = OrderedDict()
         # Token → the cookies of its sessions, in the order of their sign-ins.
@@ -53,7 +61,7 @@ class PageSessions:
         """A session of the owner of a valid token; returns its cookie."""
         self._forget(token)
         now = self._now()
-        cookie = secrets.token_urlsafe(32)
+        cookie = f"{self._node_id()}.{secrets.token_urlsafe(32)}"
         session = PageSession(token, secrets.token_urlsafe(32), now, now)
         self._sessions[cookie] = session
         self._of_token.setdefault(token, {})[cookie] = None
@@ -135,6 +143,11 @@ def is_from_other_site(request: Request) -> bool:
     host = request.headers.get("host", "")
     is_foreign = origin is not None and origin.partition("://")[2] != host
     return site not in ("same-origin", "none") or is_foreign
+
+
+def node_of_session(request: Request) -> str:
+    """The node that has the session of the reader; empty without one."""
+    return _cookies(request).get(SESSION_COOKIE, "").partition(".")[0]
 
 
 def _cookies(request: Request) -> dict[str, str]:

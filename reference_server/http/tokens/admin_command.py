@@ -1,4 +1,4 @@
-"""`proctor admin`: tokens, signing keys and recordings of a server of this machine.
+"""`proctor admin`: tokens, keys, recordings, seeds, the database of a server here.
 
 `token add|list|revoke` edits the file of tokens, which the server reads again within
 seconds: no restart.
@@ -31,11 +31,17 @@ from reference_server.http.tokens.token_file import (
     read_bytes,
     token_id,
 )
+from reference_server.records import admin_seeds
 from reference_server.records.admin_areas import AdminFiles, CannotDo, add_areas
 from reference_server.settings import Settings
+from reference_server.storage import database_commands
 from reference_server.storage.store import StoreFailed
 
 _SCOPES = ("read", "run", READ_ALL, HOST)
+SCOPES_TEXT = (
+    "read, run or read+run; with +read_all it reads the runs of all accounts, "
+    "with +host it flags entries of the leaderboard"
+)
 _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 
 
@@ -49,6 +55,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if hasattr(args, "do_with_files"):
             args.do_with_files(_record_files(), args)
+        elif hasattr(args, "do_with_database"):
+            args.do_with_database(_settings().database_url, args)
         else:
             args.do(_path(args), args)
     except (AdminError, CannotDo, BadTokens, OSError) as error:
@@ -74,6 +82,8 @@ def _record_files() -> AdminFiles:
         settings.signing_key_path,
         settings.records_path,
         settings.records_keep_days,
+        settings.seed_secret_path,
+        settings.benchmarks,
     )
 
 
@@ -100,8 +110,7 @@ def _parser() -> argparse.ArgumentParser:
     add.add_argument(
         "--scopes",
         default="read+run",
-        help="read, run or read+run; with +read_all it reads the runs of all accounts, "
-        "with +host it flags entries of the leaderboard (read+run)",
+        help=f"{SCOPES_TEXT} (read+run)",
     )
     add.set_defaults(do=_add)
     listed = commands.add_parser("list", help="list tokens by id, without secrets")
@@ -112,6 +121,8 @@ def _parser() -> argparse.ArgumentParser:
     )
     revoke.set_defaults(do=_revoke)
     add_areas(areas)
+    admin_seeds.add_area(areas)
+    database_commands.add_area(areas)
     for command in (add, listed, revoke):
         command.add_argument(
             "--file",
@@ -129,13 +140,16 @@ def _add(path: Path, args: argparse.Namespace) -> None:
         )
     secret = new_secret()
     line = f"{args.account}:{args.scopes}:sha256={hash_of(secret)}"
-    parse_line(line, "what was given")
+    try:
+        parse_line(line, "what was given")
+    except BadTokens as error:  # the account is right, and so is the hash
+        raise AdminError(f"--scopes {args.scopes}: expected {SCOPES_TEXT}") from error
     with edited_lines(path) as lines:
         lines.append(line)
     print(secret)
     print(
-        f"proctor: token {token_id(hash_of(secret))} of {args.account}, shown this "
-        f"once; its hash is in {path}",
+        f"proctor: token {token_id(hash_of(secret))} of {args.account} with the scopes "
+        f"{args.scopes}, shown this once; its hash is in {path}",
         file=sys.stderr,
     )
 

@@ -22,6 +22,8 @@ CHANGES_MAX = 1000
 SHOWN_OF_SCORE = (
     *("score", "success_rate", "success_interval", "mean_interval", "counts"),
 )
+# Shown too, where there are no more: each row has them, and a leaf for good.
+GROUPS_OF_SCORE, GROUPS_MAX = ("by_task", "by_split"), 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,12 +108,18 @@ def new_entry(
         select=run.submission.get("select"),
         policy=run.submission["policy"],
         level="signed" if is_recorded else "reported",
-        score={name: score[name] for name in SHOWN_OF_SCORE},  # BRD-003
+        score=_shown_of(score),
         successes="".join(str(int(e.outcome == "success")) for e in scored),
         description={},
         published_at_wall=at_wall,
         changed_at_wall=at_wall,
     )
+
+
+def _shown_of(score: Mapping[str, Any]) -> dict[str, Any]:
+    """BRD-003: schema EntryScore."""
+    groups = (name for name in GROUPS_OF_SCORE if len(score[name]) <= GROUPS_MAX)
+    return {name: score[name] for name in (*SHOWN_OF_SCORE, *groups)}
 
 
 def publish(
@@ -179,6 +187,11 @@ def flag(
     )
     leaf = _leaf("flag" if flagged else "unflag", entry, reason=reason)
     return Change(entry, leaf)
+
+
+def is_of_account(leaf: Mapping[str, Any]) -> bool:
+    """Whether the account of the entry caused the leaf, which then counts for it."""
+    return leaf["kind"] not in ("flag", "unflag")
 
 
 def _leaf(kind: Kind, entry: BoardEntry, **members: str) -> Mapping[str, Any]:

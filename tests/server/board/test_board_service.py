@@ -21,10 +21,13 @@ from reference_server.records.board_history import BoardHistory
 from reference_server.records.run_records import RunRecords
 from reference_server.rules.board import ranking
 from reference_server.rules.board.entry_changes import BoardEntry, Change
+from reference_server.rules.capacity import Quota
 from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService
 from reference_server.storage.board_store import BoardStore, RunDeleted
+from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.store import StoreFailed
+from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (
     RESULT,
     ServerParts,
@@ -51,7 +54,6 @@ def run_stories(path: Path, *stories: Story) -> None:
             history = BoardHistory(store, cast("RunRecords", records))
             service = parts.service
             board = BoardService(service.registry, service.benchmarks, store, history)
-            await board.open()
             await story(parts, board)
 
         return open_and_run
@@ -104,6 +106,8 @@ def test_a_database_without_a_leaderboard_gets_one(tmp_path: Path) -> None:
         with contextlib.closing(sqlite3.connect(parts.path)) as database:
             database.execute("DROP TABLE entries")
             database.execute("DROP TABLE history")
+            for statement in MAKE_UNVERSIONED:
+                database.execute(statement)
 
     async def after(_: ServerParts, board: BoardService) -> None:
         assert (await board.checkpoint())["tree_size"] == 0
@@ -188,6 +192,49 @@ def test_requests_at_once_make_one_entry(tmp_path: Path) -> None:
         assert len(await board.leaves(0, 100)) == 20
 
     run_stories(tmp_path, story)
+
+
+def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> None:
+    """Also after the run was deleted. Flags of the host count for no account.
+
+    An account without room publishes and changes nothing, and withdraws.
+    """
+
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        object.__setattr__(parts.service, "deletes_played", True)
+        usage = parts.registry.usage
+
+        async def stored() -> int:
+            return (await parts.store.usage_of("alice")).stored_bytes
+
+        before = await stored()
+        entry, _ = await board.publish("alice", "run_1", PUBLIC)
+        published = await stored()
+        await board.flag(entry["entry_id"], flagged=True, reason="odd")
+        assert await stored() == published
+        usage.quota = Quota(stored_bytes=published)
+        for run_id, description in (("run_1", PRIVATE), ("run_2", PUBLIC)):
+            with expect_refusal("quota_exceeded"):
+                await board.publish("alice", run_id, description)
+        with expect_refusal("quota_exceeded"):
+            await parts.registry.add(calibration_run(run_id="run_3"), None, "")
+        _, is_new = await board.publish("alice", "run_1", PUBLIC)  # changes nothing
+        assert not is_new
+        await board.withdraw("alice", "run_1")
+        leaves = [one["leaf"] for one in await board.leaves(0, 10)]
+        kept = len(leaves[0]) + len(leaves[2])
+        assert (len(leaves), await stored()) == (3, before + kept)
+        run = await parts.registry.get("run_1")
+        await parts.service.delete_run("alice", "run_1")
+        left = before + kept - stored_bytes(run) + RUN_BYTES
+        assert await stored() == left
+        usage.quota = Quota(stored_bytes=left)
+        with expect_refusal("quota_exceeded"):
+            await parts.registry.add(calibration_run(run_id="run_3"), None, "")
+        usage.quota = Quota(stored_bytes=left + 1)
+        await parts.registry.add(calibration_run(run_id="run_3"), None, "")
+
+    run_stories(tmp_path, complete_two, story)
 
 
 def test_a_ranking_is_computed_once_for_its_entries(

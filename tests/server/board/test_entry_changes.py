@@ -50,7 +50,8 @@ def test_an_entry_has_what_is_ranked_and_shown() -> None:
     entry = fresh_entry("success", "failure", "abandoned", "success")
     assert entry.successes == "1001"
     assert entry.score["score"] == 2.5 / 4
-    assert set(entry.score) == set(entry_changes.SHOWN_OF_SCORE)
+    groups = entry_changes.GROUPS_OF_SCORE
+    assert set(entry.score) == {*entry_changes.SHOWN_OF_SCORE, *groups}
     assert entry.level == "signed"
     assert fresh_entry(is_recorded=False).level == "reported"
 
@@ -146,6 +147,22 @@ def test_a_flag_is_set_replaced_and_taken_back() -> None:
     )
     assert isinstance(private, Refuse)
     assert private.code == "not_found"
+
+
+def test_a_leaf_counts_for_the_account_that_caused_it() -> None:
+    """The host's flags count for no account."""
+    verdicts = (
+        entry_changes.publish(fresh_entry(), None, PUBLIC),
+        entry_changes.publish(fresh_entry(), published(), PRIVATE),
+        entry_changes.withdraw(published(), LATER),
+        entry_changes.flag(published(), flagged=True, reason="r", at_wall=LATER),
+    )
+    counted = {}
+    for verdict in verdicts:
+        assert isinstance(verdict, Change)
+        assert verdict.leaf is not None
+        counted[verdict.leaf["kind"]] = entry_changes.is_of_account(verdict.leaf)
+    assert counted == {"publish": True, "hide": True, "withdraw": True, "flag": False}
 
 
 def test_a_flag_stays_while_the_entry_is_private_until_it_is_taken_back() -> None:

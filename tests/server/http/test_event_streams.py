@@ -26,6 +26,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
+from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.event_lists import indices, kinds
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -363,6 +364,8 @@ def test_results_of_older_databases_come_first(tmp_path: Path) -> None:
         run = await add_stored_run(parts, *["score"] * 5, state="ready")
         await score_episodes(parts, run, 3, 1)
         with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            for statement in MAKE_UNVERSIONED:
+                database.execute(statement)
             database.execute("ALTER TABLE episodes DROP COLUMN place")
 
     async def after(parts: ServerParts) -> None:

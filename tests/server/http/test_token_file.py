@@ -142,7 +142,9 @@ def test_a_token_is_added_listed_and_revoked(
     assert admin.main(["token", "list", "--file", str(path)]) == 0
     assert not capsys.readouterr().out
     assert admin.main(["token", "add", "alice", "--file", str(path)]) == 0
-    secret = capsys.readouterr().out.strip()
+    printed = capsys.readouterr()
+    secret = printed.out.strip()
+    assert " of alice with the scopes read+run, shown this once" in printed.err
     assert path.stat().st_mode & 0o777 == 0o600
     assert secret not in path.read_text()
     tokens = Tokens({})
@@ -170,9 +172,9 @@ def test_a_token_is_added_listed_and_revoked(
     ("words", "why"),
     [
         (["token", "add", "a:b"], "cannot be an account"),
-        (["token", "add", "alice", "--scopes", "write"], "scopes read"),
-        (["token", "add", "alice", "--scopes", "read_all"], "scopes read"),
-        (["token", "add", "alice", "--scopes", "read:zz"], "64 digits"),
+        (["token", "add", "alice", "--scopes", "write"], "write: expected read"),
+        (["token", "add", "alice", "--scopes", "read_all"], "_all: expected read"),
+        (["token", "add", "alice", "--scopes", "read:zz"], "read:zz: expected read"),
         (["token", "revoke", "unknown"], "no token has the id"),
     ],
 )

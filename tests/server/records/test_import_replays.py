@@ -30,7 +30,14 @@ def test_what_fails_in_a_replay_ends_its_import(
         raise TypeError
 
     store, unused = OneImport(), cast("Any", None)
-    replays = ImportReplays(cast("Any", store), unused, Path, unused, 1.0)
+    replays = ImportReplays(
+        cast("Any", store),
+        unused,
+        unused,
+        path_of=Path,
+        sign=unused,
+        replay_s_max=1.0,
+    )
     monkeypatch.setattr(replays, "_replay", fail)
     asyncio.run(replays._finish(store.one))
     assert store.one.state == "finished"

@@ -12,6 +12,7 @@ from reference_server.rules.imported_record import (
     ImportReplay,
     ImportUsage,
     RecordImport,
+    next_to_replay,
     refuse_import,
     trust_of,
 )
@@ -93,3 +94,12 @@ def test_an_account_may_have_only_so_much(
         assert refused is not None
         assert text in refused.detail
         assert (refused.code, refused.requirement) == ("quota_exceeded", "REC-122")
+
+
+def test_accounts_are_replayed_in_turn() -> None:
+    """Of those whose turn was the longest ago, the oldest."""
+    a, b, c = (dataclasses.replace(ONE, account=name) for name in "abc")
+    assert next_to_replay([], {}) is None
+    assert next_to_replay([a, b, c], {}) is a
+    assert next_to_replay([a, b, c], {"a": 1}) is b
+    assert next_to_replay([a, b], {"a": 3, "b": 2}) is b

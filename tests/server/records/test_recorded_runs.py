@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import os
+import resource
 import time
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -20,6 +22,7 @@ from reference_record.formats import recording_parts
 from reference_record.recording import MESSAGE_HEAD
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import RecordingFailed, Recordings
+from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -175,6 +178,44 @@ def test_a_result_whose_recording_fails_does_not_count(
     play(tmp_path, story)
 
 
+@pytest.mark.parametrize("room", [0, 10])
+def test_a_turn_for_which_the_disk_has_no_room_costs_nothing(
+    tmp_path: Path, room: int
+) -> None:
+    """The disk is full at the second turn, or within what is recorded of it.
+
+    room: bytes that it takes before. Expect `unavailable`, no fault and no attempt; and
+    all that was answered in the recording when there is room again.
+    """
+
+    async def story(parts: ServerParts, recordings: Recordings) -> None:
+        run = await submit(parts)
+        turn = await parts.executor.predict(
+            run, predict_command(await attach(parts, run))
+        )
+        (part,) = recording_parts.parts_of(tmp_path / "records/run_1/00000.parts")
+        lent = parts.executor._resources.find(run.workers["w"])
+        assert lent is not None
+        assert lent.handle is not None
+        assert lent.handle.pid is not None
+        size = part.stat().st_size + room, resource.RLIM_INFINITY
+        resource.prlimit(lent.handle.pid, resource.RLIMIT_FSIZE, size)
+        with pytest.raises(Refused) as refused:
+            await parts.executor.predict(run, predict_command(turn, end=1))
+        assert refused.value.code == "unavailable"
+        assert "could not be written" in refused.value.detail
+        episode = run.episodes[0]
+        assert (run.state, run.scored) == ("ready", 0)
+        assert (episode.attempt, episode.faults) == (1, 0)
+        turn = await attach(parts, run, "again")
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert turn["episode_result"]["attempt"] == 1
+        of_turns = ["/attempt", "/turn", "/attempt"]
+        assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
+
+    play(tmp_path, story)
+
+
 def test_what_could_not_be_appended_is_appended_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -254,6 +295,35 @@ def test_a_result_whose_turns_are_gone_does_not_count(tmp_path: Path) -> None:
         assert not recordings.path("run_1", 0).exists()
         turn = await parts.executor.predict(run, predict_command(turn, end=1))
         assert turn["episode_result"]["attempt"] == 1
+
+    play(tmp_path, story)
+
+
+def test_what_a_crash_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
+    """Killed between the stored result and the removal of its parts."""
+    kept = ["notes.draft", "00001.parts", "00002.draft.txt", "other.parts"]
+
+    async def story(parts: ServerParts, recordings: Recordings) -> None:
+        run = await submit(parts)
+        folder = tmp_path / "records" / "run_1"
+        for name in ("00000.parts", *kept):
+            (folder / name).mkdir(parents=True)
+        (folder / "other.mcap").touch()
+        (folder / "00003.draft").touch()
+        os.utime(folder / "00003.draft", (1.0, 1.0))
+        (folder / "00004.draft").touch()
+        turn = await attach(parts, run)
+        (folder / "00000.mcap").touch()
+        settings = HostSettings("host", None)
+        records = RunRecords(parts.store, recordings, settings)
+        await records.remove_leftovers()
+        assert (folder / "00000.parts").exists()  # it may have to be joined again
+        assert not (folder / "00003.draft").exists()
+        await parts.executor.predict(run, predict_command(turn, end=1))
+        (folder / "00000.parts").mkdir(exist_ok=True)
+        await records.remove_leftovers()
+        found = sorted(path.name for path in folder.iterdir())
+        assert found == sorted([*kept, "00000.mcap", "other.mcap", "00004.draft"])
 
     play(tmp_path, story)
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Sequence
-from typing import Any
+from pathlib import Path
+from typing import Any, cast
 
 import pytest
 
+from reference_record.keys import load_or_make
 from reference_server.records import run_records
 from reference_server.records.run_records import (
     HostSettings,
@@ -30,6 +32,15 @@ class FewRuns:
         self.failures, self.is_last = 0, False
         self.deleted: set[str] = set()
 
+    async def use_key(self, *_: Any) -> None:
+        pass
+
+    def open(self) -> None:
+        pass
+
+    async def close(self) -> None:
+        pass
+
     async def heads(self, _: Sequence[str]) -> dict[str, Any]:
         return {
             run_id: Head(state, ended)
@@ -38,6 +49,12 @@ class FewRuns:
 
     async def deleted_ids(self, _: Sequence[str]) -> set[str]:
         return self.deleted
+
+    def remove_drafts(self) -> None:
+        pass
+
+    def runs_with_joined_parts(self) -> list[str]:
+        return []
 
     def run_ids(self) -> list[str]:
         if self.failures:
@@ -89,6 +106,23 @@ def test_what_is_left_of_a_deleted_run_is_removed(
     with pytest.raises(Removed):
         asyncio.run(records_of(runs, keep_days=0)._remove_for_ever())
     assert runs.removed == ["r"]
+
+
+def test_the_key_of_the_server_is_made_its_owners_alone(tmp_path: Path) -> None:
+    """A volume that is mounted may have given it to a group."""
+    path, nothing = tmp_path / "key", cast(Any, FewRuns())
+    key = load_or_make(path)
+    path.chmod(0o660)
+
+    async def open_and_close() -> None:
+        settings = HostSettings("host", path, keep_days=0)
+        records = RunRecords(nothing, nothing, settings)
+        await records.open()
+        assert records.key.keyid == key.keyid
+        await records.close()
+
+    asyncio.run(open_and_close())
+    assert path.stat().st_mode & 0o777 == 0o600
 
 
 class Line:

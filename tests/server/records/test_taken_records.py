@@ -158,7 +158,7 @@ def test_a_replay_that_was_cut_off_begins_again(tmp_path: Path, archive: bytes) 
         while client.get(f"/v1/records/{ids[0]}").json()["state"] != "replaying":
             assert time.monotonic() < until
         server.end(signal.SIGKILL)
-        draft = tmp_path / "proctor.sqlite.records.imported" / ".imp_x.part"
+        draft = tmp_path / "proctor.sqlite.records.imported" / f".imp_{0:024x}.part"
         draft.write_bytes(archive)
         server.start()
         shown = [finished(client, one) for one in ids]

@@ -22,6 +22,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Run, Session, State
 from reference_server.storage.store import Store
+from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 PUSH = {"mode": "push", "benchmark_id": "calibration", "policy": {"name": "p"}}
@@ -151,6 +152,8 @@ def test_an_older_database_gets_the_policy_fault_column(tmp_path: Path) -> None:
 
     asyncio.run(open_store())
     with contextlib.closing(sqlite3.connect(path)) as database:
+        for statement in MAKE_UNVERSIONED:
+            database.execute(statement)
         database.execute("ALTER TABLE episodes DROP COLUMN policy_fault")
         database.commit()
         for _ in range(2):

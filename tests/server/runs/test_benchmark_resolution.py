@@ -7,7 +7,7 @@ import pytest
 
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks, SimulatorConfigs
-from reference_server.runs.seed_secret import SeedSecret
+from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from tests.support.server.server_parts import calibration_run
 

@@ -272,7 +272,7 @@ def test_a_session_without_a_turn_ends(tmp_path: Path, how: str) -> None:
 
 
 def set_quota(parts: ServerParts, **quota: int) -> None:
-    parts.registry._usage.quota = Quota(**quota)
+    parts.registry.usage.quota = Quota(**quota)
 
 
 def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.store import StoreFailed
 from reference_server.system import hourly_work
 from reference_server.system.hourly_work import HourlyWork
+from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
@@ -86,9 +87,11 @@ def test_older_databases_count_what_has_left_a_trace(tmp_path: Path) -> None:
                 record_score(run, 0)
                 await parts.registry.commit(run)
         with contextlib.closing(sqlite3.connect(parts.path)) as database:
+            for statement in MAKE_UNVERSIONED:
+                database.execute(statement)
             database.execute("DROP INDEX runs_played")
-            database.execute("ALTER TABLE runs DROP COLUMN played_number")
-            database.execute("ALTER TABLE runs DROP COLUMN deleted_at_wall")
+            for column in ("played_number", "deleted_at_wall"):
+                database.execute(f"ALTER TABLE runs DROP COLUMN {column}")
             database.commit()
 
     async def after(parts: ServerParts) -> None:

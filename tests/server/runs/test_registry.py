@@ -87,6 +87,30 @@ def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
     run_scenarios(tmp_path, before, after)
 
 
+def test_the_age_of_the_queue_needs_no_database(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def age(parts: ServerParts) -> float:
+        with monkeypatch.context() as patch:
+            patch.setattr("time.time", lambda: 5000.0)
+            return parts.registry.oldest_queued_s()
+
+    async def before(parts: ServerParts) -> None:
+        assert age(parts) == 0.0
+        for number, updated in enumerate((500.0, 1000.0, 2000.0)):
+            run = calibration_run(run_id=f"run_{number}", updated_at_wall=updated)
+            await parts.registry.add(run, None, "")
+        assert age(parts) == 4000.0, "run_0 is not queued"
+
+    async def after(parts: ServerParts) -> None:
+        assert (await parts.registry.get("run_1")).state == "ready"
+        assert age(parts) == 3000.0
+        await parts.service.stop_run("alice", "run_2", "abort")
+        assert age(parts) == 0.0
+
+    run_scenarios(tmp_path, before, after, active_max=1)
+
+
 def test_a_restart_admits_runs_up_to_the_limit(tmp_path: Path) -> None:
     async def before(parts: ServerParts) -> None:
         for number in range(3):

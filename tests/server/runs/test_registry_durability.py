@@ -174,7 +174,7 @@ def test_waiting_is_refused_during_shutdown(tmp_path: Path) -> None:
             )
         )
         await asyncio.sleep(0)
-        parts.registry.release_waiters()
+        parts.registry.begin_ending()
         for _ in range(2):
             with expect_refusal("unavailable"):
                 await waiting

@@ -3,29 +3,35 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import os
+import resource
 import sqlite3
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
-from typing import Any, cast
 
 import pytest
 import sqlalchemy as sa
 
+from reference_server.rules.imported_record import RecordImport
 from reference_server.rules.run import Result, Run, RunHead
+from reference_server.storage import postgresql as postgresql_module
 from reference_server.storage import store as store_module
+from reference_server.storage.board_store import BoardStore
+from reference_server.storage.import_store import ImportStore
 from reference_server.storage.store import Store, StoreFailed
+from tests.support.server.databases import UsedDatabase
+from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.server.server_parts import (
-    RESULT,
     ServerParts,
     calibration_run,
-    count_rows,
     record_score,
     run_scenarios,
 )
 from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_until
 
 # --- files ---
 
@@ -57,7 +63,7 @@ def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
 # --- rows ---
 
 
-def test_a_run_is_loaded_as_it_was_saved(tmp_path: Path) -> None:
+def test_a_run_is_loaded_as_it_was_saved(database: UsedDatabase) -> None:
     player = {"name": "p", "client": "é"}
     result = Result(
         "failure", 0.1 + 0.2, 2, 7, False, True, 5e-324, 1e9 + 1 / 3, player, 3, -0.5
@@ -91,22 +97,40 @@ def test_a_run_is_loaded_as_it_was_saved(tmp_path: Path) -> None:
         assert (run.queue_until_wall, run.created_at_wall) == (0.1, 1000.0)
         assert await parts.store.load("run_2") is None
 
-    run_scenarios(tmp_path, save, load)
+    run_scenarios(database, save, load)
 
 
-def test_a_manifest_is_stored_once(tmp_path: Path) -> None:
+def test_an_import_is_found_as_it_was_added(database: UsedDatabase) -> None:
+    """The texts of its statement are of others: they have any character."""
+    text = "é\x00\\0💥"
+    one = RecordImport(
+        *(1, "import_1", "alice", "sha", 9, "sha"),
+        *(text, text, text, text, "sha", text, text),
+        *(None, 1, 1000.0),
+        reason=text,
+    )
+
+    async def scenario(parts: ServerParts) -> None:
+        imports = ImportStore(parts.store)
+        await imports.add(one)
+        assert await imports.find("alice", "import_1") == one
+
+    run_scenarios(database, scenario)
+
+
+def test_a_manifest_is_stored_once(database: UsedDatabase) -> None:
     async def scenario(parts: ServerParts) -> None:
         for number in range(3):
             await parts.store.insert(calibration_run(run_id=f"run_{number}"), None, "")
         assert (
-            count_rows(parts.path, "manifests"),
-            count_rows(parts.path, "runs"),
+            database.count("manifests"),
+            database.count("runs"),
         ) == (1, 3)
 
-    run_scenarios(tmp_path, scenario)
+    run_scenarios(database, scenario)
 
 
-def test_numbers_grow_and_pages_go_back(tmp_path: Path) -> None:
+def test_numbers_grow_and_pages_go_back(database: UsedDatabase) -> None:
     async def scenario(parts: ServerParts) -> None:
         for number in range(5):
             account = "bob" if number == 2 else "alice"
@@ -119,7 +143,27 @@ def test_numbers_grow_and_pages_go_back(tmp_path: Path) -> None:
         queued = await parts.store.in_states("queued", "ready")
         assert queued == [f"run_{number}" for number in range(5)]
 
-    run_scenarios(tmp_path, scenario)
+    run_scenarios(database, scenario)
+
+
+def test_a_page_may_begin_at_any_number(database: UsedDatabase) -> None:
+    """A cursor is the client's: it may be larger than a number in any row can be."""
+
+    async def scenario(parts: ServerParts) -> None:
+        await parts.store.insert(calibration_run(), None, "")
+        board = BoardStore(parts.store, bytes)
+        imports = ImportStore(parts.store)
+        for cursor in (2**31 - 1, 2**31, 10**15 - 1):
+            page = await parts.store.page("alice", cursor, 3)
+            assert [run_id for _, run_id in page] == ["run_1"]
+            assert await board.page("alice", None, cursor, 3) == []
+            assert await board.leaves(cursor, 3) == []
+            assert await imports.page("alice", cursor, 3) == []
+            window = await parts.store.read_window("run_1", cursor, cursor + 3)
+            assert window is not None
+            assert window[1] == []
+
+    run_scenarios(database, scenario)
 
 
 # --- parts of runs ---
@@ -139,7 +183,7 @@ async def save_runs(parts: ServerParts, *runs: Run) -> None:
         await parts.store.save(run)
 
 
-def test_a_window_is_a_part_of_the_run(tmp_path: Path) -> None:
+def test_a_window_is_a_part_of_the_run(database: UsedDatabase) -> None:
     async def scenario(parts: ServerParts) -> None:
         await save_runs(parts, three_episode_run(), three_episode_run("run_2"))
         run = await parts.store.load("run_1")
@@ -157,11 +201,11 @@ def test_a_window_is_a_part_of_the_run(tmp_path: Path) -> None:
         assert await parts.store.read_window("run_3", 0, None) is None
         assert await parts.store.heads([]) == {}
 
-    run_scenarios(tmp_path, scenario)
+    run_scenarios(database, scenario)
 
 
 def test_the_manifest_cache_is_bounded(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(store_module, "CACHED_MANIFESTS_MAX", 2)
 
@@ -174,51 +218,28 @@ def test_the_manifest_cache_is_bounded(
             assert heads[f"run_{length}"].total == length
             assert len(parts.store._manifest_cache) <= 2
 
-    run_scenarios(tmp_path, scenario)
+    run_scenarios(database, scenario)
 
 
-def test_an_older_database_is_read_without_the_new_columns(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
+def test_a_read_is_of_one_moment(database: UsedDatabase) -> None:
+    """And a write of another process does not wait for it."""
+
+    async def scenario(parts: ServerParts) -> None:
         await save_runs(parts, three_episode_run())
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute("ALTER TABLE runs DROP COLUMN scored")
-            database.execute("ALTER TABLE episodes DROP COLUMN policy_fault")
+        count = sa.text("SELECT count(result) FROM episodes")
 
-    async def after(parts: ServerParts) -> None:
-        found = await parts.store.read_window("run_1", 1, 2)
-        assert found is not None
-        assert (found[0].scored, found[1][0].result) == (1, RESULT)
-        run = await parts.store.load("run_1")
-        assert run is not None
-        run.episodes[2].policy_fault = "it hung up"
-        record_score(run, 2)
-        await parts.store.save(run)
-        again = await parts.store.read_window("run_1", 2, 3)
-        assert again is not None
-        assert (again[0].scored, again[1][0].policy_fault) == (2, "it hung up")
+        def look(connection: sa.Connection) -> list[int]:
+            first = connection.execute(count).scalar_one()
+            database.execute("DELETE FROM episodes")
+            return [first, connection.execute(count).scalar_one()]
 
-    run_scenarios(tmp_path, before, after)
+        assert await parts.store.read(look) == [1, 1]
+        assert database.count("episodes") == 0
+
+    run_scenarios(database, scenario)
 
 
-def test_attempts_in_an_older_database_are_counted(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
-        await save_runs(parts, *(three_episode_run(f"run_{n}") for n in range(3)))
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute("UPDATE runs SET benchmark_id = NULL")
-            database.execute("UPDATE runs SET attempts_by_submitter = NULL")
-            database.commit()
-
-    async def after(parts: ServerParts) -> None:
-        heads = await parts.store.heads(["run_0", "run_1", "run_2"])
-        numbers = [heads[one].attempts_by_submitter for one in sorted(heads)]
-        assert numbers == [1, 2, 3]
-        assert await parts.store.count_attempts(heads["run_0"]) == 3
-
-    run_scenarios(tmp_path, before, after)
-
-
-def test_a_read_is_a_consistent_snapshot(tmp_path: Path) -> None:
-    """And neither waits for the other: who writes for who reads, nor the reverse."""
+def test_a_read_and_a_write_do_not_wait_for_each_other(tmp_path: Path) -> None:
 
     async def scenario(parts: ServerParts) -> None:
         run = three_episode_run()
@@ -232,27 +253,27 @@ def test_a_read_is_a_consistent_snapshot(tmp_path: Path) -> None:
             assert written.wait(TIMEOUT_S)
             return [first, connection.execute(count).scalar_one()]
 
-        reading = asyncio.create_task(parts.store._read(look))
+        reading = asyncio.create_task(parts.store.read(look))
         assert await asyncio.to_thread(looking.wait, TIMEOUT_S)
         record_score(run, 2)
         await parts.store.save(run)
         written.set()
         assert await reading == [1, 1]
-        assert await parts.store._read(look) == [2, 2]
+        assert await parts.store.read(look) == [2, 2]
 
     run_scenarios(tmp_path, scenario)
 
 
-def test_reads_are_read_only(tmp_path: Path) -> None:
+def test_reads_are_read_only(database: UsedDatabase) -> None:
     async def scenario(parts: ServerParts) -> None:
         await save_runs(parts, three_episode_run())
-        with pytest.raises(StoreFailed, match="readonly"):
-            await parts.store._read(
+        with pytest.raises(StoreFailed, match=r"read-?only"):
+            await parts.store.read(
                 lambda connection: connection.execute(sa.text("DELETE FROM episodes"))
             )
-        assert count_rows(parts.path, "episodes") == 1
+        assert database.count("episodes") == 1
 
-    run_scenarios(tmp_path, scenario)
+    run_scenarios(database, scenario)
 
 
 # --- writes that fail ---
@@ -285,7 +306,7 @@ def test_an_invalid_database_is_reported(url: str) -> None:
     assert "\n" not in str(caught.value)
 
 
-def test_a_failed_write_can_be_repeated(tmp_path: Path) -> None:
+def test_a_failed_write_can_be_repeated(database: UsedDatabase) -> None:
     async def scenario(parts: ServerParts) -> None:
         run = calibration_run()
         await parts.store.insert(run, None, "")
@@ -301,43 +322,98 @@ def test_a_failed_write_can_be_repeated(tmp_path: Path) -> None:
         assert stored is not None
         assert (stored.reason, stored.episodes[0].faults) == ("new", 1)
 
-    run_scenarios(tmp_path, scenario)
+    run_scenarios(database, scenario)
 
 
-def test_an_unreachable_database_is_reported(tmp_path: Path) -> None:
-    """What a driver says of a refused connection is not wrapped by SQLAlchemy."""
+def test_a_full_disk_is_seen_until_there_is_room(tmp_path: Path) -> None:
+    """Without a change of what is stored."""
 
-    class UnreachableEngine:
-        def begin(self) -> UnreachableEngine:
-            return self
-
-        async def __aenter__(self) -> None:
-            raise ConnectionRefusedError("refused\nby the host")
-
-        async def __aexit__(self, *_: object) -> None: ...
+    @contextmanager
+    def full_disk() -> Iterator[None]:
+        before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1, before[1]))
+        try:
+            yield
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
     async def scenario(parts: ServerParts) -> None:
-        run = calibration_run()
-        await parts.store.insert(run, None, "")
-        engine, parts.store._engine = (
-            parts.store._engine,
-            cast(Any, UnreachableEngine()),
-        )
-        # As over a network: not a file, which has a way of its own to be read.
-        reader, parts.store._read_engine = parts.store._read_engine, None
+        run = three_episode_run()
+        await save_runs(parts, run)
+        await parts.store.check_writable()
         run.changed = {0}
-        for work in (
-            parts.store.heads(["run_1"]),
-            parts.store.save(run),
-            parts.store.insert(calibration_run(run_id="run_2"), None, ""),
-            parts.store.load(run.run_id),
-        ):
-            with pytest.raises(StoreFailed, match=r"^refused$"):
-                await work
-        assert run.changed == {0}
-        parts.store._engine, parts.store._read_engine = engine, reader
+        with full_disk():
+            with pytest.raises(StoreFailed):
+                await parts.store.save(run)
+            for _ in range(2):
+                with pytest.raises(StoreFailed):
+                    await parts.store.check_writable()
+        for _ in range(2):
+            await parts.store.check_writable()
+        assert parts.database.count("accounts") == 0
+        await parts.store.save(run)
 
     run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.slow("starts PostgreSQL")
+def test_an_unreachable_database_is_reported() -> None:
+    """And it is used again when it answers, without a start of the server."""
+    with PostgresqlServer() as server:
+        database = UsedDatabase(server.create(), server=server)
+
+        async def scenario(parts: ServerParts) -> None:
+            run = calibration_run()
+            await parts.store.insert(run, None, "")
+            server.kill()
+            run.changed = {0}
+            for work in (
+                parts.store.heads(["run_1"]),
+                parts.store.save(run),
+                parts.store.insert(calibration_run(run_id="run_2"), None, ""),
+                parts.store.load(run.run_id),
+            ):
+                with pytest.raises(StoreFailed, match="there is no PostgreSQL at"):
+                    await work
+            assert run.changed == {0}
+            server.start()
+            await parts.store.save(run)
+            assert run.changed == set()
+            assert list(await parts.store.heads(["run_1", "run_2"])) == ["run_1"]
+
+        run_scenarios(database, scenario)
+
+
+@pytest.mark.slow("starts PostgreSQL")
+def test_slow_reads_leave_connections_for_writes(
+    postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(postgresql_module, "POOL_TIMEOUT_S", 0.5)
+    database = UsedDatabase(postgresql.create(), server=postgresql)
+    sleep = sa.text("SELECT pg_sleep(30)")
+    sleeping = (
+        "SELECT count(*) FROM pg_stat_activity WHERE query = 'SELECT pg_sleep(30)' "
+        "AND datname = current_database()"
+    )
+
+    async def scenario(parts: ServerParts) -> None:
+        reads = [
+            asyncio.create_task(parts.store.read(lambda c: c.execute(sleep)))
+            for _ in range(2 * postgresql_module.CONNECTIONS_MAX)
+        ]
+        full = postgresql_module.READS_MAX
+        await asyncio.to_thread(
+            wait_until, lambda: database.execute(sleeping) == [(full,)], "reads run"
+        )
+        await save_runs(parts, three_episode_run())
+        with pytest.raises(StoreFailed, match="does not answer in time"):
+            await parts.store.find_statement("run_1")
+        for read in reads:
+            read.cancel()
+        await asyncio.gather(*reads, return_exceptions=True)
+        assert await parts.store.find_statement("run_1") is None
+
+    run_scenarios(database, scenario)
 
 
 def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:

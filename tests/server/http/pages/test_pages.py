@@ -310,10 +310,13 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         assert row["entry"]["model_name"] == EVIL
         shown = reader.text(f"{board}?manifest={sha256}&sort=newest")
         assert "66.7 %" in shown
+        assert "By split" in shown
+        assert "By task" not in shown, "there is one task"
         assert inline_code_of(shown) == []
         assert "<script>alert" not in shown
         data = reader.get(f"{board}/csv?manifest={sha256}").text
         assert "'=1+1" in data, "a spreadsheet would compute it"
+        assert data.splitlines()[0].endswith("split even,success_rate split odd")
         assert reader.get(f"{board}/json?manifest={sha256}").json()["rows"] == [row]
         sure = {"csrf": form["csrf"], "sure": "yes"}
         reader.client.post(f"{page}/withdraw", data=sure)

@@ -53,6 +53,12 @@ FAULTS = """
 """
 
 
+TALLEST_ROW = """
+Math.max(0, ...[...document.querySelectorAll("tr")].map(
+  row => row.getBoundingClientRect().height))
+"""
+
+
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
     with ReferenceServer(tmp_path_factory.mktemp("pages")) as server:
@@ -102,6 +108,17 @@ def runs(server: ReferenceServer) -> tuple[str, str]:
         first.play_to_the_end(1, 0, 0)
         second.play_to_the_end(0, 1, 0, shift=0.5)
         return first.run_id, second.run_id
+
+
+@pytest.fixture(scope="module")
+def published(server: ReferenceServer, runs: tuple[str, str]) -> str:
+    """The manifest of a leaderboard with both runs."""
+    with server.client() as client:
+        for run_id in runs:
+            entry = {"model_name": "a model", "is_public": True}
+            answer = client.put(f"/v1/runs/{run_id}/entry", json=entry)
+            assert answer.status_code == 201, answer.text
+        return str(client.get(f"/v1/runs/{runs[0]}").json()["manifest_sha256"])
 
 
 def test_a_run_is_watched_live(server: ReferenceServer, browser: Browser) -> None:
@@ -156,7 +173,7 @@ def test_two_runs_are_compared(
     chosen = "document.querySelector('form[action=\"/pages/compare\"]')"
     browser.evaluate(f"{chosen}.baseline.value = '{runs[0]}'")
     browser.follow(f"{chosen}.requestSubmit()")
-    assert "1 episodes won, 1 lost" in browser.text
+    assert "1 episode won, 1 lost" in browser.text
     kinds = "[...document.querySelectorAll('.pairs tbody tr')].map(r => r.dataset.kind)"
     assert browser.evaluate(kinds) == ["lost", "won", "neither"]
     browser.follow("document.querySelector('.pairs tbody a').click()")
@@ -165,26 +182,42 @@ def test_two_runs_are_compared(
     assert browser.errors == []
 
 
+@pytest.fixture(scope="module")
+def addresses(
+    server: ReferenceServer, runs: tuple[str, str], published: str
+) -> list[str]:
+    """Of a page of every kind."""
+    pair = f"baseline={runs[0]}&run={runs[1]}"
+    paths = (
+        *("", "/runs", f"/runs/{runs[0]}", f"/runs/{runs[0]}/episodes/e0001"),
+        *("/benchmarks/tabletop", f"/compare?{pair}", "/login", "/nothing"),
+        f"/benchmarks/calibration/leaderboard?manifest={published}",
+        f"/compare/episode?{pair}&episode=e0000",
+    )
+    return [f"{server.url}/pages{path}" for path in paths]
+
+
 @pytest.mark.parametrize("width", [400, 1280])
 @pytest.mark.parametrize("dark", [False, True], ids=["light", "dark"])
 def test_everyone_can_read_the_pages(
     server: ReferenceServer,
     browser: Browser,
-    runs: tuple[str, str],
+    addresses: list[str],
     width: int,
     dark: bool,
 ) -> None:
-    """Contrast, labels, one heading; and no page is wider than its window."""
+    """Contrast, labels, one heading, axe-core; no page is wider than its window.
+
+    Expect rows of tables that are read at a glance, also where the window is narrow.
+    """
     browser.sign_in(server.url, TOKENS["alice"])
     browser.resize(width, dark=dark)
-    pair = f"baseline={runs[0]}&run={runs[1]}"
-    for path in (
-        *("", "/runs", f"/runs/{runs[0]}", f"/runs/{runs[0]}/episodes/e0001"),
-        *("/benchmarks/tabletop", f"/compare?{pair}", "/login", "/nothing"),
-        f"/compare/episode?{pair}&episode=e0000",
-    ):
-        browser.open(f"{server.url}/pages{path}")
-        assert browser.evaluate(FAULTS) == [], path
+    for address in addresses:
+        browser.open(address)
+        assert browser.evaluate(FAULTS) == [], address
+        assert browser.evaluate(TALLEST_ROW) < 200, address
+        if (width == 400) is not dark:  # colours are among the faults above
+            assert browser.find_violations() == [], address
 
 
 def test_a_report_opens_without_a_server(
@@ -212,7 +245,7 @@ def test_a_report_opens_without_a_server(
     shown = "document.querySelectorAll('.episodes tbody tr:not([hidden])').length"
     browser.wait_for(f"{shown} === 1")
     browser.follow("document.querySelector('ul a[href*=comparisons]').click()")
-    assert "1 episodes won, 1 lost" in browser.text
+    assert "1 episode won, 1 lost" in browser.text
     browser.follow("document.querySelector('.pairs tbody a').click()")
     assert "Step 2" in browser.text
     browser.follow("document.querySelector('.sides a').click()")

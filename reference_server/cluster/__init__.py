@@ -1,0 +1,1 @@
+"""Several server processes over one database: membership, and requests passed on."""

@@ -1,0 +1,356 @@
+"""Requests for a run of another node are passed on to it: any node answers any request.
+
+Bodies are streamed in both directions, so that event streams and records pass. A
+request is passed on once: what comes from a node is answered here. If the other node
+was not reached before anything was sent, does not answer, or ends meanwhile, the answer
+is `unavailable`: by the rules of the specification a repeat is safe. It decides nothing
+about runs.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import hmac
+import logging
+import re
+from collections.abc import AsyncIterator, Callable
+from typing import Any
+
+import httpcore
+from starlette.requests import Request
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from reference_server.cluster.membership import Membership
+from reference_server.cluster.reachability import Reachability
+from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.http.pages.page_sessions import node_of_session
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import RENEWALS_PER_LEASE
+from reference_server.storage.node_store import Node
+from reference_server.storage.store import StoreFailed
+from reference_server.system.log_output import REQUEST_ID
+from reference_server.system.repeated_failures import RepeatedFailures
+
+log = logging.getLogger("proctor.cluster")
+
+SECRET_HEADER, CLIENT_HEADER = b"proctor-node-secret", b"proctor-node-client"
+# Of one connection each (RFC 9110, section 7.6.1), or added anew to every answer.
+_HOP_BY_HOP = {
+    *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
+    *(b"transfer-encoding", b"upgrade", b"expect"),
+}
+_ADDED_ANEW = {b"date", b"proctor-version", b"x-request-id"}
+_OURS = {SECRET_HEADER, CLIENT_HEADER, b"x-request-id"}
+_NOT_REACHED = (
+    httpcore.NetworkError,
+    httpcore.TimeoutException,
+    httpcore.ProtocolError,
+)
+# A node closes a connection that is unused for 5 s.
+KEEPALIVE_S = 3.0
+CONNECT_TIMEOUT_S = 2.0
+CONNECTIONS_MAX = 1000
+# At least so long, and for a lease, a busy node may be silent and is still waited for.
+SILENT_S = 5.0
+# Of what was not answered: over a new connection, a repeat may reach another node,
+# which may reach the owner or be it.
+_GO_ELSEWHERE = {"Connection": "close"}
+
+
+class NodeConnections:
+    """Connections to the other nodes; open while the server runs."""
+
+    def __init__(self, membership: Membership) -> None:
+        self.membership = membership
+        self.failures = RepeatedFailures(log)
+        self._pool = httpcore.AsyncConnectionPool(
+            max_connections=CONNECTIONS_MAX,
+            max_keepalive_connections=CONNECTIONS_MAX,
+            keepalive_expiry=KEEPALIVE_S,
+        )
+        self._reachability = Reachability(
+            self._answers,
+            lambda node: membership.gone(node).is_set(),
+            membership.lease_s / RENEWALS_PER_LEASE,
+        )
+
+    async def close(self) -> None:
+        await self._reachability.close()
+        await self._pool.aclose()
+
+    async def _answers(self, node: Node) -> bool:
+        """Whether it answers anything before it would have lost its lease."""
+        with contextlib.suppress(*_NOT_REACHED, OSError, TimeoutError):
+            async with asyncio.timeout(max(self.membership.lease_s, SILENT_S)):
+                await self._pool.request("GET", node.url + "/livez")
+                return True
+        return False
+
+    async def pass_on(
+        self, node: Node, scope: Scope, receive: Receive, send: Send
+    ) -> None:
+        """Answer a request with what that node answers.
+
+        Raises Refused if it does not answer. An answer that breaks off stays
+        incomplete: the server closes its connection then.
+        """
+        exchange = _Exchange(self._pool, node, scope, receive, send)
+        try:
+            with self._reachability.waiting(node) as lost:
+                if not lost.is_set():
+                    await _first_of(
+                        exchange.answer(),
+                        exchange.wait_until_client_left(),
+                        self.membership.gone(node).wait(),
+                        lost.wait(),
+                    )
+        except _ClientLeft:
+            return
+        except (*_NOT_REACHED, OSError) as error:
+            self.failures.report("a request could not be passed on", repr(error))
+            with contextlib.suppress(StoreFailed):  # it is looked for again at once
+                await self.membership.forget_owner(_run_id(scope) or "")
+        if not exchange.is_begun and not exchange.has_no_reader:
+            raise Refused("unavailable", "The node that has the run does not answer.")
+
+    async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
+        """What a node answers to a request of this one; None if it ends."""
+        headers = [(b"host", b"node"), (SECRET_HEADER, node.secret.encode())]
+        answers: list[httpcore.Response] = []
+
+        async def ask() -> None:
+            url = node.url + path
+            answers.append(
+                await self._pool.request("POST", url, headers=headers, content=body)
+            )
+
+        try:
+            await _first_of(ask(), self.membership.gone(node).wait())
+        except (*_NOT_REACHED, OSError) as error:
+            self.failures.report("a node was not reached", repr(error))
+            return None
+        return next((one.content for one in answers if one.status == 200), None)
+
+
+class _ClientLeft(Exception):
+    """The client left before its request was complete."""
+
+
+class _Exchange:
+    """One request to another node, and its answer."""
+
+    def __init__(
+        self,
+        pool: httpcore.AsyncConnectionPool,
+        node: Node,
+        scope: Scope,
+        receive: Receive,
+        send: Send,
+    ) -> None:
+        self._pool, self._node, self._scope = pool, node, scope
+        self._receive, self._send = receive, send
+        self._body_read = asyncio.Event()
+        self.is_begun = self.has_no_reader = False
+
+    async def answer(self) -> None:
+        """Send the whole answer, part by part."""
+        headers, has_body = _request_headers(self._scope, self._node)
+        if not has_body:
+            self._body_read.set()
+        target = self._scope.get("raw_path") or self._scope["path"].encode()
+        if query := self._scope["query_string"]:
+            target += b"?" + query
+        base = httpcore.URL(self._node.url)
+        url = httpcore.URL(
+            scheme=base.scheme, host=base.host, port=base.port, target=target
+        )
+        async with self._pool.stream(
+            self._scope["method"],
+            url,
+            headers=headers,
+            content=self._read_body() if has_body else None,
+            extensions={"timeout": {"connect": CONNECT_TIMEOUT_S}},
+        ) as response:
+            await self._start(response)
+            async for part in response.aiter_stream():
+                await self._send(_body(part, more=True))
+        await self._send(_body(b"", more=False))
+
+    async def _start(self, response: httpcore.Response) -> None:
+        dropped = _HOP_BY_HOP | _ADDED_ANEW
+        headers = [
+            (name.lower(), value)
+            for name, value in response.headers
+            if name.lower() not in dropped
+        ]
+        self.is_begun = True
+        await self._send(
+            {
+                "type": "http.response.start",
+                "status": response.status,
+                "headers": headers,
+            }
+        )
+
+    async def _read_body(self) -> AsyncIterator[bytes]:
+        more = True
+        while more:
+            message = await self._receive()
+            if message["type"] == "http.disconnect":
+                raise _ClientLeft
+            more = message.get("more_body", False)
+            if part := message.get("body", b""):
+                yield part
+        self._body_read.set()
+
+    async def wait_until_client_left(self) -> None:
+        """No answer is needed any more; what the other node has begun goes on there."""
+        await self._body_read.wait()
+        while (await self._receive())["type"] != "http.disconnect":
+            pass
+        self.has_no_reader = True
+
+
+class RunForwarding:
+    """One path of runs: its requests are answered here, or passed on.
+
+    has_run: whether a run is in the memory of this node; most turns need no more.
+    """
+
+    def __init__(
+        self,
+        app: ASGIApp,
+        connections: NodeConnections,
+        has_run: Callable[[str], bool],
+    ) -> None:
+        self._app, self._connections, self._has_run = app, connections, has_run
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        membership = self._connections.membership
+        try:
+            await membership.ensure_lease()
+            node = await self._find_node(scope)
+            if node is not None:
+                await self._connections.pass_on(node, scope, receive, send)
+                return
+            app = self._app
+        except Refused as refused:
+            app = problem_response(refused, _GO_ELSEWHERE)
+        except StoreFailed as error:
+            self._connections.failures.report("no database", str(error))
+            text = "The database is not available."
+            app = problem_response(Refused("unavailable", text), _GO_ELSEWHERE)
+        await app(scope, receive, send)
+
+    async def _find_node(self, scope: Scope) -> Node | None:
+        if is_from_node(scope, self._connections.membership):
+            return None
+        run_id = _run_id(scope)
+        if run_id is None or self._has_run(run_id):
+            return None
+        if not re.fullmatch(PATH_PATTERNS["run_id"][0], run_id):
+            return None
+        reads = scope["method"] in ("GET", "HEAD")
+        return await self._connections.membership.find_other(run_id, only_reads=reads)
+
+
+class PageForwarding:
+    """The pages: those of a reader are answered by the node of the sign-in.
+
+    If that node has ended, the reader signs in at this one.
+    """
+
+    def __init__(self, app: ASGIApp, connections: NodeConnections) -> None:
+        self._app, self._connections = app, connections
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        app = self._app
+        try:
+            node = await self._find_node(scope)
+            if node is not None:
+                await self._connections.pass_on(node, scope, receive, send)
+                return
+        except Refused as refused:
+            app = problem_response(refused, _GO_ELSEWHERE)
+        await app(scope, receive, send)
+
+    async def _find_node(self, scope: Scope) -> Node | None:
+        membership = self._connections.membership
+        if scope["type"] != "http" or is_from_node(scope, membership):
+            return None
+        node_id = node_of_session(Request(scope))
+        if node_id in ("", membership.node_id):
+            return None
+        with contextlib.suppress(StoreFailed):
+            return await membership.find_node(node_id)
+        return None
+
+
+def _run_id(scope: Scope) -> str | None:
+    found: str | None = scope.get("path_params", {}).get("run_id")
+    return found
+
+
+def is_from_node(scope: Scope, membership: Membership) -> bool:
+    """Whether a node passed it on; then the address of its client is what it says.
+
+    What any other sender says of that is taken out. Raises Refused for what was sent to
+    another node: passed on again, it might come back without end.
+    """
+    headers: list[tuple[bytes, bytes]] = scope["headers"]
+    sent = {name: value for name, value in headers if name in _OURS}
+    if SECRET_HEADER not in sent and CLIENT_HEADER not in sent:
+        return False
+    kept = (SECRET_HEADER, CLIENT_HEADER)
+    scope["headers"] = [pair for pair in headers if pair[0] not in kept]
+    secret = sent.get(SECRET_HEADER, b"")
+    is_node = hmac.compare_digest(secret, membership.secret.encode())
+    if not is_node and membership.is_secret_of_other(secret):
+        text = "The request was sent to another node: its node_url leads to this one."
+        raise Refused("unavailable", text)
+    if is_node:
+        scope["client"] = (sent.get(CLIENT_HEADER, b"-").decode("latin-1"), 0)
+    return is_node
+
+
+def _request_headers(
+    scope: Scope, node: Node
+) -> tuple[list[tuple[bytes, bytes]], bool]:
+    """What is sent to the other node, and whether a body follows."""
+    headers = [
+        (name, value)
+        for name, value in scope["headers"]
+        if name not in _HOP_BY_HOP and name not in _OURS
+    ]
+    names = {name for name, _ in scope["headers"]}
+    is_chunked = b"transfer-encoding" in names
+    if is_chunked:
+        headers.append((b"transfer-encoding", b"chunked"))
+    client = (scope.get("client") or ("-",))[0]
+    headers += [
+        (SECRET_HEADER, node.secret.encode()),
+        (CLIENT_HEADER, str(client).encode("latin-1", "replace")),
+        (b"x-request-id", (REQUEST_ID.get() or "").encode()),
+    ]
+    return headers, is_chunked or b"content-length" in names
+
+
+def _body(part: bytes, *, more: bool) -> Message:
+    return {"type": "http.response.body", "body": part, "more_body": more}
+
+
+async def _first_of(answer: Any, *ends: Any) -> None:
+    """Until the answer is sent or one of the others ends; raises what ended it."""
+    tasks = [asyncio.ensure_future(one) for one in (answer, *ends)]
+    try:
+        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        for task in tasks:
+            if task in done:
+                task.result()
+    finally:
+        for task in tasks:
+            task.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await asyncio.wait(tasks)

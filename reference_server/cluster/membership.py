@@ -1,0 +1,278 @@
+"""This process as a node: its lease, the other nodes, and runs without an owner.
+
+A node renews its lease in the database several times before it ends. While the lease
+runs, no other node claims its runs. When it has ended, this node acts for no run until
+it is renewed; if others removed it meanwhile, it forgets its runs and joins again under
+another id. Time here is only for that: that a lease of another node has ended is said
+by the database's clock. It knows no HTTP, and no SQL.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import logging
+import secrets
+import time
+from collections import OrderedDict
+from collections.abc import Awaitable, Callable
+
+from reference_server.rules.lifecycle import (
+    OPEN_STATES,
+    RESTART_REASON,
+    STATES_AFTER_RESTART,
+)
+from reference_server.rules.run_owner import (
+    RENEWALS_PER_LEASE,
+    OwnedElsewhere,
+    StoredOwner,
+    place_of,
+)
+from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
+
+log = logging.getLogger("proctor.cluster")
+
+# Claimed at a time by one node, so that the others get their part of them.
+CLAIMS_AT_ONCE = 50
+# How long a request waits for a lease that is late; another node may have one.
+LATE_LEASE_S = 5.0
+# At most so often are runs without an owner looked for.
+SWEEP_S = 1.0
+# A run is claimed by one node: who loses finds its owner then.
+TRIES = 5
+KNOWN_OWNERS_MAX = 10_000
+# It runs while the machine sleeps, where there is such a clock.
+_CLOCK = getattr(time, "CLOCK_BOOTTIME", time.CLOCK_MONOTONIC)
+
+
+class Membership:
+    """This node, from `open` to `close`.
+
+    url: where other nodes reach this one. on_lost: forgets all runs of this node; it
+    may await nothing. adopt: begins to load an open run that was claimed: nothing else
+    goes on with it, and no other node looks for it any more.
+    """
+
+    def __init__(
+        self,
+        nodes: NodeStore,
+        url: str,
+        lease_s: float,
+        on_lost: Callable[[], None],
+        adopt: Callable[[str], None],
+    ) -> None:
+        self._nodes, self.lease_s = nodes, lease_s
+        self._on_lost, self._adopt = on_lost, adopt
+        self._node = _new_node(url, secrets.token_hex(32))
+        self._claims = True
+        self._valid_until = 0.0
+        self._renewing: asyncio.Task[None] | None = None
+        self._tasks: list[asyncio.Task[None]] = []
+        self._others: dict[str, Node] = {}
+        self._gone: dict[str, asyncio.Event] = {}
+        self._owners: OrderedDict[str, str] = OrderedDict()  # run → node
+        self._unsure: set[str] = set()  # runs whose claim may have been stored
+        self._failures = RepeatedFailures(log)
+
+    @property
+    def node_id(self) -> str:
+        """Of this node; another one after it was removed."""
+        return self._node.node_id
+
+    @property
+    def secret(self) -> str:
+        """What the other nodes send this one to show that they are nodes."""
+        return self._node.secret
+
+    def is_secret_of_other(self, secret: bytes) -> bool:
+        """Whether it is what is sent to another node that this one knows."""
+        secrets_of_nodes = [node.secret.encode() for node in self._others.values()]
+        return any(hmac.compare_digest(secret, one) for one in secrets_of_nodes)
+
+    async def open(self) -> None:
+        """Join the nodes. Raises StoreFailed."""
+        began = _now()
+        await self._nodes.join(self._node, is_new=True)
+        self._valid_until = began + self.lease_s
+        await self._look_for_others()
+
+    def start(self) -> None:
+        """Renew the lease, and claim runs that have no owner, until `close`."""
+        renewal = self._repeat(self.lease_s / RENEWALS_PER_LEASE, self._keep_lease)
+        sweep = self._repeat(min(SWEEP_S, self.lease_s / 2), self._claim_abandoned)
+        self._tasks = [asyncio.create_task(work) for work in (renewal, sweep)]
+
+    def stop_claiming(self) -> None:
+        """The server will end: what it claimed now would be left again at once."""
+        self._claims = False
+
+    async def close(self) -> None:
+        """Leave the nodes: others may claim the runs at once."""
+        for task in self._tasks:
+            task.cancel()
+        if self._tasks:
+            await asyncio.wait(self._tasks)
+        try:
+            await self._nodes.leave(self.node_id)
+        except StoreFailed as error:  # its lease ends
+            log.warning("the node could not leave: %s", error)
+
+    # --- the lease ---
+
+    async def ensure_lease(self) -> None:
+        """Return while this node may act for its runs. Raises StoreFailed."""
+        if _now() < self._valid_until:
+            return
+        try:
+            async with asyncio.timeout(LATE_LEASE_S):
+                await self._renew()
+        except TimeoutError as error:
+            raise StoreFailed("the lease of this node could not be renewed") from error
+
+    async def _renew(self) -> None:
+        """One renewal for all that wait for it."""
+        if self._renewing is None or self._renewing.done():
+            self._renewing = asyncio.ensure_future(self._renew_once())
+        await asyncio.shield(self._renewing)
+
+    async def _renew_once(self) -> None:
+        began = _now()
+        if not await self._nodes.renew(self.node_id):
+            log.warning("other nodes have taken over the runs of this one")
+            self._node = _new_node(self._node.url, self._node.secret)
+            self._owners.clear()
+            self._on_lost()
+            began = _now()
+            await self._nodes.join(self._node)
+        self._valid_until = began + self.lease_s
+
+    async def _keep_lease(self) -> None:
+        await self._renew()
+        await self._look_for_others()
+
+    async def _look_for_others(self) -> None:
+        found = await self._nodes.live_nodes()
+        for node_id in self._others.keys() - found.keys():
+            if (gone := self._gone.pop(node_id, None)) is not None:
+                gone.set()
+        self._others = found
+
+    async def _repeat(
+        self, every_s: float, work: Callable[[], Awaitable[None]]
+    ) -> None:
+        while True:
+            try:
+                await work()
+            except StoreFailed as error:
+                self._failures.report("a node cannot use the database", str(error))
+            except Exception:
+                log.exception("a node failed in what it repeats")
+            await asyncio.sleep(every_s)
+
+    # --- owners of runs ---
+
+    async def find_other(self, run_id: str, *, only_reads: bool) -> Node | None:
+        """The node that acts for the run; None if it is this one, or there is no run.
+
+        A run whose owner does not live any more is claimed first. Raises StoreFailed,
+        and OwnedElsewhere if its owner cannot be found now.
+        """
+        known = self._others.get(self._owners.get(run_id, ""))
+        if known is not None and not only_reads:
+            return known
+        for _ in range(TRIES):
+            owner = await self._nodes.owner_of(run_id)
+            if owner is None:
+                return None
+            me = self.node_id
+            place = place_of(owner, me, self.lease_s, only_reads=only_reads)
+            if place == "here":
+                return None
+            if place == "claim" and not self._claims:
+                break
+            assert owner.node_id is not None or place == "claim"
+            if place == "forward" and owner.node_id is not None:
+                if (node := await self.find_node(owner.node_id)) is not None:
+                    self._note_owner(run_id, node.node_id)
+                    return node
+            elif owner.silent_s is not None and owner.node_id is not None:
+                await self._nodes.remove_silent(owner.node_id)
+            elif await self._claim(run_id, me, owner):
+                return None
+        raise OwnedElsewhere(run_id)
+
+    async def _claim(self, run_id: str, me: str, seen: StoredOwner) -> bool:
+        """Whether this node is the owner now, and no other one came first."""
+        after = STATES_AFTER_RESTART
+        try:
+            if not await self._nodes.claim(run_id, me, seen, after, RESTART_REASON):
+                return False
+        except StoreFailed:
+            self._unsure.add(run_id)
+            raise
+        log.info("node %s claimed run %s", me, run_id)
+        if seen.state in OPEN_STATES:
+            self._adopt(run_id)
+        return True
+
+    async def claim(self, run_id: str) -> bool:
+        """Whether this node is the owner of the run now, or there is no run."""
+        return await self.find_other(run_id, only_reads=False) is None
+
+    async def forget_owner(self, run_id: str) -> None:
+        """Its node was not reached: the next look-up reads the database again."""
+        self._owners.pop(run_id, None)
+        await self._look_for_others()
+
+    def gone(self, node: Node) -> asyncio.Event:
+        """Is set when the lease of that node has ended."""
+        if node.node_id in self._others:
+            return self._gone.setdefault(node.node_id, asyncio.Event())
+        event = asyncio.Event()
+        event.set()
+        return event
+
+    async def find_node(self, node_id: str) -> Node | None:
+        """The node, if its lease has not ended."""
+        if node_id not in self._others:
+            await self._look_for_others()
+        return self._others.get(node_id)
+
+    def _note_owner(self, run_id: str, node_id: str) -> None:
+        self._owners[run_id] = node_id
+        self._owners.move_to_end(run_id)
+        if len(self._owners) > KNOWN_OWNERS_MAX:
+            self._owners.popitem(last=False)
+
+    async def _claim_abandoned(self) -> None:
+        """Runs that a dead node leaves go on without a request for them."""
+        if not self._claims:
+            return
+        await self.ensure_lease()
+        await self._adopt_unsure()
+        found = await self._nodes.without_owner(sorted(OPEN_STATES), CLAIMS_AT_ONCE)
+        for run_id in found:
+            try:
+                await self.claim(run_id)
+            except OwnedElsewhere:
+                log.debug("run %s was claimed by another node", run_id)
+
+    async def _adopt_unsure(self) -> None:
+        """No other node looks for a run that this one has claimed without knowing."""
+        for run_id in list(self._unsure):
+            owner = await self._nodes.owner_of(run_id)
+            self._unsure.discard(run_id)
+            if owner is None or owner.node_id != self.node_id:
+                continue
+            if owner.state in OPEN_STATES:
+                self._adopt(run_id)
+
+
+def _now() -> float:
+    return time.clock_gettime(_CLOCK)
+
+
+def _new_node(url: str, secret: str) -> Node:
+    return Node(secrets.token_hex(8), url, secret)

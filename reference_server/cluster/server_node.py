@@ -1,0 +1,80 @@
+"""This server as a node: the parts of this folder, connected."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from starlette.types import ASGIApp
+
+from reference_server.cluster import views_elsewhere
+from reference_server.cluster.forwarding import (
+    NodeConnections,
+    PageForwarding,
+    RunForwarding,
+)
+from reference_server.cluster.membership import Membership
+from reference_server.cluster.views_elsewhere import ViewsElsewhere
+from reference_server.runs.service import RunService
+from reference_server.storage.node_store import NodeStore
+
+
+class ServerNode:
+    """From `open` to `close` a node, which claims runs without an owner.
+
+    url: where other nodes reach it. service: once the server is put together.
+    """
+
+    def __init__(
+        self,
+        nodes: NodeStore,
+        url: str,
+        lease_s: float,
+        service: Callable[[], RunService],
+    ) -> None:
+        self._service = service
+        self.membership = Membership(
+            nodes,
+            url,
+            lease_s,
+            on_lost=self._forget_runs,
+            adopt=self._adopt,
+        )
+        self._connections = NodeConnections(self.membership)
+        self.views = ViewsElsewhere(self._connections, self._view_run)
+
+    def routed(self, endpoints: Mapping[str, ASGIApp]) -> dict[str, ASGIApp]:
+        """The same paths, each answered by the node that has the run it names."""
+        has_run = self._service().registry.has
+        routed: dict[str, ASGIApp] = {
+            path: RunForwarding(endpoint, self._connections, has_run)
+            for path, endpoint in endpoints.items()
+        }
+        return routed | {views_elsewhere.PATH: self.views}
+
+    def routed_pages(self, pages: ASGIApp) -> ASGIApp:
+        """The pages, each answered by the node where its reader has signed in."""
+        return PageForwarding(pages, self._connections)
+
+    def node_id(self) -> str:
+        """Of this node, now."""
+        return self.membership.node_id
+
+    def _forget_runs(self) -> None:
+        self._service().registry.drop_all()
+
+    def _adopt(self, run_id: str) -> None:
+        self._service().registry.load_in_background(run_id)
+
+    async def _view_run(self, run_id: str, endpoint: str) -> dict[str, Any]:
+        return await self._service().view_run(None, run_id, endpoint)
+
+    async def open(self) -> None:
+        """Join the nodes, when all other parts are open. Raises StoreFailed."""
+        await self.membership.open()
+        self.membership.start()
+
+    async def close(self) -> None:
+        """After the last write: others may claim the runs at once."""
+        await self._connections.close()
+        await self.membership.close()

@@ -1,0 +1,127 @@
+"""`proctor admin seeds`: opens the seeds of the sealed splits of a benchmark.
+
+It writes the file with which anyone replays records of the benchmark (REC-015). The
+host publishes it where it likes: `seeds_sha256` of each record proves it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, cast
+
+from reference_record.formats.opened_seeds import (
+    OpenedEpisode,
+    OpenedSeeds,
+    write_opened_seeds,
+)
+from reference_server.records.admin_areas import AdminFiles, CannotDo, opened_store
+from reference_server.rules.manifest import Manifest, is_sealed, salt_of, seal
+from reference_server.rules.run import RunHead
+from reference_server.system.seed_secret import SeedSecret
+from reference_sim import benchmark_registry
+from reference_sim.gymnasium import BadBenchmark
+
+
+def add_area(areas: Any) -> None:
+    """Add the area to those of `proctor admin`; `do_with_files` is the command."""
+    seeds = areas.add_parser("seeds", help="the seeds of sealed splits")
+    commands = seeds.add_subparsers(metavar="COMMAND", required=True)
+    opens = commands.add_parser(
+        "open",
+        help="write the seeds of a benchmark that was played here, to be published: "
+        "anyone can then replay its records, and train on its episodes",
+    )
+    opens.add_argument("benchmark", metavar="BENCHMARK")
+    opens.add_argument(
+        "--output", "-o", type=Path, metavar="FILE", help="(seeds-BENCHMARK.json)"
+    )
+    opens.add_argument("--force", action="store_true", help="replace the file")
+    opens.set_defaults(do_with_files=open_seeds)
+
+
+def open_seeds(files: AdminFiles, args: argparse.Namespace) -> None:
+    """For each choice of options that has a run. Raises CannotDo."""
+    name = args.benchmark
+    output = args.output or Path(f"seeds-{name}.json")
+    if output.exists() and not args.force:
+        raise CannotDo(f"{output} exists: replace it with --force")
+    secret = SeedSecret(files.seed_secret_path)
+    if files.seed_secret_path is None or not files.seed_secret_path.exists():
+        raise CannotDo(
+            "there is no secret of sealed seeds; see the setting seed_secret"
+        )
+    try:
+        secret.open()
+        benchmark_registry.add(files.benchmarks, lambda _: None)
+    except (ValueError, BadBenchmark) as error:
+        raise CannotDo(str(error)) from error
+    heads = asyncio.run(_heads_of(files.database_url, name))
+    opened = list(_opened(heads, secret.value))
+    if not opened:
+        raise CannotDo(f"no run of {name} has sealed seeds that can be opened")
+    output.write_bytes(write_opened_seeds(name, opened))
+    episodes = sum(len(one.episodes) for one in opened)
+    print(f"{output}: {episodes} seeds, of {len(opened)} choices of options")
+    print(
+        f"publish it and the seeds of {name} are known for good: scores of runs that "
+        "are played from then on are no longer of unknown episodes"
+    )
+
+
+async def _heads_of(url: str, benchmark_id: str) -> list[RunHead]:
+    """One run of each manifest."""
+    async with opened_store(url) as store:
+        run_ids = await store.runs_of_manifests(benchmark_id)
+        return list((await store.heads(run_ids)).values())
+
+
+def _opened(heads: list[RunHead], secret: bytes) -> Iterator[OpenedSeeds]:
+    """One for each commitment; says which cannot be opened."""
+    done: set[str] = set()
+    for head in heads:
+        commitment = head.manifest.get("seeds_sha256")
+        if commitment is None or commitment in done:
+            continue
+        done.add(commitment)
+        try:
+            yield _seeds_of(head, commitment, secret)
+        except CannotDo as error:
+            print(f"proctor: left out: {error}", file=sys.stderr)
+
+
+def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
+    """Of the whole benchmark, also where the run is of a part of it."""
+    benchmark_id = head.manifest["benchmark_id"]
+    try:
+        found = benchmark_registry.resolve(
+            benchmark_id,
+            head.submission.get("options"),
+            head.images,
+            max_chunk=head.manifest["max_chunk"],
+        )
+    except (LookupError, ValueError) as error:
+        raise CannotDo(
+            f"run {head.run_id}: {benchmark_id} is not offered here, or not with its "
+            "options (setting benchmarks)"
+        ) from error
+    manifest = cast("Manifest", found.manifest)
+    whole = seal(manifest, secret, found.seed_block, found.seed_max)
+    opened = OpenedSeeds(
+        commitment,
+        salt_of(secret, benchmark_id).hex(),
+        [
+            OpenedEpisode(one["task"], one["split"], one["seed"])
+            for one in whole["episodes"]
+            if is_sealed(whole, one["split"])
+        ],
+    )
+    if opened.commitment != commitment:
+        raise CannotDo(
+            f"run {head.run_id} was played with other seeds: {benchmark_id} has "
+            "changed since, or this is not the secret of its server (seed_secret)"
+        )
+    return opened

@@ -1,0 +1,253 @@
+"""The connection to the database: transactions, reads of one moment, failures.
+
+A path is an SQLite file; a URL may name PostgreSQL. It knows how both are opened and no
+table; what a database must have is in `schema_version.py`.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator, Callable
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import asynccontextmanager
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar
+
+import sqlalchemy as sa
+from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
+
+from reference_server.storage import postgresql, schema_version
+from reference_server.system import private_files
+
+Found = TypeVar("Found")
+
+# Reads of the database file that run at once.
+READER_THREADS = 4
+PORT_MAX = 65535
+
+
+class StoreFailed(Exception):
+    """The database failed; nothing of the transaction was stored.
+
+    If the connection was lost while it was committed, that is not known: what was to be
+    stored must be read again.
+    """
+
+
+class Database:
+    """One database, by its SQLAlchemy URL. All of it raises StoreFailed.
+
+    is_shared: other nodes use it, too.
+    """
+
+    def __init__(self, url: str, *, is_shared: bool = False) -> None:
+        try:
+            self.url = url_of(url)
+            self.is_postgresql = self.url.get_backend_name() == "postgresql"
+            options: dict[str, Any] = {}
+            if self.is_postgresql:
+                options = postgresql.engine_options(is_shared=is_shared)
+            self.engine: AsyncEngine = create_async_engine(self.url, **options)
+        except (sa.exc.SQLAlchemyError, ImportError) as error:
+            raise StoreFailed(_one_line(error)) from error
+        # A database in memory is one connection, and so one transaction at a time.
+        shared = isinstance(self.engine.pool, sa.StaticPool)
+        self._exclusive = asyncio.Lock() if shared else contextlib.nullcontext()
+        # The async driver switches to its thread and back for each step of a query. For
+        # a file one switch is enough for all queries of one read, or of one write.
+        self._file_reader: sa.Engine | None = None
+        self._file_writer: sa.Engine | None = None
+        # Not the loop's own threads: a slow DNS look-up may occupy those.
+        self._reader_threads = ThreadPoolExecutor(READER_THREADS, "store")
+        # One: a write whose caller was cancelled ends before the next one begins.
+        self._writer_thread = ThreadPoolExecutor(1, "store-writer")
+        self._snapshots = self.engine
+        self._reads = asyncio.Semaphore(postgresql.READS_MAX)
+        if self.is_postgresql:
+            self._snapshots = self.engine.execution_options(
+                isolation_level="REPEATABLE READ", postgresql_readonly=True
+            )
+            return
+        sa.event.listen(self.engine.sync_engine, "connect", _tune_sqlite)
+        if not shared:
+            self._file_reader = sa.create_engine(self.url.set(drivername="sqlite"))
+            sa.event.listen(self._file_reader, "connect", _set_query_only)
+            sa.event.listen(self._file_reader, "begin", _begin)
+            self._file_writer = sa.create_engine(self.url.set(drivername="sqlite"))
+            sa.event.listen(self._file_writer, "connect", _tune_sqlite)
+
+    @property
+    def file(self) -> Path | None:
+        """That of an SQLite database; None if it is in memory, or another database."""
+        return database_file(self.url)
+
+    async def open(self, *, upgrade: bool = True) -> schema_version.Upgrade | None:
+        """Give it the tables of this version; what was upgraded, if anything was.
+
+        upgrade: False: a database that has other tables is a failure.
+        """
+        path = self.file
+        if path is not None:
+            try:
+                private_files.create_empty(path)
+            except OSError as error:
+                raise StoreFailed(_one_line(error)) from error
+        # An upgrade of many rows takes longer than any request may.
+        engine = self.engine
+        if self.is_postgresql:
+            engine = postgresql.engine_without_timeout(self.url)
+        async with self._transaction_of(engine) as connection:
+            try:
+                done = await connection.run_sync(
+                    lambda sync: schema_version.prepare(sync, upgrade=upgrade)
+                )
+            except schema_version.OtherVersion as error:
+                raise StoreFailed(str(error)) from error
+            except schema_version.UpgradeFailed as error:
+                why = self._describe(error.reason)
+                raise StoreFailed(
+                    f"the upgrade failed; nothing was changed: {why}"
+                ) from error
+        if path is not None:  # only now it is known to be a database
+            for suffix in ("", "-wal", "-shm"):
+                private_files.restrict(path.with_name(path.name + suffix))
+        return done
+
+    async def close(self) -> None:
+        await self.engine.dispose()
+        for engine, threads in (
+            (self._file_reader, self._reader_threads),
+            (self._file_writer, self._writer_thread),
+        ):
+            if engine is not None:
+                threads.shutdown(wait=False)
+                engine.dispose()
+
+    @asynccontextmanager
+    async def transaction(self) -> AsyncIterator[AsyncConnection]:
+        """What is written in it is stored when it ends."""
+        async with self._transaction_of(self.engine) as connection:
+            yield connection
+
+    @asynccontextmanager
+    async def transaction_that_reads(self) -> AsyncIterator[AsyncConnection]:
+        """Writes nothing, and leaves connections for those who write."""
+        async with self._place_to_read(), self._transaction_of(self.engine) as found:
+            yield found
+
+    async def write(self, store: Callable[[sa.Connection], Found]) -> Found:
+        """What `store` returns, once all that it wrote is stored: one transaction."""
+        if self._file_writer is None:
+            async with self.transaction() as connection:
+                return await connection.run_sync(store)
+        work = partial(_run_in_transaction, self._file_writer, store)
+        return await self._run_in(self._writer_thread, work)
+
+    async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
+        """What `fetch` finds, all of it as it was at one moment; it writes nothing."""
+        if self._file_reader is None:
+            async with (
+                self._place_to_read(),
+                self._transaction_of(self._snapshots) as connection,
+            ):
+                return await connection.run_sync(fetch)
+        work = partial(_run_in_connection, self._file_reader, fetch)
+        return await self._run_in(self._reader_threads, work)
+
+    async def _run_in(
+        self, threads: ThreadPoolExecutor, work: Callable[[], Found]
+    ) -> Found:
+        try:
+            return await asyncio.get_running_loop().run_in_executor(threads, work)
+        except (sa.exc.SQLAlchemyError, OSError) as error:
+            raise StoreFailed(self._describe(error)) from error
+
+    @asynccontextmanager
+    async def _place_to_read(self) -> AsyncIterator[None]:
+        """In PostgreSQL one of so many; an SQLite file has no pool to share."""
+        if not self.is_postgresql:
+            yield
+            return
+        try:
+            async with asyncio.timeout(postgresql.POOL_TIMEOUT_S):
+                await self._reads.acquire()
+        except TimeoutError as error:
+            raise StoreFailed(self._describe(error)) from error
+        try:
+            yield
+        finally:
+            self._reads.release()
+
+    @asynccontextmanager
+    async def _transaction_of(
+        self, engine: AsyncEngine
+    ) -> AsyncIterator[AsyncConnection]:
+        try:
+            async with self._exclusive, engine.begin() as connection:
+                yield connection
+        except (sa.exc.SQLAlchemyError, OSError) as error:
+            # An unreachable server is reported by its driver, not by SQLAlchemy.
+            raise StoreFailed(self._describe(error)) from error
+
+    def _describe(self, error: Exception) -> str:
+        if self.is_postgresql:
+            return postgresql.describe(self.url, error)
+        return _one_line(error)
+
+
+def url_of(database: str) -> sa.URL:
+    """The URL with the driver that is used. Raises SQLAlchemyError."""
+    try:
+        url = sa.make_url(postgresql.with_dialect(database))
+    except ValueError:  # its text repeats what may be of a password
+        url = None
+    if url is None or not 0 < (url.port or 1) <= PORT_MAX:
+        raise sa.exc.ArgumentError("the port in the URL is no number from 1 to 65535")
+    is_postgresql = url.get_backend_name() == "postgresql"
+    return postgresql.with_driver(url) if is_postgresql else url
+
+
+def database_file(url: sa.URL) -> Path | None:
+    """The file of an SQLite database; None if it is in memory, or another database."""
+    name = url.database or ":memory:"
+    if url.get_backend_name() != "sqlite" or name.startswith((":memory:", "file:")):
+        return None
+    return Path(name)
+
+
+def _run_in_connection(
+    engine: sa.Engine, fetch: Callable[[sa.Connection], Found]
+) -> Found:
+    with engine.connect() as connection:
+        return fetch(connection)
+
+
+def _run_in_transaction(
+    engine: sa.Engine, store: Callable[[sa.Connection], Found]
+) -> Found:
+    with engine.begin() as connection:
+        return store(connection)
+
+
+def _tune_sqlite(connection: Any, _record: object) -> None:
+    cursor = connection.cursor()
+    # WAL lets readers pass a writer; FULL makes a commit survive a power cut too.
+    for pragma in ("journal_mode=WAL", "synchronous=FULL", "foreign_keys=ON"):
+        cursor.execute(f"PRAGMA {pragma}")
+    cursor.close()
+
+
+def _set_query_only(connection: Any, _record: object) -> None:
+    connection.isolation_level = None  # `_begin` begins the transaction
+    connection.execute("PRAGMA query_only=ON").close()
+
+
+def _begin(connection: sa.Connection) -> None:
+    """All that is read until the end is of one moment."""
+    connection.exec_driver_sql("BEGIN")
+
+
+def _one_line(error: Exception) -> str:
+    return str(error).partition("\n")[0]

@@ -1,0 +1,167 @@
+"""`proctor admin db`: upgrade, check and back up the database of a server.
+
+`check` and `backup` may run while the server does; `upgrade` needs it stopped.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import contextlib
+import os
+import shutil
+import sqlite3
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import sqlalchemy as sa
+
+from reference_server.storage import postgresql, schema_version
+from reference_server.storage.database import Database, StoreFailed
+from reference_server.storage.database_tables import episodes, manifests, runs
+from reference_server.storage.server_lock import lock_of
+from reference_server.system import private_files
+
+_OF_MANIFEST = runs.c.manifest_sha256 == manifests.c.manifest_sha256
+_OF_RUN = episodes.c.number == runs.c.number
+_COUNT = sa.select(sa.func.count())
+# What is wrong → how many rows are.
+_INCONSISTENT = {
+    "runs without their manifest": _COUNT.select_from(
+        runs.outerjoin(manifests, _OF_MANIFEST)
+    ).where(manifests.c.manifest_sha256.is_(None)),
+    "episodes without their run": _COUNT.select_from(
+        episodes.outerjoin(runs, _OF_RUN)
+    ).where(runs.c.number.is_(None)),
+}
+
+
+def add_area(areas: Any) -> None:
+    """Add it to the areas of `proctor admin`; `do_with_database` is the command."""
+    area = areas.add_parser("db", help="the database: upgrade, check, back up")
+    commands = area.add_subparsers(metavar="COMMAND", required=True)
+    upgrade_ = commands.add_parser(
+        "upgrade", help="give the database the tables of this version"
+    )
+    upgrade_.set_defaults(do_with_database=upgrade)
+    checked = commands.add_parser(
+        "check", help="is it there, of which version, and is its content consistent"
+    )
+    checked.set_defaults(do_with_database=check)
+    backed_up = commands.add_parser("backup", help="copy it, also while it is used")
+    backed_up.add_argument("file", metavar="FILE", help="a file that does not exist")
+    backed_up.set_defaults(do_with_database=back_up)
+
+
+def upgrade(url: str, _args: argparse.Namespace) -> None:
+    """As the next start of the server would do it."""
+    done = asyncio.run(_upgrade(url))
+    version = schema_version.VERSIONS[-1]
+    before = "" if done is None else f" (before: {done.before or 'none'})"
+    print(f"the database is of version {version}{before}")
+
+
+async def _upgrade(url: str) -> schema_version.Upgrade | None:
+    lock, database = lock_of(url, lambda: None), Database(url)
+    try:
+        await lock.acquire()
+        return await database.open()
+    finally:
+        await database.close()
+        await lock.release()
+
+
+def check(url: str, _args: argparse.Namespace) -> None:
+    """Prints what is found. Raises StoreFailed if anything is wrong."""
+    version, problems = asyncio.run(_look(url))
+    print(f"version: {version or 'none'} (this server: {schema_version.VERSIONS[-1]})")
+    for problem in problems:
+        print(f"problem: {problem}")
+    if problems:
+        raise StoreFailed("the database is not as it should be; restore a backup")
+    if version != schema_version.VERSIONS[-1]:
+        raise StoreFailed("the version is another one; see `proctor admin db upgrade`")
+    print("content: consistent")
+
+
+async def _look(url: str) -> tuple[str | None, list[str]]:
+    database = Database(url)
+    try:
+        if database.file is not None and not database.file.exists():
+            raise StoreFailed(f"there is no file {database.file}")
+        version = await database.read(schema_version.read_version)
+        if version not in schema_version.VERSIONS:
+            return version, []
+        return version, await database.read(_problems)
+    finally:
+        await database.close()
+
+
+def _problems(connection: sa.Connection) -> list[str]:
+    found = []
+    if connection.dialect.name == "sqlite":
+        answers = connection.exec_driver_sql("PRAGMA integrity_check").scalars()
+        found = [one for one in answers if one != "ok"]
+    for name, query in _INCONSISTENT.items():
+        if count := connection.scalar(query):
+            found.append(f"{count} {name}")
+    return found
+
+
+def back_up(url: str, args: argparse.Namespace) -> None:
+    """Of one moment; the file is its owner's alone."""
+    database, path = Database(url), Path(args.file)
+    try:
+        if database.is_postgresql:
+            _make(path, lambda: _dump_postgresql(database.url, path))
+        elif database.file is None or not database.file.exists():
+            raise StoreFailed("there is no file of this database")
+        else:
+            source = database.file
+            _make(path, lambda: _copy_sqlite(source, path))
+    finally:
+        asyncio.run(database.close())
+    print(f"{path}: {path.stat().st_size} bytes")
+
+
+def _make(path: Path, write: Callable[[], None]) -> None:
+    """Nothing stays of a backup that fails."""
+    if not private_files.create_empty(path):
+        raise StoreFailed(f"{path} exists already")
+    try:
+        write()
+    except BaseException:
+        path.unlink()
+        raise
+
+
+def _copy_sqlite(source: Path, target: Path) -> None:
+    """With a server that writes meanwhile: SQLite copies what is committed."""
+    try:
+        with (
+            contextlib.closing(
+                sqlite3.connect(f"{source.absolute().as_uri()}?mode=ro", uri=True)
+            ) as found,
+            contextlib.closing(sqlite3.connect(target)) as copy,
+        ):
+            found.backup(copy)
+    except sqlite3.Error as error:
+        raise StoreFailed(str(error)) from error
+
+
+def _dump_postgresql(url: sa.URL, target: Path) -> None:
+    """By pg_dump; the password is in its environment, not on its command line."""
+    plain = postgresql.url_of_programs(url)
+    command = ["pg_dump", "--format=custom", f"--file={target}", f"--dbname={plain}"]
+    if shutil.which("pg_dump") is None:
+        raise StoreFailed(
+            "pg_dump is not installed here; run it where it is: " + " ".join(command)
+        )
+    secret = {} if url.password is None else {"PGPASSWORD": str(url.password)}
+    done = subprocess.run(
+        command, env=os.environ | secret, capture_output=True, text=True, check=False
+    )
+    if done.returncode != 0:
+        raise StoreFailed(" ".join(done.stderr.split()) or "pg_dump failed")

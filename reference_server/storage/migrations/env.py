@@ -1,0 +1,13 @@
+"""What Alembic runs for each command: the upgrades, in a transaction that is given."""
+
+from alembic import context
+
+from reference_server.storage.database_tables import TABLES
+
+context.configure(
+    connection=context.config.attributes["connection"],
+    target_metadata=TABLES,
+    render_as_batch=True,  # SQLite changes a column by copying the table
+)
+with context.begin_transaction():
+    context.run_migrations()

@@ -1,0 +1,1 @@
+"""One upgrade each, in the order of `schema_version.VERSIONS`."""

@@ -1,0 +1,166 @@
+"""The nodes that share the database, and which of them owns a run.
+
+All times are those of the database's clock. What a row means is decided in
+`rules/run_owner.py`; what makes it safe is here: a node that was removed never comes
+back under its id, and each claim of a run increments its fence, which every write of
+the run names (`store.py`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import sqlalchemy as sa
+from sqlalchemy.ext.compiler import compiles
+from sqlalchemy.sql.functions import FunctionElement
+
+from reference_server.rules.run import State
+from reference_server.rules.run_owner import StoredOwner
+from reference_server.storage.database_tables import nodes as _nodes
+from reference_server.storage.database_tables import runs as _runs
+from reference_server.storage.store import Store, StoreFailed
+
+
+class Node(NamedTuple):
+    """One server process, as the others reach it."""
+
+    node_id: str
+    url: str
+    secret: str
+
+
+class _Now(FunctionElement[float]):
+    """Seconds since 1970 by the clock of the database, when it is evaluated."""
+
+    type = sa.Float()
+    inherit_cache = True
+
+
+@compiles(_Now)
+def _now_of_postgresql(_element: _Now, _compiler: Any, **_: Any) -> str:
+    return "extract(epoch from clock_timestamp())"
+
+
+@compiles(_Now, "sqlite")
+def _now_of_sqlite(_element: _Now, _compiler: Any, **_: Any) -> str:
+    return "((julianday('now') - 2440587.5) * 86400.0)"
+
+
+_silent_s = _Now() - _nodes.c.renewed_at
+_fence = sa.func.coalesce(_runs.c.fence, 0)
+_IS_THERE = _runs.c.deleted_at_wall.is_(None)
+
+
+class NodeStore:
+    """The list of nodes, and the owners of runs."""
+
+    def __init__(self, store: Store, lease_s: float) -> None:
+        self._store, self._lease_s = store, lease_s
+
+    async def join(self, node: Node, *, is_new: bool = False) -> None:
+        """Add a node. Raises StoreFailed if another one at its address lives.
+
+        is_new: it has just begun to listen there; an earlier one has ended.
+        """
+        row = node._asdict() | {"renewed_at": _Now()}
+        earlier = _nodes.c.url == node.url
+        is_removed = earlier if is_new else earlier & (_silent_s > self._lease_s)
+        async with self._store.write() as connection:
+            await connection.execute(_nodes.delete().where(is_removed))
+            if (await connection.execute(sa.select(_nodes).where(earlier))).first():
+                raise StoreFailed(
+                    f"another node has the URL {node.url}: end one of the two, and "
+                    "start it with a node_url of its own"
+                )
+            await connection.execute(_nodes.insert().values(row))
+
+    async def renew(self, node_id: str) -> bool:
+        """Renew the lease of a node; False if it was removed."""
+        renewed = _nodes.update().where(_nodes.c.node_id == node_id)
+        async with self._store.write() as connection:
+            done = await connection.execute(renewed.values(renewed_at=_Now()))
+            return done.rowcount == 1
+
+    async def leave(self, node_id: str) -> None:
+        """Remove a node: others may claim its runs at once."""
+        async with self._store.write() as connection:
+            await connection.execute(_nodes.delete().where(_nodes.c.node_id == node_id))
+
+    async def live_nodes(self) -> dict[str, Node]:
+        """The nodes whose lease is not over, by id."""
+        columns = (_nodes.c[name] for name in Node._fields)
+        query = sa.select(*columns).where(_silent_s <= self._lease_s)
+
+        def fetch(connection: sa.Connection) -> dict[str, Node]:
+            return {row[0]: Node(*row) for row in connection.execute(query)}
+
+        return await self._store.read(fetch)
+
+    async def owner_of(self, run_id: str) -> StoredOwner | None:
+        """None if there is no such run."""
+        query = (
+            sa.select(_runs.c.owner, _fence, _runs.c.state, _silent_s)
+            .select_from(_runs.outerjoin(_nodes, _nodes.c.node_id == _runs.c.owner))
+            .where(_runs.c.run_id == run_id, _IS_THERE)
+        )
+
+        def fetch(connection: sa.Connection) -> StoredOwner | None:
+            row = connection.execute(query).first()
+            return None if row is None else StoredOwner(*row)
+
+        return await self._store.read(fetch)
+
+    async def remove_silent(self, node_id: str) -> bool:
+        """Remove a node whose lease is over; False if it was renewed meanwhile.
+
+        A renewal at the same time waits for this, or this for the renewal: both change
+        the same row, and the second one sees what the first one did.
+        """
+        removed = _nodes.delete().where(
+            _nodes.c.node_id == node_id, _silent_s > self._lease_s
+        )
+        async with self._store.write() as connection:
+            return (await connection.execute(removed)).rowcount == 1
+
+    async def claim(
+        self,
+        run_id: str,
+        node_id: str,
+        seen: StoredOwner,
+        after_restart: Mapping[State, State],
+        reason: str,
+    ) -> bool:
+        """Make a node in the list the owner of a run, unless another one came first.
+
+        seen: the owner that is no more in the list. With its owner the run lost its
+        sessions: its state becomes what a restart makes of it.
+        """
+        is_in_play = _runs.c.state.in_(after_restart)
+        claimed = (
+            _runs.update()
+            .where(_runs.c.run_id == run_id, _fence == seen.fence, _IS_THERE)
+            .where(sa.exists().where(_nodes.c.node_id == node_id))
+            .values(
+                owner=node_id,
+                fence=seen.fence + 1,
+                state=sa.case(
+                    dict(after_restart), value=_runs.c.state, else_=_runs.c.state
+                ),
+                reason=sa.case((is_in_play, reason), else_=_runs.c.reason),
+            )
+        )
+        async with self._store.write() as connection:
+            return (await connection.execute(claimed)).rowcount == 1
+
+    async def without_owner(self, states: list[State], limit: int) -> list[str]:
+        """Ids of runs in these states whose owner does not live, oldest first."""
+        live = sa.select(_nodes.c.node_id).where(_silent_s <= self._lease_s)
+        query = (
+            sa.select(_runs.c.run_id)
+            .where(_runs.c.state.in_(states), _IS_THERE)
+            .where(sa.or_(_runs.c.owner.is_(None), _runs.c.owner.not_in(live)))
+            .order_by(_runs.c.number)
+            .limit(limit)
+        )
+        return await self._store.read(lambda c: list(c.scalars(query)))

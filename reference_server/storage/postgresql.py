@@ -1,0 +1,151 @@
+"""What is special about PostgreSQL: its driver, its connections and its failures.
+
+asyncpg is the driver; it is no part of a server that has an SQLite file, and imported
+only when a URL names PostgreSQL.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import inspect
+import re
+from typing import Any
+
+import sqlalchemy as sa
+from sqlalchemy.ext.asyncio import AsyncEngine, create_async_engine
+
+# Of one server; one more holds its lock.
+CONNECTIONS_MAX = 10
+# At once; the other connections are for writes, which never wait for reads.
+READS_MAX = 8
+CONNECT_TIMEOUT_S = 5.0
+# A statement; and how long a request waits for a connection.
+STATEMENT_TIMEOUT_S, POOL_TIMEOUT_S = 30.0, 10.0
+# Of a node, that is how long others may wait for what it locks: one that is paused or
+# cut off inside a transaction would keep its locks until it goes on.
+NODE_STATEMENT_TIMEOUT_S, NODE_IDLE_TIMEOUT_S = 10.0, 5.0
+_OPTIONS_OF_SQLALCHEMY = frozenset(
+    {"prepared_statement_cache_size", "prepared_statement_name_func"}
+)
+
+
+class MissingDriver(ImportError):
+    """asyncpg is not installed; the text says how to install it."""
+
+
+def with_dialect(url: str) -> str:
+    """`postgres://`, which other programs write, is `postgresql://`."""
+    return re.sub(r"^postgres(?=:|\+)", "postgresql", url)
+
+
+def with_driver(url: sa.URL) -> sa.URL:
+    """The URL for asyncpg. Raises ArgumentError, MissingDriver."""
+    if url.drivername not in ("postgresql", "postgresql+asyncpg"):
+        raise sa.exc.ArgumentError(
+            f"{url.drivername} is not supported; write postgresql://"
+        )
+    if importlib.util.find_spec("asyncpg") is None:
+        raise MissingDriver(
+            "PostgreSQL needs the package asyncpg: "
+            "pip install 'proctor-eval[postgresql]'"
+        )
+    import asyncpg
+
+    query = dict(url.query)
+    if "sslmode" in query:  # as other programs call it
+        query["ssl"] = query.pop("sslmode")
+    known = inspect.signature(asyncpg.connect).parameters.keys()
+    if unknown := query.keys() - known - _OPTIONS_OF_SQLALCHEMY:
+        raise sa.exc.ArgumentError(
+            f"the URL has an unknown option {min(unknown)}; see the page of databases"
+        )
+    return url.set(drivername="postgresql+asyncpg", query=query)
+
+
+def url_of_programs(url: sa.URL) -> str:
+    """As pg_dump and psql read it, without the password."""
+    query = dict(url.query)
+    if "ssl" in query:
+        query["sslmode"] = query.pop("ssl")
+    query = {k: v for k, v in query.items() if k not in _OPTIONS_OF_SQLALCHEMY}
+    plain = sa.URL.create(
+        "postgresql", url.username, None, url.host, url.port, url.database, query
+    )
+    return plain.render_as_string()
+
+
+def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
+    """Of the engine whose connections answer requests. is_shared: with other nodes."""
+    arguments: dict[str, Any] = {
+        "timeout": CONNECT_TIMEOUT_S,
+        "command_timeout": STATEMENT_TIMEOUT_S,
+    }
+    if is_shared:
+        idle_ms = str(round(NODE_IDLE_TIMEOUT_S * 1000))
+        arguments["command_timeout"] = NODE_STATEMENT_TIMEOUT_S
+        arguments["server_settings"] = {"idle_in_transaction_session_timeout": idle_ms}
+    return {
+        "pool_size": CONNECTIONS_MAX,
+        "max_overflow": 0,
+        "pool_timeout": POOL_TIMEOUT_S,
+        # After a restart of PostgreSQL no request gets a connection of before.
+        "pool_pre_ping": True,
+        "connect_args": arguments,
+    }
+
+
+def engine_without_timeout(url: sa.URL) -> AsyncEngine:
+    """For statements of any length; each connection is closed after its use."""
+    return create_async_engine(
+        url, poolclass=sa.NullPool, connect_args={"timeout": CONNECT_TIMEOUT_S}
+    )
+
+
+def engine_of_lock(url: sa.URL, name: str) -> AsyncEngine:
+    """Of one connection without transactions. name: what PostgreSQL shows of it."""
+    settings = {
+        "application_name": name,
+        # A machine that lost its power, or its network, loses the lock in 25 s.
+        "tcp_keepalives_idle": "10",
+        "tcp_keepalives_interval": "5",
+        "tcp_keepalives_count": "3",
+    }
+    timeouts = {"timeout": CONNECT_TIMEOUT_S, "command_timeout": STATEMENT_TIMEOUT_S}
+    return create_async_engine(
+        url,
+        poolclass=sa.NullPool,
+        isolation_level="AUTOCOMMIT",
+        connect_args=timeouts | {"server_settings": settings},
+    )
+
+
+def code_of(error: Exception) -> str | None:
+    """SQLSTATE."""
+    return getattr(getattr(error, "orig", None), "sqlstate", None)
+
+
+def describe(url: sa.URL, error: Exception) -> str:
+    """One line for the host: what happened, without the password."""
+    host = url.query.get("host") or url.host or "localhost"
+    where = f"{host}:{url.port or 5432}"
+    code = code_of(error)
+    text = " ".join(str(getattr(error, "orig", None) or error).split())
+    # SQLAlchemy puts the name of a class before what the server says.
+    text = re.sub(r"^<class '[^']*'>: ", "", text)
+    if isinstance(error, TimeoutError) and not isinstance(
+        error, sa.exc.SQLAlchemyError
+    ):
+        return f"PostgreSQL at {where} does not answer in time"
+    if isinstance(error, OSError):
+        return f"there is no PostgreSQL at {where} ({_reason(error)})"
+    if code in ("28P01", "28000"):
+        return f"PostgreSQL at {where} refuses the user {url.username}: {text}"
+    if code == "3D000":
+        return f"{text} at {where}; create it: createdb {url.database}"
+    if code in ("53300", "57P03"):
+        return f"PostgreSQL at {where} takes no connection: {text}"
+    return text
+
+
+def _reason(error: OSError) -> str:
+    return error.strerror or str(error).partition("\n")[0]

@@ -1,0 +1,112 @@
+"""Which version of the tables a database has, and the way to the one of this code.
+
+The version is a row that plain SQL reads: a start at which nothing is to be done does
+not import Alembic. An empty database gets all tables at once; one of an older version
+is upgraded by `migrations/`, in the transaction that is given; one of a newer version
+is refused.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import NamedTuple
+
+import sqlalchemy as sa
+
+from reference_server.storage.database_tables import TABLES
+
+# Oldest first; the last one is that of this code. Each is a file of `migrations/`.
+VERSIONS = ("0001", "0002")
+MIGRATIONS = Path(__file__).parent / "migrations"
+# Of those who would upgrade one PostgreSQL database at a time.
+_UPGRADE_LOCK = 0x50726F63_75706772
+
+_version = sa.Table(
+    "alembic_version",
+    sa.MetaData(),
+    sa.Column("version_num", sa.String(32), nullable=False),
+    sa.PrimaryKeyConstraint("version_num", name="alembic_version_pkc"),  # as Alembic
+)
+
+
+class OtherVersion(Exception):
+    """This code cannot use the database; the text says what to do."""
+
+
+class UpgradeFailed(Exception):
+    """A migration raised `reason`, which may be of any type."""
+
+    def __init__(self, reason: Exception) -> None:
+        super().__init__(str(reason))
+        self.reason = reason
+
+
+class Upgrade(NamedTuple):
+    """before: None for a database that is older than its first version."""
+
+    before: str | None
+    after: str
+
+
+def prepare(connection: sa.Connection, *, upgrade: bool = True) -> Upgrade | None:
+    """Give the database the tables of this code; what was upgraded, if it was.
+
+    upgrade: False: only what is empty is changed. Raises OtherVersion, UpgradeFailed.
+    """
+    if read_version(connection) == VERSIONS[-1]:
+        return None
+    _lock(connection)
+    version = read_version(connection)  # another process may have done it meanwhile
+    if version == VERSIONS[-1]:
+        return None
+    if version is None and not _has(connection, "runs"):
+        TABLES.create_all(connection, checkfirst=False)
+        _version.create(connection)
+        connection.execute(_version.insert().values(version_num=VERSIONS[-1]))
+        return None
+    if version is not None and version not in VERSIONS:
+        raise OtherVersion(
+            f"it is of version {version}, newer than this server, which knows "
+            f"{VERSIONS[-1]}: install the newer server again, or restore a backup "
+            "of before the upgrade"
+        )
+    if not upgrade:
+        raise OtherVersion(
+            f"it is of version {version or 'none'}, older than {VERSIONS[-1]}: start "
+            "the server, or run `proctor admin db upgrade`"
+        )
+    _upgrade(connection)
+    return Upgrade(version, VERSIONS[-1])
+
+
+def read_version(connection: sa.Connection) -> str | None:
+    """None if the database is empty, or older than versions."""
+    if not _has(connection, _version.name):
+        return None
+    return connection.scalar(sa.select(_version.c.version_num))
+
+
+def _has(connection: sa.Connection, table: str) -> bool:
+    return sa.inspect(connection).has_table(table)
+
+
+def _lock(connection: sa.Connection) -> None:
+    """One process at a time, until the transaction ends."""
+    if connection.dialect.name == "postgresql":
+        connection.execute(sa.select(sa.func.pg_advisory_xact_lock(_UPGRADE_LOCK)))
+    else:
+        connection.exec_driver_sql("BEGIN IMMEDIATE")
+
+
+def _upgrade(connection: sa.Connection) -> None:
+    from alembic import command
+    from alembic.config import Config
+
+    config = Config(attributes={"connection": connection})
+    # Alembic reads % as the begin of a name.
+    config.set_main_option("script_location", str(MIGRATIONS).replace("%", "%%"))
+    config.set_main_option("path_separator", "os")
+    try:
+        command.upgrade(config, VERSIONS[-1])
+    except Exception as error:
+        raise UpgradeFailed(error) from error

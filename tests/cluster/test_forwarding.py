@@ -1,0 +1,169 @@
+"""What a request says of the node that passed it on."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from typing import Any
+
+import pytest
+
+from reference_server.cluster import forwarding
+from reference_server.cluster.forwarding import NodeConnections, is_from_node
+from reference_server.cluster.membership import Membership
+from reference_server.rules.refusal import Refused
+from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.store import Store, StoreFailed
+
+OTHER = Node("other", "http://127.0.0.1:1", "of the other")
+
+
+class OtherNodes(NodeStore):
+    """A list with one other node, or with a database that does not answer."""
+
+    def __init__(self, other: Node = OTHER) -> None:
+        super().__init__(Store("sqlite+aiosqlite://"), 5.0)
+        self.other, self.is_reached = other, True
+
+    async def join(self, node: Node, **_: Any) -> None:
+        return None
+
+    async def live_nodes(self) -> dict[str, Node]:
+        if not self.is_reached:
+            raise StoreFailed("not now")
+        return {self.other.node_id: self.other}
+
+
+async def joined(nodes: OtherNodes, lease_s: float = 5.0) -> Membership:
+    """A node that knows one other."""
+    member = Membership(nodes, "http://me", lease_s, lambda: None, lambda _: None)
+    await member.open()
+    return member
+
+
+def scope_of(secret: str) -> dict[str, Any]:
+    headers = [(b"proctor-node-secret", secret.encode())]
+    return {
+        "method": "GET",
+        "path": "/v1/runs/run_1",
+        "path_params": {"run_id": "run_1"},
+        "query_string": b"",
+        "headers": headers,
+    }
+
+
+def test_a_request_for_another_node_is_not_passed_on_again() -> None:
+    """An address of one node that leads to another would make a loop of it."""
+    member = asyncio.run(joined(OtherNodes()))
+    assert is_from_node(scope_of(member.secret), member)
+    assert not is_from_node(scope_of("of no node"), member)
+    with pytest.raises(Refused) as refused:
+        is_from_node(scope_of(OTHER.secret), member)
+    assert refused.value.code == "unavailable"
+
+
+Connection = Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]]
+
+
+@asynccontextmanager
+async def connected(
+    answer: Connection, lease_s: float = 5.0
+) -> AsyncIterator[tuple[NodeConnections, Node]]:
+    """This node, and another one that answers each connection with that."""
+    closed = asyncio.Event()
+
+    async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        await answer(reader, writer)
+        writer.close()
+        await writer.wait_closed()
+        closed.set()
+
+    server = await asyncio.start_server(serve, "127.0.0.1", 0)
+    port = server.sockets[0].getsockname()[1]
+    nodes = OtherNodes(Node("other", f"http://127.0.0.1:{port}", "of the other"))
+    connections = NodeConnections(await joined(nodes, lease_s))
+    try:
+        yield connections, nodes.other
+    finally:
+        await connections.close()
+        await closed.wait()
+        server.close()
+
+
+async def never() -> Any:
+    await asyncio.Event().wait()
+
+
+def test_an_answer_that_breaks_off_is_the_only_one() -> None:
+    """Also when the database does not answer at that moment."""
+
+    async def break_off(_: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\nhalf")
+        await writer.drain()
+
+    async def scenario() -> None:
+        sent: list[str] = []
+
+        async def send(message: Any) -> None:
+            sent.append(message["type"])
+
+        async with connected(break_off) as (connections, other):
+            connections.membership._nodes.is_reached = False  # type: ignore[attr-defined]
+            await connections.pass_on(other, scope_of(""), never, send)
+        assert sent == ["http.response.start", "http.response.body"]
+
+    asyncio.run(scenario())
+
+
+def test_no_answer_is_awaited_of_a_node_that_is_gone() -> None:
+    async def scenario() -> None:
+        asked = asyncio.Event()
+
+        async def say_nothing(reader: asyncio.StreamReader, *_: Any) -> None:
+            asked.set()
+            await reader.read()  # until this node closes the connection
+
+        async with asyncio.timeout(10), connected(say_nothing) as (connections, other):
+            answer = asyncio.ensure_future(connections.post(other, "/", b""))
+            await asked.wait()
+            connections.membership.gone(other).set()
+            assert await answer is None
+
+    asyncio.run(scenario())
+
+
+def test_a_node_that_answers_nothing_is_not_waited_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It may still renew its lease; no other node claims its runs then."""
+    monkeypatch.setattr(forwarding, "SILENT_S", 0.2)
+
+    async def scenario() -> None:
+        is_lost = True
+
+        async def answer(
+            reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+        ) -> None:
+            if is_lost:
+                await reader.read()  # until this node closes the connection
+            else:
+                await reader.readuntil(b"\r\n\r\n")
+                writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
+
+        async def send(message: Any) -> None:
+            sent.append(message["type"])
+
+        sent: list[str] = []
+        async with asyncio.timeout(10), connected(answer, 0.2) as (connections, other):
+            for _ in range(2):  # the second one at once
+                with pytest.raises(Refused):
+                    await connections.pass_on(other, scope_of(""), never, send)
+            is_lost = False
+            while not sent:
+                with contextlib.suppress(Refused):
+                    await connections.pass_on(other, scope_of(""), never, send)
+                await asyncio.sleep(0.01)
+
+    asyncio.run(scenario())

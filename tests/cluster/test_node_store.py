@@ -1,0 +1,351 @@
+"""Who owns a run, row by row: claims, fences, and leases by the database's clock."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+import sqlalchemy as sa
+
+from reference_server.cluster import membership as membership_module
+from reference_server.cluster.membership import Membership
+from reference_server.rules.lifecycle import RESTART_REASON, STATES_AFTER_RESTART
+from reference_server.rules.run import Run, State
+from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.storage import postgresql as database_postgresql
+from reference_server.storage import server_lock
+from reference_server.storage.database_tables import nodes as node_rows
+from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.server_lock import lock_of
+from reference_server.storage.store import OwnershipLost, Store, StoreFailed
+from tests.support.server.databases import UsedDatabase
+from tests.support.server.postgresql_server import PostgresqlServer
+from tests.support.server.server_parts import calibration_run
+
+LEASE_S = 60.0
+FIRST, SECOND, THIRD = (
+    Node(name, f"http://{name}", "secret") for name in ("first", "second", "third")
+)
+
+
+class Nodes:
+    """Two connections to one database, as two nodes have them."""
+
+    def __init__(self, url: str) -> None:
+        self.stores = [Store(url, is_shared=True) for _ in range(2)]
+        self.nodes = [NodeStore(store, LEASE_S) for store in self.stores]
+
+    async def add_run(self, owner: Node, state: State = "ready") -> Run:
+        run = calibration_run()
+        run.owner, run.fence = owner.node_id, 1
+        run.run_id, run.state = f"run_{state}", state
+        assert await self.stores[0].insert(run, None, "")
+        return run
+
+    async def let_lease_end(self, node: Node) -> None:
+        """As if the node had not renewed it for long."""
+        change = sa.text("UPDATE nodes SET renewed_at = renewed_at - 99 WHERE url = :u")
+        async with self.stores[0].write() as connection:
+            await connection.execute(change, {"u": node.url})
+
+    async def claim(self, run: Run, node: Node, store: int = 1) -> bool:
+        nodes = self.nodes[store]
+        seen = await nodes.owner_of(run.run_id)
+        assert seen is not None
+        return await nodes.claim(
+            run.run_id, node.node_id, seen, STATES_AFTER_RESTART, RESTART_REASON
+        )
+
+
+@asynccontextmanager
+async def opened(used: UsedDatabase) -> AsyncIterator[Nodes]:
+    database = Nodes(used.url)
+    for store in database.stores:
+        await store.open()
+    await database.nodes[0].join(FIRST)
+    await database.nodes[1].join(SECOND)
+    try:
+        yield database
+    finally:
+        for store in database.stores:
+            await store.close()
+
+
+def run_scenario(
+    used: UsedDatabase, scenario: Callable[[Nodes], Awaitable[None]]
+) -> None:
+    async def run() -> None:
+        async with opened(used) as database:
+            await scenario(database)
+
+    asyncio.run(run())
+
+
+def test_what_an_earlier_owner_writes_is_not_stored(database: UsedDatabase) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST)
+        assert await nodes.claim(run, SECOND)
+        run.reason = "stored too late"
+        with pytest.raises(OwnershipLost):
+            await nodes.stores[0].save(run)
+        with pytest.raises(OwnershipLost):
+            await nodes.stores[0].delete(run, time.time())
+        stored = await nodes.stores[1].load(run.run_id)
+        assert stored is not None
+        assert (stored.owner, stored.fence, stored.reason) == ("second", 2, None)
+        await nodes.stores[1].save(stored)
+
+    run_scenario(database, scenario)
+
+
+def test_a_run_is_claimed_by_one_node(database: UsedDatabase) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(THIRD)
+        seen = await nodes.nodes[0].owner_of(run.run_id)
+        assert seen is not None
+        claims = [
+            store.claim(run.run_id, one.node_id, seen, STATES_AFTER_RESTART, "")
+            for store, one in zip(nodes.nodes, (FIRST, SECOND), strict=True)
+        ]
+        assert sorted(await asyncio.gather(*claims)) == [False, True]
+
+    run_scenario(database, scenario)
+
+
+def test_what_a_restart_does_to_a_run_is_done_when_it_is_claimed(
+    database: UsedDatabase,
+) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        for state, after in STATES_AFTER_RESTART.items():
+            run = await nodes.add_run(THIRD, state)
+            assert await nodes.claim(run, SECOND)
+            stored = await nodes.stores[1].load(run.run_id)
+            assert stored is not None
+            assert (stored.state, stored.reason) == (after, RESTART_REASON)
+
+    run_scenario(database, scenario)
+
+
+def test_a_node_that_is_not_in_the_list_claims_nothing(database: UsedDatabase) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST)
+        assert not await nodes.claim(run, THIRD)
+
+    run_scenario(database, scenario)
+
+
+def test_a_lease_that_runs_keeps_its_node(database: UsedDatabase) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        first, second = nodes.nodes
+        assert not await second.remove_silent("first")
+        await nodes.let_lease_end(FIRST)
+        assert list(await second.live_nodes()) == ["second"]
+        assert await first.renew("first")  # late, and in time
+        assert not await second.remove_silent("first")
+        await nodes.let_lease_end(FIRST)
+        assert await second.remove_silent("first")
+        assert not await first.renew("first")  # for good
+
+    run_scenario(database, scenario)
+
+
+def test_nodes_share_the_lock_of_the_database(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A server that is no node gets it when none of them has it any more."""
+    monkeypatch.setattr(server_lock, "WAIT_S", 0.1)
+
+    async def use() -> None:
+        alone = lock_of(database.url, lambda: None)
+        nodes = [lock_of(database.url, lambda: None, is_shared=True) for _ in range(2)]
+        for node in nodes:
+            await node.acquire()
+        for node in nodes:
+            with pytest.raises(StoreFailed, match="another server uses it"):
+                await alone.acquire()
+            await node.release()
+        await alone.acquire()
+        with pytest.raises(StoreFailed, match="another server uses it"):
+            await nodes[0].acquire()
+        await alone.release()
+
+    asyncio.run(use())
+
+
+def test_a_node_takes_the_place_of_an_earlier_one_at_its_address(
+    database: UsedDatabase,
+) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        again = Node("again", FIRST.url, "secret")
+        await nodes.nodes[0].join(again, is_new=True)
+        assert sorted(await nodes.nodes[1].live_nodes()) == ["again", "second"]
+
+    run_scenario(database, scenario)
+
+
+def test_a_node_without_a_lease_acts_for_no_run(database: UsedDatabase) -> None:
+    """It renews first, and forgets its runs when others removed it meanwhile."""
+
+    async def scenario(nodes: Nodes) -> None:
+        lost: list[str] = []
+
+        member = Membership(
+            NodeStore(nodes.stores[0], 0.0),  # a lease that is always over
+            "http://member",
+            0.0,
+            lambda: lost.append(member.node_id),
+            lambda _run_id: None,
+        )
+        await member.open()
+        first_id = member.node_id
+        await member.ensure_lease()
+        assert (lost, member.node_id) == ([], first_id)
+        assert await NodeStore(nodes.stores[1], 0.0).remove_silent(first_id)
+        await member.ensure_lease()
+        assert lost == [member.node_id]
+        assert member.node_id != first_id
+        await member.close()
+        assert sorted(await nodes.nodes[1].live_nodes()) == ["first", "second"]
+
+    run_scenario(database, scenario)
+
+
+@pytest.mark.parametrize(("state", "is_loaded"), [("ready", True), ("stopped", False)])
+def test_an_open_run_that_a_request_claims_is_loaded(
+    database: UsedDatabase, state: State, *, is_loaded: bool
+) -> None:
+    """Nothing else would go on with a push run: it has an owner now."""
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(THIRD, state)
+        adopted: list[str] = []
+        member = Membership(
+            nodes.nodes[1], "http://member", LEASE_S, lambda: None, adopted.append
+        )
+        await member.open()
+        assert await member.find_other(run.run_id, only_reads=True) is None
+        assert adopted == [run.run_id] * is_loaded
+
+    run_scenario(database, scenario)
+
+
+def test_a_claim_that_was_stored_without_an_answer_is_found(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The connection was lost while it was committed; a push run would stand still."""
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(THIRD)
+        adopted: list[str] = []
+        node = nodes.nodes[1]
+        member = Membership(node, "http://m", LEASE_S, lambda: None, adopted.append)
+        await member.open()
+        claim = node.claim
+
+        async def claim_without_answer(*given: Any) -> bool:
+            await claim(*given)
+            raise StoreFailed("the connection was lost")
+
+        with monkeypatch.context() as patch:
+            patch.setattr(node, "claim", claim_without_answer)
+            with pytest.raises(StoreFailed):
+                await member._claim_abandoned()
+        assert adopted == []
+        for _ in range(2):
+            await member._claim_abandoned()
+            assert adopted == [run.run_id]
+
+    run_scenario(database, scenario)
+
+
+def test_a_node_that_ends_claims_nothing_more(database: UsedDatabase) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(THIRD)
+        member = Membership(
+            nodes.nodes[1], "http://member", LEASE_S, lambda: None, lambda _: None
+        )
+        await member.open()
+        member.stop_claiming()
+        with pytest.raises(OwnedElsewhere):
+            await member.claim(run.run_id)
+        assert await nodes.claim(run, FIRST, 0)
+
+    run_scenario(database, scenario)
+
+
+def test_a_living_node_at_the_same_address_is_not_removed(
+    database: UsedDatabase,
+) -> None:
+    """Only a node that starts takes the place; who lost it would take it back."""
+
+    async def scenario(nodes: Nodes) -> None:
+        member = Membership(
+            NodeStore(nodes.stores[0], 0.0),
+            FIRST.url,
+            0.0,
+            lambda: None,
+            lambda _run_id: None,
+        )
+        await member.open()
+        later = Node("later", FIRST.url, "secret")
+        await nodes.nodes[1].join(later, is_new=True)
+        member._nodes = nodes.nodes[0]
+        with pytest.raises(StoreFailed, match="another node has the URL http://first"):
+            await member.ensure_lease()
+        assert sorted(await nodes.nodes[1].live_nodes()) == ["later", "second"]
+        await nodes.let_lease_end(later)
+        await member.ensure_lease()
+        assert sorted(await nodes.nodes[1].live_nodes()) == sorted(
+            [member.node_id, "second"]
+        )
+
+    run_scenario(database, scenario)
+
+
+@pytest.mark.slow("PostgreSQL")
+def test_a_node_that_is_paused_in_a_transaction_locks_nothing_for_long(
+    postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Others would wait for its locks until it goes on."""
+    monkeypatch.setattr(database_postgresql, "NODE_IDLE_TIMEOUT_S", 0.2)
+    database = UsedDatabase(postgresql.create(), server=postgresql)
+
+    async def scenario(nodes: Nodes) -> None:
+        renewed = node_rows.update().where(node_rows.c.node_id == "first")
+
+        async def renew_and_pause() -> None:
+            async with nodes.stores[0].write() as connection:
+                await connection.execute(renewed.values(renewed_at=0.0))
+                async with asyncio.timeout(5):
+                    assert await nodes.nodes[1].renew("first")
+                await connection.execute(renewed.values(renewed_at=0.0))
+
+        with pytest.raises(StoreFailed):
+            await renew_and_pause()
+        assert sorted(await nodes.nodes[1].live_nodes()) == ["first", "second"]
+
+    run_scenario(database, scenario)
+
+
+def test_a_request_does_not_wait_long_for_a_lease(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A database that does not answer: another node may reach it."""
+    monkeypatch.setattr(membership_module, "LATE_LEASE_S", 0.05)
+
+    async def scenario(nodes: Nodes) -> None:
+        member = Membership(
+            nodes.nodes[0], "http://member", 0.0, lambda: None, lambda _: None
+        )
+        await member.open()
+        async with nodes.stores[0].write(), asyncio.timeout(5):
+            with pytest.raises(StoreFailed, match="could not be renewed"):
+                await member.ensure_lease()
+        await member.ensure_lease()
+
+    run_scenario(UsedDatabase.of_file(tmp_path / "d.sqlite"), scenario)

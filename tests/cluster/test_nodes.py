@@ -1,0 +1,357 @@
+"""Servers that share a database: any of them answers for any run of the others."""
+
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from tests.support.pages.page_reader import PageReader
+from tests.support.server.cluster_nodes import (
+    LEASE_S,
+    Cluster,
+    attach,
+    episodes,
+    go_on,
+    pause,
+    predict,
+)
+from tests.support.server.databases import UsedDatabase
+from tests.support.server.http_runs import predict_body, submit
+from tests.support.server.postgresql_server import PostgresqlServer
+from tests.support.servers import TOKENS
+from tests.support.waiting import wait_until
+
+pytestmark = pytest.mark.slow("starts two servers")
+
+
+@pytest.fixture(scope="module")
+def used(postgresql: PostgresqlServer) -> UsedDatabase:
+    """The database of the shared cluster."""
+    return UsedDatabase(postgresql.create(), server=postgresql)
+
+
+@pytest.fixture(scope="module")
+def shared_cluster(
+    tmp_path_factory: pytest.TempPathFactory, used: UsedDatabase
+) -> Iterator[Cluster]:
+    folder = tmp_path_factory.mktemp("cluster")
+    with Cluster.of(folder, used.url, 3, PROCTOR_MAX_OPEN_RUNS="30") as cluster:
+        yield cluster
+
+
+@pytest.fixture
+def cluster(shared_cluster: Cluster) -> Cluster:
+    """All its nodes run."""
+    shared_cluster.start_again()
+    return shared_cluster
+
+
+def fence_of(used: UsedDatabase, run_id: str) -> int:
+    """How many nodes have owned the run, as it is stored."""
+    found = used.execute(f"SELECT fence FROM runs WHERE run_id = '{run_id}'")  # noqa: S608
+    return int(found[0][0])
+
+
+def play_to_end(
+    client: httpx.Client, run_id: str, turn: dict[str, Any], score: float
+) -> dict[str, Any]:
+    """The rest of the episode in play, with one action that ends it."""
+    answer = predict(client, run_id, turn, score=score, end=1)
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def test_a_run_is_played_through_every_node(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score", "score")
+    turn = attach(second, run_id)
+    for client in (first, second):
+        turn = predict(client, run_id, turn, score=0.5).json()
+    views = [client.get(f"/v1/runs/{run_id}").json() for client in (first, second)]
+    assert [view["live_workers"] for view in views] == [1, 1]
+    assert views[0]["progress"] == views[1]["progress"]
+    turn = play_to_end(second, run_id, turn, 0.5)
+    turn = play_to_end(first, run_id, turn, 1)
+    assert turn["done"]
+    scores = [
+        client.get(f"/v1/runs/{run_id}/score").json() for client in (first, second)
+    ]
+    assert scores[0] == scores[1]
+    assert episodes(first, run_id) == episodes(second, run_id)
+    assert fence_of(used, run_id) == 1
+
+
+def test_a_retried_turn_is_executed_once_whichever_node_it_reaches(
+    cluster: Cluster,
+) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "delay")
+    turn = attach(first, run_id)
+    url = f"/v1/runs/{run_id}/workers/w/predict"
+    body = predict_body(turn, delay_s=0.3)
+    with ThreadPoolExecutor(2) as threads:
+        answers = list(threads.map(lambda c: c.post(url, json=body), (first, second)))
+    assert [answer.status_code for answer in answers] == [200, 200]
+    assert answers[0].json() == answers[1].json()
+    assert answers[0].json()["episode"]["step"] == 1
+
+
+def test_another_node_goes_on_when_the_owner_is_killed(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score", "score")
+    turn = play_to_end(first, run_id, attach(first, run_id), 0.25)
+    predict(first, run_id, turn, score=0.5)
+    cluster.kill(0)
+    lost = predict(second, run_id, turn, score=0.5)
+    assert lost.status_code == 503, lost.text  # nothing was sent: a repeat is safe
+    assert lost.headers["Retry-After"]
+    assert lost.headers["Connection"] == "close"  # the balancer gives it another node
+    turn = attach(second, run_id)
+    assert turn["episode"]["step"] == 0  # by the rules of a restart
+    assert play_to_end(second, run_id, turn, 0.75)["done"]
+    found = [episode["result"] for episode in episodes(second, run_id)]
+    assert [result["score"] for result in found] == [0.25, 0.75]
+    assert [result["attempt"] for result in found] == [1, 1]
+    assert fence_of(used, run_id) == 2
+
+
+def test_a_node_that_was_paused_stores_nothing_of_a_run_it_lost(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    """Its turn was in play when it was paused, and would end the episode."""
+    first, second, _ = cluster.clients
+    run_id = submit(first, "delay")
+    turn = attach(first, run_id)
+    url = f"/v1/runs/{run_id}/workers/w/predict"
+    body = predict_body(turn, delay_s=0.4, end=1)
+    with ThreadPoolExecutor(1) as thread:
+        late = thread.submit(first.post, url, json=body)
+        wait_until(
+            lambda: (
+                first.get(f"/v1/runs/{run_id}").json().get("runs_played_before")
+                is not None
+            ),
+            "the turn is in play",
+        )
+        pause(cluster.nodes[0])
+        turn = attach(second, run_id)
+        again = play_to_end(second, run_id, turn, 0)
+        assert again["done"]
+        stored = episodes(second, run_id)
+        go_on(cluster.nodes[0])
+        assert late.result().status_code in (200, 404, 410, 503)
+    wait_until(
+        lambda: "have taken over" in cluster.nodes[0].log(), "the node knows that"
+    )
+    assert episodes(second, run_id) == stored == episodes(first, run_id)
+    assert fence_of(used, run_id) == 2
+
+
+def test_a_session_of_a_paused_node_has_ended(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score")
+    turn = attach(first, run_id)
+    pause(cluster.nodes[0])
+    taken = attach(second, run_id)
+    go_on(cluster.nodes[0])
+    late = predict(first, run_id, turn, score=1, end=1)
+    assert late.status_code in (404, 409, 410), late.text
+    assert play_to_end(first, run_id, taken, 0.5)["done"]
+    assert [one["result"]["score"] for one in episodes(first, run_id)] == [0.5]
+
+
+def test_a_short_pause_costs_nothing(cluster: Cluster, used: UsedDatabase) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score")
+    turn = attach(second, run_id)
+    pause(cluster.nodes[0])
+    time.sleep(LEASE_S / 4)  # what is tested is a pause
+    go_on(cluster.nodes[0])
+    assert play_to_end(second, run_id, turn, 0.5)["done"]
+    assert fence_of(used, run_id) == 1
+
+
+def test_one_of_two_nodes_claims_a_run_that_both_are_asked_for(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    *others, last = cluster.clients
+    run_ids = [submit(last, "score", "score") for _ in range(4)]
+    cluster.kill(2)
+
+    def attach_worker(number: int) -> None:
+        attach(others[number % 2], run_ids[number // 2], f"w{number % 2}")
+
+    with ThreadPoolExecutor(8) as threads:
+        list(threads.map(attach_worker, range(8)))
+    for run_id in run_ids:
+        views = [one.get(f"/v1/runs/{run_id}").json() for one in others]
+        assert [view["live_workers"] for view in views] == [2, 2]
+        assert fence_of(used, run_id) == 2
+
+
+def test_a_node_that_ends_in_order_leaves_its_runs_at_once(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score")
+    attach(first, run_id)
+    cluster.nodes[0].end()
+    body = {"attach_key": "a"}
+    answer = second.put(f"/v1/runs/{run_id}/workers/w", json=body)
+    assert answer.status_code == 200, answer.text
+
+
+def test_the_events_of_a_run_come_from_every_node(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score")
+    names = []
+    with second.stream("GET", f"/v1/runs/{run_id}/events") as stream:
+        assert stream.headers["content-type"].startswith("text/event-stream")
+        lines = stream.iter_lines()
+        names.append(next(one for one in lines if one.startswith("event:")))
+        turn = attach(first, run_id)
+        play_to_end(first, run_id, turn, 1)
+        names += [one for one in lines if one.startswith("event:")]
+    assert "event: episode" in names
+    assert names[-1] == "event: run"
+
+
+def test_lists_show_the_runs_of_other_nodes_as_these_do(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score")
+    attach(first, run_id)
+    listed = second.get("/v1/runs", params={"limit": 1}).json()["runs"]
+    view = first.get(f"/v1/runs/{run_id}").json()
+    endpoints = (listed[0].pop("endpoint"), view.pop("endpoint"))
+    assert endpoints == (str(second.base_url), str(first.base_url))
+    assert listed == [view]
+    assert view["live_workers"] == 1
+
+
+def test_a_reader_is_signed_in_at_every_node(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(second, "score")
+    reader = PageReader(str(first.base_url), "alice")
+    reader.client.base_url = second.base_url
+    assert run_id in reader.text(f"/pages/runs/{run_id}")
+    assert reader.sign_out().status_code == 303
+    for client in (first, second):
+        reader.client.base_url = client.base_url
+        assert reader.get("/pages/runs").status_code == 303
+
+
+def test_a_reader_whose_node_has_ended_signs_in_again(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    reader = PageReader(str(first.base_url), "alice")
+    cluster.nodes[0].end()
+    reader.client.base_url = second.base_url
+    wait_until(
+        lambda: reader.get("/pages/runs").headers.get("location"), "the node is gone"
+    )
+    assert reader.sign_in(TOKENS["alice"]).status_code == 303
+    assert "Runs" in reader.text("/pages/runs")
+
+
+def test_the_path_for_nodes_answers_no_client(cluster: Cluster) -> None:
+    answer = cluster.clients[0].post("/node/views", json={})
+    assert answer.json()["code"] == "not_found"
+
+
+def test_a_waiting_request_sees_a_change_by_another_node(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score")
+    view = second.get(f"/v1/runs/{run_id}")
+    headers = {"If-None-Match": view.headers["ETag"], "Prefer": "wait=20"}
+    with ThreadPoolExecutor(1) as thread:
+        waiting = thread.submit(second.get, f"/v1/runs/{run_id}", headers=headers)
+        attach(first, run_id)
+        assert waiting.result().json()["state"] == "running"
+
+
+def test_a_key_makes_one_run_on_all_nodes(cluster: Cluster) -> None:
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+    clients = cluster.clients * 3
+
+    def submit_once(client: httpx.Client) -> httpx.Response:
+        return client.post("/v1/runs", json=body, headers={"Idempotency-Key": "k"})
+
+    with ThreadPoolExecutor(8) as threads:
+        answers = list(threads.map(submit_once, clients))
+    assert {answer.status_code for answer in answers} == {201}
+    assert len({answer.json()["run_id"] for answer in answers}) == 1
+
+
+def test_a_run_that_a_node_has_left_is_claimed_when_it_is_needed(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    """A repeated submission names its run in no path."""
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+    first, second, _ = cluster.clients
+
+    def submit_once(client: httpx.Client) -> str:
+        answer = client.post("/v1/runs", json=body, headers={"Idempotency-Key": "left"})
+        return str(answer.json()["run_id"])
+
+    run_id = submit_once(first)
+    first.post(f"/v1/runs/{run_id}/stop", json={"mode": "abort"})
+    cluster.nodes[0].end()
+    assert submit_once(second) == run_id
+    assert fence_of(used, run_id) == 2
+
+
+def test_quotas_count_the_runs_of_all_nodes(cluster: Cluster) -> None:
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+    with ExitStack() as stack:
+        clients = [stack.enter_context(node.client("bob")) for node in cluster.nodes]
+
+        def submit_until_decided(number: int) -> dict[str, Any]:
+            """A node that is late with its lease refuses: the key makes one run."""
+            key = {"Idempotency-Key": f"quota-{number}"}
+            while True:
+                answer = clients[number % 3].post("/v1/runs", json=body, headers=key)
+                decided: dict[str, Any] = answer.json()
+                if decided.get("code") != "unavailable":
+                    return decided
+
+        with ThreadPoolExecutor(8) as threads:
+            answers = list(threads.map(submit_until_decided, range(36)))
+        made = [one["run_id"] for one in answers if "run_id" in one]
+        assert len(made) == len(set(made)) == 30
+        refused = {one["code"] for one in answers if "run_id" not in one}
+        assert refused == {"quota_exceeded"}
+        clients[1].post(f"/v1/runs/{made[0]}/stop", json={"mode": "abort"})
+        assert clients[0].post("/v1/runs", json=body).status_code == 201
+        resumed = clients[2].post(f"/v1/runs/{made[0]}/resume")
+        assert resumed.json()["code"] == "quota_exceeded"
+
+
+def test_runs_of_a_dead_node_leave_the_queue_without_a_request(tmp_path: Path) -> None:
+    database = str(tmp_path / "proctor.sqlite")  # one machine needs no PostgreSQL
+    with Cluster.of(tmp_path, database, PROCTOR_MAX_ACTIVE_RUNS="1") as cluster:
+        first, second = cluster.clients
+        submit(first, "score")
+        run_id = submit(first, "score")
+        assert first.get(f"/v1/runs/{run_id}").json()["queue_position"] == 1
+        cluster.kill(0)
+
+        def state() -> str:
+            found = second.get("/v1/runs").json()["runs"]
+            return str({one["run_id"]: one["state"] for one in found}[run_id])
+
+        wait_until(lambda: state() == "ready", "the other node admits it")
+
+
+def test_what_only_nodes_may_say_is_not_believed(cluster: Cluster) -> None:
+    """A client that pretends to be a node is still served by the owner of the run."""
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score")
+    headers = {"Proctor-Node-Secret": "0" * 64, "Proctor-Node-Client": "10.0.0.1"}
+    answer = second.get(f"/v1/runs/{run_id}", headers=headers)
+    assert answer.status_code == 200, answer.text
