@@ -17,7 +17,8 @@ class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     current directory, by the name of the record. episodes: indices; None for all.
     failures: those alone that failed. cameras: names; None for all. size: width and
     height in pixels; None: as the policy saw it. anyway: keep what left the record.
-    force: replace files. benchmarks: the user's own, as for the server.
+    force: replace files. benchmarks: the user's own, as for the server. seeds: the file
+    of those that the host has opened; empty: none.
     """
 
     kind: Kind
@@ -30,6 +31,7 @@ class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     anyway: bool = False
     force: bool = False
     benchmarks: str = ""
+    seeds: str = ""
     json: bool = False
 
     @property

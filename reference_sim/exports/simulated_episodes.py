@@ -9,10 +9,12 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 from reference_record.broken import UnusableRecord
 from reference_record.formats.names import MANIFEST
+from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.statement import EpisodeLine
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
@@ -58,7 +60,8 @@ class Simulation:
             benchmark_registry.add(job.benchmarks, say)
         except BadBenchmark as error:
             raise UnusableRecord(str(error)) from error
-        found = resolve(source.evaluation, source.bundle.read(MANIFEST))
+        opened = load_opened_seeds(Path(job.seeds)) if job.seeds else None
+        found = resolve(source.evaluation, source.bundle.read(MANIFEST), opened)
         self.manifest: Mapping[str, Any] = found.manifest
         self._images: Mapping[str, Any] = found.manifest["observation_space"]["images"]
         self._source, self._benchmark = source, found
@@ -109,7 +112,9 @@ class Simulation:
         last = self._source.starts(line)
         watcher = _LastStart(self._simulator, last, see)
         path, plan = self._source.path, self._benchmark.plan_of(line.index)
-        found = replay_episode(path, self._simulator, plan, line, watcher=watcher)
+        found = replay_episode(
+            path, self._simulator, plan, line.result, watcher=watcher
+        )
         self.instruction = watcher.instruction
         return found
 

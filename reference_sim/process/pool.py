@@ -29,6 +29,7 @@ from reference_sim.process.simulator_main import (
 from reference_sim.process.simulator_process import (
     ExecStarter,
     ForkStarter,
+    NoRoomToRecord,
     ReplyT,
     ResourceShortage,
     SimulatorFault,
@@ -39,6 +40,7 @@ __all__ = [
     "ChunkReply",
     "EpisodeStart",
     "NoCapacity",
+    "NoRoomToRecord",
     "RecordingPlan",
     "ReplayReply",
     "SimulatorFault",
@@ -61,7 +63,7 @@ class NoCapacity(Exception):
 class SimulatorHandle:
     """A process lent by the pool. After a SimulatorFault it is dead and returned.
 
-    After NoCapacity from a request, too; then the simulator did not cause it.
+    After NoCapacity and NoRoomToRecord, too; then the simulator did not cause it.
     """
 
     def __init__(
@@ -122,9 +124,9 @@ class SimulatorHandle:
             )
         ).observation
 
-    async def replay(self, path: Path, line: bytes, plan: bytes) -> ReplayReply:
+    async def replay(self, path: Path, recorded: bytes, plan: bytes) -> ReplayReply:
         """Simulate a recording again; see simulator_main.ReplayRecording."""
-        command = simulator_main.ReplayRecording(str(path), line, plan)
+        command = simulator_main.ReplayRecording(str(path), recorded, plan)
         return await self._request(command, ReplayReply)
 
     async def release(self) -> None:
@@ -157,6 +159,7 @@ class SimulatorPool:
     """Lends at most `size_max` simulators; keeps `spares` started but not built.
 
     turn_timeout_s: maximum time without a finished step before a process is killed.
+    starts: processes that were started.
     """
 
     def __init__(
@@ -176,12 +179,18 @@ class SimulatorPool:
         self._idle: list[SimulatorProcess] = []  # longest idle first
         self._acquiring = 0
         self._filler: asyncio.Task[None] | None = None
+        self._last_start_failed = False
+        self.starts = 0
         self._closed = False
 
     @property
     def busy(self) -> int:
         """Simulators lent, or about to be."""
         return len(self._lent) + self._acquiring
+
+    @property
+    def size_max(self) -> int:
+        return self._size_max
 
     @property
     def is_full(self) -> bool:
@@ -205,6 +214,14 @@ class SimulatorPool:
         for process in list(self._processes):
             process.end("was ended with the pool")
         await self._starter.close()
+
+    async def check_start(self) -> None:
+        """Raises SimulatorFault if no process can be started.
+
+        Starts none, unless the last one could not be started.
+        """
+        if self._closed or self._last_start_failed:
+            self._idle.append(await self._start_process())
 
     async def acquire(self, world: SimulatorConfig) -> SimulatorHandle:
         """Raises NoCapacity, or SimulatorFault if the simulator cannot be built."""
@@ -278,7 +295,13 @@ class SimulatorPool:
             raise SimulatorFault("the pool of simulators is closed")
         process = SimulatorProcess(self._starter, self._turn_timeout_s, self._forget)
         self._processes.add(process)
-        await process.start()
+        try:
+            await process.start()
+        except SimulatorFault:
+            self._last_start_failed = True
+            raise
+        self._last_start_failed = False
+        self.starts += 1
         return process
 
     def _fill_spares(self) -> None:

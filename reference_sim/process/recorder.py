@@ -2,7 +2,7 @@
 
 In the simulator's own process: a turn is recorded before it is reported, and recording
 costs nothing in the event loop of the server. A recording that cannot be written is an
-error of the simulator.
+error of the simulator, unless the disk is full.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_record.formats.recording_parts import PartWriter
+from reference_record.formats.recording_parts import NO_ROOM, PartWriter
 from reference_record.recording import (
     CAMERA,
     AttemptEvent,
@@ -41,7 +41,12 @@ class RecordingPlan(msgspec.Struct, frozen=True):
 
 
 class UnwritableRecording(Exception):
-    """The recording could not be written."""
+    """The recording could not be written. no_room: the disk is full."""
+
+    def __init__(self, error: OSError) -> None:
+        detail = error.strerror or error
+        super().__init__(f"the recording could not be written: {detail}")
+        self.no_room = error.errno in NO_ROOM
 
 
 def state_digest(simulator: Simulator) -> str:
@@ -57,7 +62,7 @@ class EpisodeRecorder:
         try:
             self._part = PartWriter(Path(plan.folder))
         except OSError as error:
-            raise _failed(error) from error
+            raise UnwritableRecording(error) from error
         now = time.time_ns()
         started = AttemptEvent(
             plan.attempt,
@@ -113,9 +118,4 @@ class EpisodeRecorder:
         try:
             self._part.write(topic, message, at_ns)
         except OSError as error:
-            raise _failed(error) from error
-
-
-def _failed(error: OSError) -> UnwritableRecording:
-    detail = error.strerror or error
-    return UnwritableRecording(f"the recording could not be written: {detail}")
+            raise UnwritableRecording(error) from error

@@ -22,7 +22,7 @@ import threading
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Never
+from typing import Any, BinaryIO, Never
 
 import msgspec
 
@@ -86,12 +86,12 @@ class Observe(msgspec.Struct, tag="observe"):
 class ReplayRecording(msgspec.Struct, tag="replay"):
     """Simulate one recording of a verified record again, with low priority.
 
-    line, plan: EpisodeLine and ReplayPlan as JSON: what reads them is imported when it
-    is needed.
+    recorded, plan: RecordedResult and ReplayPlan as JSON: what reads them is imported
+    when it is needed.
     """
 
     path: str
-    line: bytes
+    recorded: bytes
     plan: bytes
 
 
@@ -163,8 +163,11 @@ class ReplayReply(msgspec.Struct, tag="replayed", frozen=True):
 
 
 class FailureReply(msgspec.Struct, tag="failed", frozen=True):
+    """no_room: nothing is wrong but the disk, which is full."""
+
     error: str
     unplayable: bool
+    no_room: bool = False
 
 
 SimulatorCommand = Build | Begin | Play | Observe | ReplayRecording
@@ -228,7 +231,7 @@ class _EpisodeHost:
         except TaskUnplayable as unplayable:
             return FailureReply(str(unplayable), unplayable=True)
         except UnwritableRecording as failed:
-            return FailureReply(str(failed), unplayable=False)
+            return FailureReply(str(failed), unplayable=False, no_room=failed.no_room)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             if self._is_sealed:
                 # Its text may name the seed, and so may the lines of a traceback.
@@ -299,7 +302,7 @@ class _EpisodeHost:
                 observations.append(self._observe(clock, frame_buffer=None))
             if time.perf_counter() - last_busy_at > BUSY_INTERVAL_S:
                 last_busy_at = time.perf_counter()
-                self._connection.sendall(frame(Busy()))
+                _send(self._connection, Busy())
         clock.lap("simulate_s")
         observation = (
             None if episode.ended or command.observe_all else self._observe(clock)
@@ -329,14 +332,14 @@ class _EpisodeHost:
         )
 
     def _replay(self, command: ReplayRecording) -> ReplayReply:
-        from reference_record.statement import EpisodeLine
+        from reference_record.statement import RecordedResult
         from reference_sim.replay import episode_replay
 
         os.nice(REPLAY_NICENESS - os.nice(0))
         simulator, _ = self._require_simulator()
         self._end_recording()
         self._episode = None
-        line = msgspec.json.decode(command.line, type=EpisodeLine)
+        recorded = msgspec.json.decode(command.recorded, type=RecordedResult)
         plan = msgspec.json.decode(command.plan, type=episode_replay.ReplayPlan)
         said_busy_at = time.perf_counter()
 
@@ -344,10 +347,10 @@ class _EpisodeHost:
             nonlocal said_busy_at
             if time.perf_counter() - said_busy_at > BUSY_INTERVAL_S:
                 said_busy_at = time.perf_counter()
-                self._connection.sendall(frame(Busy()))
+                _send(self._connection, Busy())
 
         path = Path(command.path)
-        found = episode_replay.replay_episode(path, simulator, plan, line, say_busy)
+        found = episode_replay.replay_episode(path, simulator, plan, recorded, say_busy)
         first = found.where
         where = None if first is None else (first.attempt, first.step)
         return ReplayReply(found.result, where)
@@ -374,7 +377,7 @@ class _EpisodeHost:
         encoded = encode(observation, world.image_codec, frame_buffer)
         clock.lap("encode_s")
         if pending_mapping := FRAME_BUFFER.pending_mapping():
-            self._connection.sendall(frame(NewFrameMemory(*pending_mapping)))
+            _send(self._connection, NewFrameMemory(*pending_mapping))
         return encoded
 
     def _require_simulator(
@@ -401,11 +404,24 @@ def serve(connection: socket.socket) -> Never:
     host = _EpisodeHost(connection)
     commands = connection.makefile("rb")
     _send(connection, Hello(os.getpid()))
-    while header := commands.read(HEADER.size):
-        (length,) = HEADER.unpack(header)
-        command = _commands.decode(commands.read(length))
+    while True:
+        (length,) = HEADER.unpack(_receive(commands, HEADER.size))
+        command = _commands.decode(_receive(commands, length))
         _send(connection, host.answer(command))
-    os._exit(0)
+
+
+def _receive(commands: BinaryIO, length: int) -> bytes:
+    """From the parent; exits the process if it has ended, as `_send` does.
+
+    A parent that is killed leaves half a command, or answers that it has not read.
+    """
+    try:
+        received = commands.read(length)
+    except ConnectionError:
+        os._exit(0)
+    if len(received) < length:
+        os._exit(0)
+    return received
 
 
 def _send(connection: socket.socket, message: SimulatorReply) -> None:

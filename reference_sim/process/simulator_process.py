@@ -32,6 +32,8 @@ from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
 # Set by the server (the rendering backend), possibly after the fork server started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
+# Of the server, and of the driver of its database (PGPASSWORD).
+_SETTINGS = "PROCTOR_", "PG"
 _FORK_SERVER_MODULE, _SIMULATOR_MODULE = (
     "reference_sim.process.fork_server",
     "reference_sim.process.simulator_main",
@@ -51,6 +53,10 @@ class SimulatorFault(Exception):
 
 class ResourceShortage(SimulatorFault):
     """The machine has no files, processes or memory left; no simulator caused it."""
+
+
+class NoRoomToRecord(Exception):
+    """The disk is full; neither the simulator nor the policy caused it."""
 
 
 _SHORTAGE = {errno.EMFILE, errno.ENFILE, errno.EAGAIN, errno.ENOMEM}
@@ -78,7 +84,7 @@ def _inherited_environment() -> dict[str, str]:
     return {
         name: value
         for name, value in os.environ.items()
-        if name in _LATE_ENVIRONMENT or not name.upper().startswith("PROCTOR_")
+        if name in _LATE_ENVIRONMENT or not name.upper().startswith(_SETTINGS)
     }
 
 
@@ -261,7 +267,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
     async def request(
         self, command: simulator_main.SimulatorCommand, wanted: type[ReplyT]
     ) -> ReplyT:
-        """Raises TaskUnplayable, and SimulatorFault after which the process is dead."""
+        """Raises TaskUnplayable; SimulatorFault and NoRoomToRecord end the process."""
         async with self._request_lock:
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
@@ -277,11 +283,11 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if isinstance(reply, simulator_main.FailureReply) and reply.unplayable:
             raise TaskUnplayable(reply.error)
         self.end("failed")
-        raise SimulatorFault(
-            reply.error
-            if isinstance(reply, simulator_main.FailureReply)
-            else "wrong answer"
-        )
+        if not isinstance(reply, simulator_main.FailureReply):
+            raise SimulatorFault("wrong answer")
+        if reply.no_room:
+            raise NoRoomToRecord(reply.error)
+        raise SimulatorFault(reply.error)
 
     def end(self, why: str) -> None:
         """Kill the process; a pending request raises SimulatorFault."""

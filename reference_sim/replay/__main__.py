@@ -22,6 +22,7 @@ from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.export import add_verdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
+from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.keys import load_or_make
 from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
@@ -69,6 +70,10 @@ def _parser() -> argparse.ArgumentParser:
         help="your own benchmarks, as for the server",
     )  # fmt: skip
     parser.add_argument(
+        "--seeds", type=Path, metavar="FILE",
+        help="seeds of sealed splits that the host has opened",
+    )  # fmt: skip
+    parser.add_argument(
         "--name", default=platform.node() or "unnamed", help="who replays (host name)"
     )
     parser.add_argument(
@@ -93,7 +98,8 @@ def _replay(args: argparse.Namespace) -> int:
     bundle = open_bundle(Path(args.file))
     report = verify(bundle)
     benchmark_registry.add(args.benchmarks, _say)
-    benchmark = resolve(report.evaluation, bundle.read(MANIFEST))
+    opened = load_opened_seeds(args.seeds) if args.seeds else None
+    benchmark = resolve(report.evaluation, bundle.read(MANIFEST), opened)
     replay = replay_record(
         Path(args.file),
         benchmark,

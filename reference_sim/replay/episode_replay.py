@@ -19,7 +19,7 @@ from reference_record.formats.mcap_reader import read_messages
 from reference_record.recording import AttemptEvent, Turn
 from reference_record.replay_verdict import Divergence, Result
 from reference_record.score import TOLERANCE
-from reference_record.statement import EpisodeLine
+from reference_record.statement import RecordedResult
 from reference_sim.episode import Episode
 from reference_sim.interface import Action, Simulator
 from reference_sim.process.recorder import state_digest
@@ -92,7 +92,7 @@ def replay_episode(
     path: Path,
     simulator: Simulator,
     plan: ReplayPlan,
-    line: EpisodeLine,
+    recorded: RecordedResult,
     before_turn: Callable[[], object] = lambda: None,
     *,
     watcher: Watcher | None = None,
@@ -101,9 +101,8 @@ def replay_episode(
 
     Raises what the watcher raises.
     """
-    assert line.recording is not None
-    messages = read_messages(open_bundle(path), line.recording.path)
-    replayer = Replayer(simulator, lambda: plan.begin(simulator), line, watcher)
+    messages = read_messages(open_bundle(path), recorded.recording)
+    replayer = Replayer(simulator, lambda: plan.begin(simulator), recorded, watcher)
     return replayer.play(messages, before_turn)
 
 
@@ -114,12 +113,12 @@ class Replayer:
         self,
         simulator: Simulator,
         begin: Callable[[], Episode],
-        line: EpisodeLine,
+        recorded: RecordedResult,
         watcher: Watcher | None = None,
     ) -> None:
         self._simulator = simulator
         self._begin = begin
-        self._line = line
+        self._recorded = recorded
         self._watcher: Watcher = watcher or _Unwatched()
         self._seq = 0
         self._marked_seq: int | None = None
@@ -188,18 +187,18 @@ class Replayer:
         """Keep where the first difference was seen."""
         if self._where is None:
             steps = self._episode.steps if self._episode else 0
-            self._where = Divergence(self._line.index, self._attempt, steps)
+            self._where = Divergence(self._recorded.index, self._attempt, steps)
             self._marked_seq = self._seq
 
     def _has_same_result(self) -> bool:
         """An abandoned episode has its result from its attempts, not from a state."""
-        line, episode = self._line, self._episode
-        if line.outcome in ("abandoned", None):
+        recorded, episode = self._recorded, self._episode
+        if recorded.outcome in ("abandoned", None):
             return True
-        assert line.score is not None
+        assert recorded.score is not None
         return (
             episode is not None
-            and episode.success == line.success
-            and abs(episode.score - line.score) <= TOLERANCE
-            and episode.steps == line.steps
+            and episode.success == recorded.success
+            and abs(episode.score - recorded.score) <= TOLERANCE
+            and episode.steps == recorded.steps
         )

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import hashlib
 import multiprocessing
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any, Final
+from typing import Any, Final
 
 import msgspec
-from msgspec import Meta
 
 from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import open_bundle
-from reference_record.formats.names import EPISODES, MANIFEST
-from reference_record.formats.strict_json import read_json
+from reference_record.formats.names import EPISODES
+from reference_record.formats.opened_seeds import OpenedBenchmark, seeds_for
 from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
@@ -28,9 +26,18 @@ from reference_sim.replay.episode_replay import (
     ReplayPlan,
     replay_episode,
 )
+from reference_sim.replay.foreign_manifest import (
+    BenchmarkChoice,
+    read_choice,
+    selected,
+    sha256_of,
+    without_sealed_seeds,
+)
 
-# No server announces more actions in one predict.
-MAX_CHUNK: Final = 4096
+NO_SEEDS: Final = (
+    "no episode can be simulated: their seeds are the secret of the host; if it has "
+    "opened them, name its file with --seeds"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,50 +60,31 @@ class ReplayedBenchmark:
             planned["task"] in self.config.success_scored_tasks,
         )
 
+    def can_simulate(self, index: int) -> bool:
+        """False where the seed of the episode is the secret of its host."""
+        return "seed" in self.manifest["episodes"][index]
 
-class _PlannedEpisode(msgspec.Struct):
-    split: str
+    def with_seeds(self, seeds: Mapping[int, int]) -> ReplayedBenchmark:
+        """Also the episodes whose seeds a host has opened. seeds: by index."""
+        episodes = [
+            {**one, "seed": seeds[index]} if index in seeds else one
+            for index, one in enumerate(self.manifest["episodes"])
+        ]
+        return ReplayedBenchmark({**self.manifest, "episodes": episodes}, self.config)
 
 
-class _ForeignManifest(msgspec.Struct):
-    """What is read of a manifest of unknown origin; the rest is only compared."""
+def resolve(
+    evaluation: Evaluation, manifest: bytes, opened: OpenedBenchmark | None = None
+) -> ReplayedBenchmark:
+    """opened: seeds of sealed splits that the host of the record has opened.
 
-    max_chunk: Annotated[int, Meta(ge=1, le=MAX_CHUNK)]
-    episodes: list[_PlannedEpisode]
-    sealed_splits: list[str] = []
-
-
-class BenchmarkChoice(msgspec.Struct, frozen=True):
-    """What a record says of its benchmark, of which the manifest is only a digest.
-
-    open_sha256: of the manifest without what a host of sealed splits keeps secret.
+    Raises UnusableRecord where this machine has another benchmark, or none, and where
+    these are not the seeds to which the record commits its host.
     """
-
-    benchmark_id: str
-    options: dict[str, Any] | None
-    images: dict[str, Any] | None
-    max_chunk: int
-    manifest_sha256: str
-    open_sha256: str
-
-
-def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
-    """Reads the whole manifest, which may be large. Raises BrokenRecord."""
-    read = read_json(MANIFEST, manifest, _ForeignManifest)
-    open_part = _without_sealed_seeds(msgspec.json.decode(manifest))
-    return BenchmarkChoice(
-        evaluation.benchmark.benchmark_id,
-        evaluation.run.options,
-        evaluation.run.images,
-        read.max_chunk,
-        evaluation.manifest_sha256,
-        _sha256_of(open_part),
-    )
-
-
-def resolve(evaluation: Evaluation, manifest: bytes) -> ReplayedBenchmark:
-    """Raises UnusableRecord where this machine has another benchmark, or none."""
-    return resolve_choice(read_choice(evaluation, manifest))
+    found = resolve_choice(read_choice(evaluation, manifest))
+    if opened is None:
+        return found
+    return found.with_seeds(seeds_for(opened, msgspec.json.decode(manifest)))
 
 
 def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
@@ -118,31 +106,16 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
         ) from error
     if reason is not None:
         raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
-    if _sha256_of(found.manifest) == choice.manifest_sha256:
-        return ReplayedBenchmark(found.manifest, found.world)
-    open_part = _without_sealed_seeds(found.manifest)
-    if _sha256_of(open_part) != choice.open_sha256:
+    manifest = selected(found.manifest, choice.select)
+    if sha256_of(manifest) == choice.manifest_sha256:
+        return ReplayedBenchmark(manifest, found.world)
+    open_part = without_sealed_seeds(manifest)
+    if sha256_of(open_part) != choice.open_sha256:
         raise UnusableRecord(
             f"{benchmark_id} is another one here: its manifest has another SHA-256. "
             "Install the version of the record: proctor verify shows it"
         )
     return ReplayedBenchmark(open_part, found.world)
-
-
-def _sha256_of(manifest: dict[str, Any]) -> str:
-    canonical = msgspec.json.encode(manifest, order="deterministic")
-    return hashlib.sha256(canonical).hexdigest()
-
-
-def _without_sealed_seeds(manifest: dict[str, Any]) -> dict[str, Any]:
-    """The manifest but for what the host of a sealed split keeps secret."""
-    sealed = manifest.get("sealed_splits", ())
-    episodes = [
-        {k: v for k, v in one.items() if k != "seed" or one["split"] not in sealed}
-        for one in manifest["episodes"]
-    ]
-    rest = {k: v for k, v in manifest.items() if k != "seeds_sha256"}
-    return {**rest, "episodes": episodes}
 
 
 def replay_record(
@@ -181,11 +154,10 @@ def replayable_lines(
     Raises UnusableRecord when one that is wanted cannot be, or none can.
     """
     bundle = open_bundle(path)
-    planned = benchmark.manifest["episodes"]
     lines = [
         line
         for line in read_lines(bundle.blocks(EPISODES))
-        if line.recording is not None and "seed" in planned[line.index]
+        if line.recording is not None and benchmark.can_simulate(line.index)
     ]
     if only is not None:
         absent = sorted(set(only) - {line.index for line in lines})
@@ -195,9 +167,7 @@ def replayable_lines(
             )
         lines = [line for line in lines if line.index in set(only)]
     if not lines:
-        raise UnusableRecord(
-            "no episode can be simulated: their seeds are the secret of the host"
-        )
+        raise UnusableRecord(NO_SEEDS)
     return lines
 
 
@@ -208,7 +178,7 @@ def _replay_one(
     path: Path, benchmark: ReplayedBenchmark, line: EpisodeLine
 ) -> EpisodeReplay:
     plan = benchmark.plan_of(line.index)
-    return replay_episode(path, _simulator(benchmark), plan, line)
+    return replay_episode(path, _simulator(benchmark), plan, line.result)
 
 
 def _simulator(benchmark: ReplayedBenchmark) -> Simulator:

@@ -87,6 +87,7 @@ def test_settings_of_the_server_are_not_passed_on(
     """Code of a host's own benchmark runs in these processes."""
     monkeypatch.setenv("PROCTOR_TOKENS", "alice:run:sesame")
     monkeypatch.setenv("proctor_database", "postgresql://user:sesame@host/name")
+    monkeypatch.setenv("PGPASSWORD", "sesame")
     monkeypatch.setenv("OTHER_VARIABLE", "kept")
 
     async def scenario(pool: SimulatorPool) -> None:

@@ -1,0 +1,107 @@
+"""What a record says of its benchmark, whose manifest may be of unknown origin.
+
+A manifest may be made to be slow and large. A server reads it in a process of its own;
+what comes out is small, and is compared with what the machine itself offers.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from typing import Annotated, Any, Final
+
+import msgspec
+from msgspec import Meta
+
+from reference_record.broken import BrokenRecord
+from reference_record.formats.names import MANIFEST, STATEMENT
+from reference_record.formats.strict_json import read_json
+from reference_record.statement import Evaluation
+
+# No server announces more actions in one predict.
+MAX_CHUNK: Final = 4096
+
+
+class _PlannedEpisode(msgspec.Struct):
+    split: str
+
+
+class _ForeignManifest(msgspec.Struct):
+    """What is read of a manifest of unknown origin; the rest is only compared."""
+
+    max_chunk: Annotated[int, Meta(ge=1, le=MAX_CHUNK)]
+    episodes: list[_PlannedEpisode]
+    sealed_splits: list[str] = []
+
+
+class Part(msgspec.Struct, frozen=True, omit_defaults=True):
+    """The tasks and splits of a run that is of a part of its benchmark; None: all."""
+
+    tasks: list[str] | None = None
+    splits: list[str] | None = None
+
+
+class BenchmarkChoice(msgspec.Struct, frozen=True):
+    """What a record says of its benchmark, of which the manifest is only a digest.
+
+    open_sha256: of the manifest without what a host of sealed splits keeps secret.
+    """
+
+    benchmark_id: str
+    options: dict[str, Any] | None
+    images: dict[str, Any] | None
+    max_chunk: int
+    manifest_sha256: str
+    open_sha256: str
+    select: Part | None = None
+
+
+def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
+    """Reads the whole manifest, which may be large. Raises BrokenRecord."""
+    read = read_json(MANIFEST, manifest, _ForeignManifest)
+    open_part = without_sealed_seeds(msgspec.json.decode(manifest))
+    return BenchmarkChoice(
+        evaluation.benchmark.benchmark_id,
+        evaluation.run.options,
+        evaluation.run.images,
+        read.max_chunk,
+        evaluation.manifest_sha256,
+        sha256_of(open_part),
+        _part_of(evaluation.score.get("select")),
+    )
+
+
+def _part_of(select: object) -> Part | None:
+    """SUB-003: as the score of the record says it. Raises BrokenRecord."""
+    try:
+        return msgspec.convert(select, Part | None)
+    except msgspec.ValidationError as error:
+        raise BrokenRecord(STATEMENT, "REC-007", f"select: {error}") from error
+
+
+def selected(manifest: dict[str, Any], part: Part | None) -> dict[str, Any]:
+    """The manifest with the episodes of a part alone (SUB-001)."""
+    if part is None:
+        return manifest
+    episodes = [
+        one
+        for one in manifest["episodes"]
+        if (part.tasks is None or one["task"] in part.tasks)
+        and (part.splits is None or one["split"] in part.splits)
+    ]
+    return {**manifest, "episodes": episodes, "episodes_total": len(episodes)}
+
+
+def sha256_of(manifest: dict[str, Any]) -> str:
+    canonical = msgspec.json.encode(manifest, order="deterministic")
+    return hashlib.sha256(canonical).hexdigest()
+
+
+def without_sealed_seeds(manifest: dict[str, Any]) -> dict[str, Any]:
+    """The manifest but for what the host of a sealed split keeps secret."""
+    sealed = manifest.get("sealed_splits", ())
+    episodes = [
+        {k: v for k, v in one.items() if k != "seed" or one["split"] not in sealed}
+        for one in manifest["episodes"]
+    ]
+    rest = {k: v for k, v in manifest.items() if k != "seeds_sha256"}
+    return {**rest, "episodes": episodes}
