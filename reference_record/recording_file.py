@@ -43,6 +43,7 @@ from reference_record.recording import (
     text,
 )
 
+DRAFT_SUFFIX = ".draft"
 CHUNK_BYTES = 1 << 20
 _LEVEL = 3
 
@@ -95,7 +96,7 @@ def join_parts(
     last: topic, nanoseconds since 1970, message. steps: those that the turns of the
     last attempt must have, None for any. Raises OSError; then `target` is what it was.
     """
-    draft = target.with_suffix(".draft")
+    draft = target.with_suffix(DRAFT_SUFFIX)
     try:
         target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         with draft.open("wb") as file:

@@ -15,7 +15,7 @@ from msgspec import Meta, Struct
 
 from reference_record.broken import BrokenRecord
 from reference_record.formats.envelope import Envelope
-from reference_record.formats.names import EPISODES, LINE_BYTES_MAX
+from reference_record.formats.names import EPISODES, LINE_BYTES_MAX, recording_name
 from reference_record.formats.strict_json import UNREADABLE, read_json
 from reference_record.keys import PUBLIC_KEY_BYTES
 from reference_record.score import Outcome, ScoredLine
@@ -114,6 +114,21 @@ class RecordingFacts(Struct):
     last_digest: Text
 
 
+class RecordedResult(Struct, frozen=True):
+    """Of an episode that has a recording: what a replay compares with."""
+
+    index: Count
+    outcome: Outcome | None
+    success: bool
+    score: Annotated[float, Meta(ge=0, le=1)] | None
+    steps: Count
+
+    @property
+    def recording(self) -> str:
+        """The name of its file in the record (REC-010)."""
+        return recording_name(self.index)
+
+
 class EpisodeLine(Struct, omit_defaults=True):
     """REC-009: one line of episodes.jsonl; outcome None: the episode has no result.
 
@@ -136,6 +151,12 @@ class EpisodeLine(Struct, omit_defaults=True):
     @property
     def scored(self) -> ScoredLine:
         return ScoredLine(self.task, self.split, self.outcome, self.score)
+
+    @property
+    def result(self) -> RecordedResult:
+        return RecordedResult(
+            self.index, self.outcome, self.success, self.score, self.steps
+        )
 
 
 def decode_key(file: str, text: str) -> bytes:

@@ -26,8 +26,14 @@ FILES_MAX: Final = len(FIXED) + EPISODES_MAX + VERDICTS_MAX
 ARCHIVE_BYTES_MAX: Final = 2**32 - 1
 LINE_BYTES_MAX: Final = 2**16
 VERDICT_BYTES_MAX: Final = 2**20
+# A record of EPISODES_MAX takes 11 MB of statement, and 250 bytes of manifest for each.
+MANIFEST_BYTES_MAX: Final = 2**24
 # REC-030: the most bytes that a file of each kind may have.
-_FIXED_BYTES_MAX: Final = {STATEMENT: 2**25, MANIFEST: 2**25, EPISODES: 2**28}
+_FIXED_BYTES_MAX: Final = {
+    STATEMENT: 2**24,
+    MANIFEST: MANIFEST_BYTES_MAX,
+    EPISODES: 2**28,
+}
 
 
 def recording_name(index: int) -> str:

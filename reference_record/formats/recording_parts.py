@@ -8,6 +8,7 @@ the next number.
 
 from __future__ import annotations
 
+import errno
 import os
 import time
 from collections.abc import Iterator
@@ -26,6 +27,8 @@ from reference_record.recording import (
 )
 
 SUFFIX = ".part"
+# The disk or a quota is full: no fault of what is recorded, nor of who records it.
+NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 # The topic of a camera, before the first message with this channel id.
 CAMERA_TOPIC = 0xF0
 _NAME_AT = MESSAGE_HEAD.size + 4
@@ -37,12 +40,16 @@ class PartWriter:
     def __init__(self, folder: Path) -> None:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND | os.O_CLOEXEC
-        path = folder / f"{_next_number(folder):06d}{SUFFIX}"
-        self._file = os.open(path, flags, 0o600)
+        self._path = folder / f"{_next_number(folder):06d}{SUFFIX}"
+        self._file = os.open(self._path, flags, 0o600)
+        self._has_message = False
         self._topics = dict(TOPIC_IDS)
 
     def write(self, topic: str, message: Message, at_ns: int | None = None) -> None:
-        """On return a reader finds the message, whatever happens to this process."""
+        """On return a reader finds the message, whatever happens to this process.
+
+        Raises OSError; nothing is left of a part whose first message cannot be written.
+        """
         at_ns = time.time_ns() if at_ns is None else at_ns
         channel, written = self._topics.get(topic), b""
         if channel is None:
@@ -51,8 +58,21 @@ class PartWriter:
             named = MESSAGE_HEAD.pack(channel, 0, at_ns, at_ns) + name
             written = RECORD_HEAD.pack(CAMERA_TOPIC, len(named)) + named
         written += message_record(channel, at_ns, message)
-        if os.write(self._file, written) != len(written):
-            raise OSError("the disk took a part of a message only")
+        try:
+            self._write_all(written)
+        except OSError:
+            if not self._has_message:
+                self._path.unlink(missing_ok=True)
+            raise
+        self._has_message = True
+
+    def _write_all(self, written: bytes) -> None:
+        taken = os.write(self._file, written)
+        while taken < len(written):  # the disk is nearly full: the next one says so
+            written = written[taken:]
+            taken = os.write(self._file, written)
+            if not taken:
+                raise OSError("the disk took a part of a message only")
 
     def close(self) -> None:
         os.close(self._file)

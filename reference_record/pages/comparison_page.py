@@ -12,6 +12,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
+from reference_record.comparison.difference_evidence import sign_test
+from reference_record.comparison.sequential_comparison import (
+    SequentialComparison,
+    compare_sequentially,
+)
 from reference_record.pages.run_page import Document
 
 # In this order they are shown: what changed stands first.
@@ -46,12 +51,11 @@ def pair_episodes(baseline: Sequence[Document], run: Sequence[Document]) -> list
 
 
 def _kind(baseline: Document, run: Document) -> str:
-    results = [baseline.get("result"), run.get("result")]
-    won = [result is not None and result["outcome"] == "success" for result in results]
-    if None in results:
+    before, now = _succeeded(baseline), _succeeded(run)
+    if before is None or now is None:
         return "open"
     return {(True, False): "lost", (False, True): "won", (True, True): "both"}.get(
-        (won[0], won[1]), "neither"
+        (before, now), "neither"
     )
 
 
@@ -76,15 +80,19 @@ def compare_pairs(pairs: Sequence[Pair]) -> dict[str, Any]:
         "mean": means[1],
         "wins": counts["won"],
         "losses": counts["lost"],
-        "p_value": _mcnemar(counts["won"], counts["lost"]),
+        "p_value": sign_test(counts["won"], counts["lost"]),
     }
 
 
-def _mcnemar(wins: int, losses: int) -> float:
-    """Exact and two-sided, as spec/scoring.md has it."""
-    n = wins + losses
-    tail, ways = 0, 1
-    for k in range(min(wins, losses) + 1):
-        tail += ways
-        ways = ways * (n - k) // (k + 1)
-    return min(1.0, 2 * tail / (1 << n))
+def compare_while_played(pairs: Sequence[Pair]) -> SequentialComparison:
+    """pairs: of all episodes of the manifest, in any order."""
+    ordered = sorted(pairs, key=lambda pair: int(pair.run["index"]))
+    return compare_sequentially(
+        ((_succeeded(pair.baseline), _succeeded(pair.run)) for pair in ordered),
+        [(f"split {p.run['split']}", f"task {p.run['task']}") for p in ordered],
+    )
+
+
+def _succeeded(episode: Document) -> bool | None:
+    result = episode.get("result")
+    return None if result is None else result["outcome"] == "success"

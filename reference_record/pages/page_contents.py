@@ -10,11 +10,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
 
+from reference_record.comparison.sequential_comparison import describe
 from reference_record.pages import run_page
 from reference_record.pages.comparison_page import (
     KINDS,
     Pair,
     compare_pairs,
+    compare_while_played,
     count_kinds,
 )
 from reference_record.pages.page_templates import (
@@ -159,6 +161,7 @@ def _run_facts(run: Document) -> dict[str, Any]:
     return {
         "Submitter": run["policy"].get("submitter"),
         "Number of this run": _number_of_run(run),
+        "Earlier runs": _earlier_runs(run),
         "Part of the benchmark": part,
         "Mode": run["mode"],
         "Policy server": server.get("url"),
@@ -168,6 +171,15 @@ def _run_facts(run: Document) -> dict[str, Any]:
         "Created": moment(run["created_at"]),
         "Last change": moment(run["updated_at"]),
     }
+
+
+def _earlier_runs(run: Document) -> str | None:
+    """Who tries often may quote the best try; a record does not say it."""
+    number = run.get("runs_played_before")
+    if number is None:
+        return None
+    played = "run" if number == 1 else "runs"
+    return f"{number} {played} of this benchmark played by its account before this one"
 
 
 def _number_of_run(run: Document) -> str | None:
@@ -277,6 +289,7 @@ def comparison_html(
         baseline=baseline,
         run=run,
         numbers=numbers or compare_pairs(pairs),
+        may_stop=describe(compare_while_played(pairs)),
         kinds=KINDS,
         counts=count_kinds(pairs),
         pairs=window.rows,

@@ -114,11 +114,13 @@ def milliseconds(value: float | None) -> str:
 
 
 def duration(seconds: float | None) -> str:
-    """The two largest units."""
+    """The two largest units; less than a second in milliseconds."""
     if seconds is None or not math.isfinite(seconds):
         return EMPTY
+    if 0 < seconds < 1:
+        return milliseconds(1000 * seconds)
     if seconds < 60:
-        return f"{seconds:.0f} s"
+        return f"{seconds:.2g} s"
     minutes = int(seconds) // 60
     if minutes < 60:
         return f"{minutes} min {int(seconds) % 60} s"

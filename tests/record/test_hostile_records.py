@@ -6,7 +6,6 @@ A corrupted file is signed after the change, so that no digest protects its read
 from __future__ import annotations
 
 import base64
-import hashlib
 import json
 import random
 import time
@@ -21,6 +20,7 @@ from reference_record.formats.names import EPISODES, MANIFEST, STATEMENT
 from reference_record.formats.strict_json import read_json
 from reference_record.verification import verify
 from tests.support.record.broken_records import pack
+from tests.support.record.hostile_records import resigned
 from tests.support.record.sample_records import (
     HOST_KEY,
     Sample,
@@ -113,18 +113,6 @@ def test_odd_values_in_a_signed_file(name: str, tmp_path: Path) -> None:
         changed = with_value(first, path, chance.choice(ODD_VALUES))
         data = changed + contents[name][len(first) : len(first) + 1] + rest
         is_refused_or_read(resigned(contents, name, data), tmp_path)
-
-
-def resigned(contents: dict[str, bytes], name: str, data: bytes) -> bytes:
-    said = json.loads(base64.b64decode(json.loads(contents[STATEMENT])["payload"]))
-    digest = hashlib.sha256(data).hexdigest()
-    for subject in said["subject"]:
-        if subject["name"] == name:
-            subject["digest"]["sha256"] = digest
-    if name == MANIFEST:
-        said["predicate"]["manifest_sha256"] = digest
-    statement = sign_envelope(json.dumps(said).encode(), HOST_KEY)
-    return pack(contents | {name: data, STATEMENT: statement})
 
 
 def test_many_members_of_which_the_last_stand_twice() -> None:

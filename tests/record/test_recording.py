@@ -160,11 +160,35 @@ def test_a_write_that_stops_half_way_is_an_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     part, write = PartWriter(tmp_path), os.write
+    part.write("/turn", make_turn(1))
     monkeypatch.setattr(os, "write", lambda file, data: write(file, data[:-1]))
     with pytest.raises(OSError, match="part of a message"):
-        part.write("/turn", make_turn(1))
+        part.write("/turn", make_turn(2))
     part.close()
-    assert list(read_part(parts_of(tmp_path)[0])) == []
+    assert len(list(read_part(parts_of(tmp_path)[0]))) == 1
+    with pytest.raises(OSError, match="part of a message"):
+        append_part(tmp_path, "/turn", make_turn(2))
+    assert len(parts_of(tmp_path)) == 1
+
+
+def test_failures_to_append_leave_no_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An episode may have so many parts: a full disk uses none of them."""
+    fault = "/fault", Fault(1, 2, "simulator_fault", "it broke", "t")
+    append_part(tmp_path, *fault)
+
+    def refuse(*_: Any) -> int:
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "write", refuse)
+        for _ in range(3):
+            with pytest.raises(OSError, match="No space"):
+                append_part(tmp_path, *fault)
+            with pytest.raises(OSError, match="No space"):
+                write_part(tmp_path, ("/turn", make_turn(1)))
+    assert [path.name for path in parts_of(tmp_path)] == ["000001.part"]
 
 
 WRITE_AND_SAY = """

@@ -1,0 +1,78 @@
+"""Which differences between a run and its baseline chance does not explain. Pure.
+
+A difference of mean scores may come from one episode of eight. Over all episodes, and
+over those of each task, those that the run scored better are set against those that it
+scored worse: two policies that are equally good on each episode win either with
+probability 1/2 (the exact sign test; of scores 0 and 1 it is McNemar's). Of many tasks
+some differ by chance, so the p of all groups are corrected together (Holm 1979), which
+holds for groups that share episodes, too. Of a single task there is one group, not two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+ALPHA: Final = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class GroupEvidence:
+    """better, worse: episodes that the run scored so. p_value: corrected, two-sided."""
+
+    better: int
+    worse: int
+    p_value: float
+
+    @property
+    def is_shown(self) -> bool:
+        """Whether chance is no explanation."""
+        return self.p_value <= ALPHA
+
+
+@dataclass(frozen=True, slots=True)
+class Evidence:
+    """overall: over all episodes. A single task has the same."""
+
+    overall: GroupEvidence
+    by_task: dict[str, GroupEvidence]
+
+
+def weigh_differences(pairs: Iterable[tuple[str, float, float]]) -> Evidence:
+    """pairs: task, scores of the baseline and of the run."""
+    total = [0, 0]
+    by_task: dict[str, list[int]] = {}
+    for task, baseline, run in pairs:
+        for group in (total, by_task.setdefault(task, [0, 0])):
+            group[0] += run > baseline
+            group[1] += run < baseline
+    groups = [total] if len(by_task) == 1 else [total, *by_task.values()]
+    p_values = _correct([sign_test(*sides) for sides in groups])
+    overall, *of_tasks = (
+        GroupEvidence(better, worse, p_value)
+        for (better, worse), p_value in zip(groups, p_values, strict=True)
+    )
+    if len(by_task) == 1:
+        of_tasks = [overall]
+    return Evidence(overall, dict(zip(by_task, of_tasks, strict=True)))
+
+
+def _correct(p_values: Sequence[float]) -> list[float]:
+    """Holm's, in the order that was given."""
+    corrected, largest = [1.0] * len(p_values), 0.0
+    order = sorted(range(len(p_values)), key=lambda number: p_values[number])
+    for place, number in enumerate(order):
+        largest = max(largest, min(1.0, (len(order) - place) * p_values[number]))
+        corrected[number] = largest
+    return corrected
+
+
+def sign_test(wins: int, losses: int) -> float:
+    """Exact and two-sided; McNemar's test, as spec/scoring.md has it."""
+    n = wins + losses
+    tail, ways = 0, 1
+    for k in range(min(wins, losses) + 1):
+        tail += ways
+        ways = ways * (n - k) // (k + 1)
+    return min(1.0, 2 * tail / (1 << n))
