@@ -6,9 +6,8 @@ members of the specification's schema Problem. This module sends nothing.
 
 from __future__ import annotations
 
-import difflib
 import ssl
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import urllib3.exceptions
 from proctor_client import ApiException, Problem, Run
@@ -128,12 +127,6 @@ def how_to_resume(run_id: str, *, takeover: bool = False) -> str:
     return f'evaluate(..., run_id="{run_id}"{more}) continues it'
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> str:
-    """`; did you mean NAME?` if a known name is close, else nothing."""
-    close = difflib.get_close_matches(word, [*known], n=1)
-    return f"; did you mean {close[0]}?" if close else ""
-
-
 def from_failure(error: Exception, url: str) -> ProctorError:
     """The ProctorError for what a request to the server at `url` raised."""
     if isinstance(error, ApiException) and error.status:
@@ -143,7 +136,7 @@ def from_failure(error: Exception, url: str) -> ProctorError:
     if _is_no_answer(error):
         return ProctorError(
             UNREACHABLE,
-            f"{url} is unreachable ({_cause(error)}). "
+            f"{url} is unreachable ({innermost_reason(error)}). "
             "Check the URL, and that the server runs.",
             retryable=True,
             side_effects="possible",
@@ -223,7 +216,7 @@ def _retry_after_s(error: ApiException) -> float | None:
     return float(text) if text.isdecimal() else None
 
 
-def _cause(error: BaseException) -> str:
+def innermost_reason(error: BaseException) -> str:
     """The innermost reason; the operating system's text if there is one."""
     inner = error
     while (deeper := inner.__cause__ or inner.__context__) is not None:

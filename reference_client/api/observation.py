@@ -17,9 +17,10 @@ from typing import Any, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.errors import BAD_ANSWER, ProctorError, did_you_mean
+from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.messages import Image, Tensor, Turn
 from reference_client.generated.messages import Observation as WireObservation
+from reference_client.spelling import did_you_mean
 
 Value = TypeVar("Value")
 

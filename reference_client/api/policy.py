@@ -12,7 +12,8 @@ import numpy.typing as npt
 
 from reference_client.api.action_layout import ActionLayout
 from reference_client.api.observation import Observation
-from reference_client.errors import ProctorError, did_you_mean
+from reference_client.errors import ProctorError
+from reference_client.spelling import did_you_mean
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
 Action: TypeAlias = Mapping[str, Vector] | Vector
@@ -57,6 +58,15 @@ def chunk_of(actions: Actions, layout: ActionLayout | None = None) -> list[WireA
         what = "is empty; a chunk holds at least one action"
         raise _invalid_action("/actions", what, layout)
     return [_action(f"/actions/{i}/values", one, layout) for i, one in enumerate(given)]
+
+
+def check_length(
+    chunk: Sequence[WireAction], max_chunk: int, layout: ActionLayout | None = None
+) -> None:
+    """Raises ProctorError `invalid_request` for more than `max_chunk` actions."""
+    if len(chunk) > max_chunk:
+        what = f"has {len(chunk)} actions; a chunk holds at most {max_chunk}"
+        raise _invalid_action("/actions", what, layout)
 
 
 def _plain(given: Any) -> Any:

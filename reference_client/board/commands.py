@@ -11,20 +11,22 @@ import base64
 import csv
 import io
 import sys
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from proctor_client import BoardEntry, PublishEntry, RankedEntry, Ranking
+from proctor_client import BoardEntry, PublicKey, PublishEntry, RankedEntry, Ranking
 from pydantic import ValidationError
 
 from reference_client.board import history_check
 from reference_client.board.board_client import BoardClient
 from reference_client.board.history_check import RewrittenHistory
 from reference_client.command import control
-from reference_client.command.exit_codes import DONE, UsageError
+from reference_client.command.exit_codes import DONE
 from reference_client.command.output import Printer
 from reference_client.command.records import connect, usable
 from reference_client.command.text_tables import TextTable, fact_table
+from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 from reference_client.printable_text import printable
 from reference_client.protocol.record_client import fetch_keys
@@ -74,7 +76,7 @@ def board(args: argparse.Namespace, printer: Printer) -> int:
             keys = fetch_keys(connection, retry_policy)
             path = Path(args.state) if args.state else None
             path = path or history_check.state_file(connection.url)
-            return _verify(client, dict(keys), path, printer)
+            return _verify(client, keys, path, printer)
         ranking = client.ranking(args.benchmark, args.manifest)
     if args.csv:
         sys.stdout.write(csv_of(ranking))
@@ -172,7 +174,8 @@ def _rank(row: RankedEntry) -> str:
 def _notes(ranking: Ranking) -> str:
     of = f"{ranking.benchmark_id}, manifest {ranking.manifest_sha256[:12]}"
     episodes = ranking.episodes_total
-    lines = [f"{of}: {ranking.ranked} ranked entries of {episodes} episodes."]
+    noun = "entry" if ranking.ranked == 1 else "entries"
+    lines = [f"{of}: {ranking.ranked} ranked {noun} of {episodes} episodes."]
     if ranking.ranked > 1:
         lines.append(
             "A rank is an interval: entries with a letter in common cannot be "
@@ -185,9 +188,9 @@ def _notes(ranking: Ranking) -> str:
     else:
         enough = ranking.differing_enough
         lines.append(
-            f"Entries that differ on fewer than {ranking.differing_min} episodes never "
-            "can be;"
-            + (f"\n{enough} in favour of one always are enough." if enough else "")
+            f"Entries that differ on fewer than {ranking.differing_min} episodes are "
+            "never distinguished"
+            + (f";\n{enough} that all favour one are enough." if enough else ".")
         )
     flags = [row.entry for row in ranking.rows if row.entry.flag]
     lines += [f"{one.model_name}: {one.flag.reason}" for one in flags if one.flag]
@@ -201,8 +204,10 @@ def csv_of(ranking: Ranking) -> str:
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(CSV_COLUMNS)
-    for row in ranking.rows:
+    groups = list(_group_rates(ranking.rows))
+    columns = dict.fromkeys(name for one in groups for name in one)
+    writer.writerow([*CSV_COLUMNS, *map(_plain, columns)])
+    for row, rates in zip(ranking.rows, groups, strict=True):
         entry, interval = row.entry, row.entry.score.success_interval
         flag = entry.flag.reason if entry.flag else None
         ranks = (row.rank.low, row.rank.high) if row.rank else (None, None)
@@ -211,8 +216,21 @@ def csv_of(ranking: Ranking) -> str:
         values += [interval.low, interval.high, entry.attempts, entry.level, flag]
         values += [entry.submitter, entry.homepage, entry.code_url]
         values += [entry.published_at.isoformat(), entry.entry_id, entry.run_id]
+        values += [rates.get(name) for name in columns]
         writer.writerow([_plain(value) for value in values])
     return text.getvalue()
+
+
+def _group_rates(rows: Iterable[RankedEntry]) -> Iterator[dict[str, float | None]]:
+    """For each row, name of the column → success rate, of each task and each split."""
+    for row in rows:
+        score = row.entry.score
+        groups = (("task", score.by_task), ("split", score.by_split))
+        yield {
+            f"success_rate {kind} {name}": one.success_rate
+            for kind, some in groups
+            for name, one in (some or {}).items()
+        }
 
 
 def _plain(value: Any) -> Any:
@@ -226,7 +244,7 @@ def _plain(value: Any) -> Any:
 
 
 def _verify(
-    client: BoardClient, keys: dict[str, str], path: Path, printer: Printer
+    client: BoardClient, keys: Mapping[str, PublicKey], path: Path, printer: Printer
 ) -> int:
     with usable(path):
         kept = history_check.load_kept(path)
@@ -240,6 +258,7 @@ def _verify(
     with usable(path):
         history_check.keep(path, found, public_key)
     before = 0 if kept is None else kept.tree_size
+    is_rotated = history_check.has_another_key(kept, public_key)
     value = {
         "is_whole": True,
         "origin": found.origin,
@@ -247,6 +266,7 @@ def _verify(
         "root_sha256": found.root.hex(),
         "entries": entries,
         "seen_before": before,
+        "key_changed": is_rotated,
     }
     facts = {
         "history": f"whole: {found.tree_size} leaves, signed by {found.origin}",
@@ -254,6 +274,9 @@ def _verify(
         "seen before": "nothing; from now on every change shows"
         if kept is None
         else f"{before} leaves, unchanged since",
+        "key": "another one than before, which the host has retired and still publishes"
+        if is_rotated
+        else None,
         "root": found.root.hex(),
         "kept in": str(path),
     }
@@ -263,7 +286,7 @@ def _verify(
 
 def _check(
     client: BoardClient,
-    keys: dict[str, str],
+    keys: Mapping[str, PublicKey],
     kept: history_check.KeptCheckpoint | None,
 ) -> tuple[Checkpoint, int, bytes]:
     """The checkpoint, how many entries are public, and the key.
@@ -271,13 +294,14 @@ def _check(
     Raises RewrittenHistory.
     """
     differing: list[str] = []
+    retired = [one.public_key for one in keys.values() if one.retired_at is not None]
     for _ in range(TRIES):
         shown = [one.to_dict() for one in client.entries() if one.is_public]
         signed = client.checkpoint()
         if signed.keyid not in keys:
             raise RewrittenHistory("its key is none that the host publishes")
-        public_key = base64.b64decode(keys[signed.keyid])
-        found = history_check.read_signed(signed.note, public_key, kept)
+        public_key = base64.b64decode(keys[signed.keyid].public_key)
+        found = history_check.read_signed(signed.note, public_key, kept, retired)
         if kept is not None and kept.tree_size:
             _compare(client, kept, found)
         leaves = [one.leaf for one in client.leaves()]

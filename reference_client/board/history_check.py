@@ -11,10 +11,10 @@ import base64
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 from reference_record.formats import checkpoint
 from reference_record.formats.checkpoint import Checkpoint, InvalidCheckpoint
@@ -68,16 +68,25 @@ def keep(path: Path, found: Checkpoint, public_key: bytes) -> None:
 
 
 def read_signed(
-    note: str, public_key: bytes, kept: KeptCheckpoint | None
+    note: str,
+    public_key: bytes,
+    kept: KeptCheckpoint | None,
+    retired: Container[str] = (),
 ) -> Checkpoint:
     """The checkpoint, signed by the key of the one that is kept, if there is one.
 
+    retired: keys in base64 that the host publishes and does not sign with any more
+    (REC-101). One of these may be followed by one in use, never the other way.
     Raises RewrittenHistory.
     """
-    if kept is not None and base64.b64decode(kept.public_key) != public_key:
+    if has_another_key(kept, public_key) and (
+        kept.public_key not in retired
+        or base64.b64encode(public_key).decode() in retired
+    ):
         raise RewrittenHistory(
-            "it is signed by another key than before; if the host has announced a new "
-            "one, remove the file that keeps the old one"
+            "it is signed by another key than before, and the host does not publish "
+            "the old one as retired and this one as in use; if it has announced why, "
+            "remove the file that keeps the old one"
         )
     try:
         found = checkpoint.read(note, public_key)
@@ -89,6 +98,13 @@ def read_signed(
             "taken out"
         )
     return found
+
+
+def has_another_key(
+    kept: KeptCheckpoint | None, public_key: bytes
+) -> TypeGuard[KeptCheckpoint]:
+    """Whether the checkpoint that is kept was signed by another key."""
+    return kept is not None and base64.b64decode(kept.public_key) != public_key
 
 
 def check_consistency(

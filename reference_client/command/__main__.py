@@ -5,12 +5,17 @@ The kit is installed from the same wheel without the client's dependencies. Ther
 may be missing.
 """
 
+import os
 import sys
 
 
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     try:
+        if "_ARGCOMPLETE" in os.environ:  # set by a shell at Tab, which shall not wait
+            from reference_client.command.completion import complete
+
+            complete()
         from reference_client.command.main import main as begin
     except ModuleNotFoundError as missing:
         print(

@@ -6,7 +6,7 @@ with a note; unknown flags are left for the parser to reject.
 
 from __future__ import annotations
 
-from reference_client.command.exit_codes import UsageError
+from reference_client.command.usage_error import UsageError
 
 # gmp's command → proctor's.
 COMMANDS = {

@@ -18,10 +18,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NoReturn
 
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS
-from reference_client.command.exit_codes import UsageError
-from reference_client.command.text_tables import FORMATS
-from reference_client.errors import did_you_mean
+from reference_client.command.usage_error import UsageError
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
+from reference_client.protocol.local_token import find_token
+from reference_client.spelling import did_you_mean
 
 DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
 EXIT_CODES_HELP = (
@@ -32,7 +32,9 @@ STATES = (
     *("queued", "ready", "running", "stopping"),
     *("stopped", "failed", "completed"),
 )
-SERVERLESS_COMMANDS = ("verify",)
+SERVERLESS_COMMANDS = ("verify", "completion")
+SHELLS = ("bash", "zsh", "fish")
+FORMATS = ("text", "markdown", "latex")  # of tables
 EXPORTS = ("parquet", "every-eval-ever", "lerobot")
 SIDE_MIN, SIDE_MAX = 16, 4096  # pixels of a video
 # Command → what it does; the last five are programs of their own.
@@ -43,6 +45,7 @@ COMMANDS = {
     "stop": "stop a run; scored episodes are kept",
     "resume": "resume a stopped or failed run",
     "delete": "delete runs that were never played, for good",
+    "open": "open the page of a run in a browser; without RUN, the first page",
     "results": "show the score of a run, by task and split",
     "compare": "compare runs with a baseline, with the release decision",
     "export": "save the signed record of a completed run in a file, or convert it",
@@ -54,15 +57,16 @@ COMMANDS = {
     "withdraw": "take the entry of a run off the leaderboard, for good",
     "video": "draw episodes of a record again from their recorded actions",
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
+    "completion": "print what makes a shell complete words of this command",
     "serve": "start the reference server (own flags)",
-    "admin": "manage tokens, keys and recordings of a server here (own flags)",
+    "admin": "manage tokens, keys, recordings, seeds, the database here (own flags)",
     "serve-policy": "serve a policy over HTTP, for push mode (own flags)",
     "replay": "simulate the actions of a record again, sign what came out (own flags)",
     "conformance": "run the conformance kit against a server (own flags)",
 }
 
 
-class _Parser(argparse.ArgumentParser):
+class CommandParser(argparse.ArgumentParser):
     """Refuses in one line, with the name that was probably meant."""
 
     commands: Sequence[argparse.ArgumentParser] = ()
@@ -100,9 +104,9 @@ class _Parser(argparse.ArgumentParser):
         return set(re.findall(r"--[a-z][a-z-]*", " ".join(texts)))
 
 
-def build_parser() -> argparse.ArgumentParser:
+def build_parser() -> CommandParser:
     """The parser of all commands."""
-    parser = _Parser(
+    parser = CommandParser(
         prog="proctor",
         description="Evaluate robot policies on any Proctor server.",
         epilog=EXIT_CODES_HELP,
@@ -136,11 +140,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_board_options(made["board"], made["publish"], made["withdraw"])
     _add_export_options(made["export"], made["video"])
     _add_submission_options(made["submit"])
-    made["submit"].add_argument(
-        "--push", metavar="URL",
-        help="push mode: the server calls the policy server at URL "
-        "[bearer token: PROCTOR_POLICY_KEY]",
-    )  # fmt: skip
+    _add_push_options(made["submit"])
     submit = made["submit"].add_argument_group("waiting")
     submit.add_argument(
         "--wait", action="store_true", help="wait until the run accepts workers"
@@ -158,6 +158,17 @@ def build_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def resolve_server(args: argparse.Namespace) -> None:
+    """Set `url` and `token`: of flags, the environment, or a server on this machine."""
+    if args.ca:  # also for the processes of workers
+        os.environ["PROCTOR_CA"] = args.ca
+    if args.command in SERVERLESS_COMMANDS:
+        return
+    if args.host is not None or args.port is not None:
+        args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
+    args.token = find_token(args.url, args.token)
+
+
 def _add_control_options(made: Mapping[str, argparse.ArgumentParser]) -> None:
     """Of the commands on runs, by the name of each."""
     _add_run_id(made["status"], "id of the run; without it, the latest runs are listed")
@@ -165,8 +176,12 @@ def _add_control_options(made: Mapping[str, argparse.ArgumentParser]) -> None:
     made["status"].add_argument(
         "--watch", action="store_true", help="wait until the run has ended"
     )
-    for name in ("stop", "resume", "results"):
+    for name in ("stop", "resume", "results", "open"):
         _add_run_id(made[name], "id of the run")
+    made["open"].add_argument(
+        "--print", action="store_true", help="print the address only"
+    )
+    made["completion"].add_argument("shell", choices=SHELLS, help="the shell")
     made["stop"].add_argument(
         "--drain",
         action="store_true",
@@ -349,6 +364,10 @@ def _add_simulation_options(parser: argparse.ArgumentParser) -> None:
         help="your own benchmarks, as for the server",
     )  # fmt: skip
     group.add_argument(
+        "--seeds", default="", metavar="FILE",
+        help="seeds of sealed splits that the host has opened",
+    )  # fmt: skip
+    group.add_argument(
         "--anyway",
         action="store_true",
         help="keep episodes whose replay comes to another result, too",
@@ -425,6 +444,34 @@ def _add_submission_options(parser: argparse.ArgumentParser) -> None:
         "--options", type=_json, metavar="JSON",
         help="options of the benchmark `calibration`",
     )  # fmt: skip
+
+
+def _add_push_options(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("push mode: the server calls the policy")
+    group.add_argument(
+        "--push", metavar="URL",
+        help="the policy server, or the base URL of a model that is asked "
+        "[bearer token: PROCTOR_POLICY_KEY]",
+    )  # fmt: skip
+    group.add_argument(
+        "--model", metavar="NAME",
+        help="ask this chat model, as OpenAI and vLLM offer it",
+    )  # fmt: skip
+    group.add_argument(
+        "--protocol",
+        choices=("proctor", "openai_chat", "openai_completions"),
+        help="what is called at URL (openai_chat with --model, else proctor)",
+    )
+    group.add_argument(
+        "--generation", type=_json, metavar="JSON",
+        help="""numbers of the model: '{"temperature": 0, "max_tokens": 512}'""",
+    )  # fmt: skip
+    group.add_argument(
+        "--call-timeout-s", type=_seconds, metavar="S", help="time for one call (30)"
+    )
+    group.add_argument(
+        "--max-concurrent", type=_count, metavar="N", help="calls at a time"
+    )
 
 
 def _add_policy_options(parser: argparse.ArgumentParser) -> None:

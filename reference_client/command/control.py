@@ -14,19 +14,26 @@ import re
 import threading
 import time
 from collections.abc import Iterator
+from dataclasses import asdict
 from typing import Any
 
 from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
 
 from reference_client.command import output, saving
-from reference_client.command.episode_facts import played_by, players_of
+from reference_client.command.episode_facts import (
+    compare_while_played,
+    evidence_of,
+    played_by,
+    players_of,
+)
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
     NOT_RELEASED,
-    UsageError,
 )
 from reference_client.command.output import Printer, ProgressDisplay
+from reference_client.command.usage_error import UsageError
+from reference_client.errors import ProctorError
 from reference_client.evaluation import parameters
 from reference_client.evaluation.declared_policy import DeclaredPolicy, check_offered
 from reference_client.evaluation.status_board import Progress
@@ -36,6 +43,11 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 
 RETRY_TIMEOUT_S = 10.0
+_PUSH_OPTIONS = (
+    *("protocol", "model", "generation"),
+    *("call_timeout_s", "max_concurrent"),
+)
+_UNNAMED = "unnamed"  # the policy of a submission that names none
 _RUN_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # the pattern of the parameter RunId
 ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
@@ -73,6 +85,11 @@ def submit(args: argparse.Namespace, printer: Printer) -> int:
             check_offered(submission, service)
             control_client.check(submission.benchmark_id)
             run = control_client.submit(submission)
+            if args.push and run.policy.name == _UNNAMED:
+                printer.say(
+                    f"proctor: {args.push} reports no name here, so the run is named "
+                    f"{_UNNAMED}; --name gives it a name"
+                )
         if args.wait:
             run = _wait_until_ready(control_client, run, args.timeout)
     if args.print_endpoint:
@@ -84,6 +101,8 @@ def submit(args: argparse.Namespace, printer: Printer) -> int:
 
 def status(args: argparse.Namespace, printer: Printer) -> int:
     run_id = run_id_of(args)
+    if args.watch and run_id is None:
+        raise UsageError("--watch needs a run id; `proctor status` lists the runs")
     with open_control_client(args, printer) as control_client:
         if run_id is None:
             return _list_runs(args, control_client, printer)
@@ -181,11 +200,14 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         score = control_client.score(run_id)
         episodes = control_client.episodes(run_id)
+        run = control_client.read(run_id)
         if args.save is not None:
             saving.save_result(control_client, score, args.save)
             printer.say(f"Saved: {args.save}")
     value: dict[str, Any] = score.to_dict() | {"players": players_of(episodes)}
-    tables = output.score_tables(score, episodes)
+    if run.runs_played_before is not None:
+        value["runs_played_before"] = run.runs_played_before
+    tables = output.score_tables(score, episodes, run)
     if args.episodes:
         value["episodes"] = [episode.to_dict() for episode in episodes]
         tables.append(output.episode_list(episodes))
@@ -200,14 +222,35 @@ def compare(args: argparse.Namespace, printer: Printer) -> int:
         found = control_client.compare(args.baseline, args.runs, args.tolerance)
         run_ids = {found.baseline, *(run.run_id for run in found.runs)}
         episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
+        earlier = {one: control_client.read(one).runs_played_before for one in run_ids}
     names = {run_id: played_by(of_run) for run_id, of_run in episodes.items()}
+    watched = {
+        run.run_id: compare_while_played(episodes[found.baseline], episodes[run.run_id])
+        for run in found.runs
+    }
+    evidence = {
+        run.run_id: evidence_of(episodes[found.baseline], episodes[run.run_id])
+        for run in found.runs
+    }
     tables = [
         table
         for run in found.runs
-        for table in output.comparison_tables(found, run, names)
+        for table in output.comparison_tables(
+            found,
+            run,
+            names,
+            watched[run.run_id],
+            evidence=evidence[run.run_id],
+            earlier=earlier,
+        )
     ]
-    players = {run_id: players_of(of_run) for run_id, of_run in episodes.items()}
-    printer.answer(found.to_dict() | {"players": players}, *tables)
+    more = {
+        "players": {one: players_of(of_run) for one, of_run in episodes.items()},
+        "runs_played_before": earlier,
+        "sequential": {one: asdict(seen) for one, seen in watched.items()},
+        "evidence": {one: asdict(found) for one, found in evidence.items()},
+    }
+    printer.answer(found.to_dict() | more, *tables)
     return DONE if all(run.release for run in found.runs) else NOT_RELEASED
 
 
@@ -230,7 +273,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             "--benchmark NAME (`proctor benchmarks` lists names) or --run-id RUN is "
             "required"
         )
-    policy = policy_of(args, name or _described_name(args) or "unnamed")
+    policy = policy_of(args, name or _described_name(args) or _UNNAMED)
     try:
         return parameters.submission(
             args.benchmark,
@@ -244,7 +287,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
             options=args.options,
             idle_timeout_s=args.idle_timeout_s,
             max_workers=args.max_workers,
-            policy_server=_policy_server(getattr(args, "push", None)),
+            policy_server=_policy_server(args),
             any_policy=args.any_policy,
             tasks=args.tasks,
             splits=args.split,
@@ -265,18 +308,31 @@ def _described_name(args: argparse.Namespace) -> str | None:
     """The name that the policy server of a push run reports, if it is reachable here.
 
     The evaluation server may reach what this machine does not: no answer is no error.
+    A model has the name by which it is asked.
     """
-    url = getattr(args, "push", None)
-    return None if url is None else PolicyServerClient(url).described_name()
-
-
-def _policy_server(url: str | None) -> dict[str, str] | None:
-    """Schema PolicyServer, for push mode."""
-    if url is None:
+    order = _policy_server(args)
+    if order is None:
         return None
+    if order["protocol"] != "proctor":
+        return str(order.get("model", _UNNAMED))
+    with contextlib.suppress(ProctorError):
+        return PolicyServerClient(order["url"]).described_name(0.0)
+    return None
+
+
+def _policy_server(args: argparse.Namespace) -> dict[str, Any] | None:
+    """Schema PolicyServer, for push mode. Raises UsageError."""
+    given = {name: getattr(args, name, None) for name in _PUSH_OPTIONS}
+    order = {name: value for name, value in given.items() if value is not None}
+    url = getattr(args, "push", None)
+    if url is None:
+        if order:
+            flag = next(iter(order)).replace("_", "-")
+            raise UsageError(f"--{flag} needs --push URL: where the server calls it")
+        return None
+    order.setdefault("protocol", "openai_chat" if args.model else "proctor")
     key = os.environ.get("PROCTOR_POLICY_KEY")
-    order = {"url": url, "protocol": "proctor"}
-    return order | {"api_key": key} if key else order
+    return order | {"url": url} | ({"api_key": key} if key else {})
 
 
 def run_id_of(args: argparse.Namespace) -> str | None:

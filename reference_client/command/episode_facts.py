@@ -1,4 +1,4 @@
-"""What the episodes of a run say of it: who played, what was clipped, the return.
+"""What episodes of a run say of it: who played, what was clipped, the return.
 
 Servers without the profile `attribution` say none of it; then these facts are left out.
 """
@@ -12,7 +12,43 @@ from typing import Any
 
 from proctor_client import Episode, EpisodeResult, PlayerView
 
+from reference_record.comparison.difference_evidence import (
+    Evidence,
+    weigh_differences,
+)
+from reference_record.comparison.sequential_comparison import (
+    SequentialComparison,
+    compare_sequentially,
+)
+
 Player = PlayerView | None
+
+
+def compare_while_played(
+    baseline: Sequence[Episode], run: Sequence[Episode]
+) -> SequentialComparison:
+    """Both of one manifest, in its order."""
+    sides = ([_succeeded(one) for one in episodes] for episodes in (baseline, run))
+    groups = [(f"split {one.split}", f"task {one.task}") for one in run]
+    return compare_sequentially(zip(*sides, strict=True), groups)
+
+
+def evidence_of(baseline: Sequence[Episode], run: Sequence[Episode]) -> Evidence:
+    """Of the episodes that both have scored."""
+    return weigh_differences(
+        (theirs.task, _score(base.result), _score(theirs.result))
+        for base, theirs in zip(baseline, run, strict=True)
+        if base.result is not None and theirs.result is not None
+    )
+
+
+def _score(result: EpisodeResult) -> float:
+    return 0.0 if result.outcome.value == "abandoned" else result.score
+
+
+def _succeeded(episode: Episode) -> bool | None:
+    result = episode.result
+    return None if result is None else result.outcome.value == "success"
 
 
 def players_of(episodes: Sequence[Episode]) -> list[dict[str, Any]]:
@@ -78,7 +114,7 @@ def _return(results: Sequence[EpisodeResult]) -> str | None:
     spread = statistics.stdev(returns) if len(returns) > 1 else 0.0
     return (
         f"mean {statistics.mean(returns):.4f}, standard deviation {spread:.4f}, over "
-        f"{len(returns)} episodes"
+        f"{len(returns)} episode{'s' * (len(returns) > 1)}"
     )
 
 

@@ -51,10 +51,6 @@ _ARGUMENTS = {
 }
 
 
-class UsageError(Exception):
-    """The command line is invalid; the message says why and what to use instead."""
-
-
 def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
     """The exit code for an error.
 

@@ -12,20 +12,26 @@ import traceback
 from collections.abc import Callable, Sequence
 
 from reference_client.board import commands as board_commands
-from reference_client.command import control, records, running, uploads
+from reference_client.command import (
+    completion,
+    control,
+    page_address,
+    records,
+    running,
+    uploads,
+)
 from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
-from reference_client.command.arguments import SERVERLESS_COMMANDS, build_parser
+from reference_client.command.arguments import build_parser, resolve_server
 from reference_client.command.exit_codes import (
     INTERRUPTED,
     WRONG_USAGE_OR_NO_SERVER,
-    UsageError,
     exit_code_of,
     message_of,
 )
 from reference_client.command.output import Printer
 from reference_client.command.programs import start
+from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
-from reference_client.protocol.local_token import find_token
 
 
 def _report(args: argparse.Namespace, printer: Printer) -> int:
@@ -42,6 +48,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "stop": control.stop,
     "resume": control.resume,
     "delete": control.delete,
+    "open": page_address.open_page,
     "results": control.results,
     "compare": control.compare,
     "benchmarks": control.benchmarks,
@@ -53,6 +60,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "publish": board_commands.publish,
     "withdraw": board_commands.withdraw,
     "video": records.video,
+    "completion": completion.completion,
 }
 
 
@@ -67,7 +75,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if words and words[0] in PASS_THROUGH_COMMANDS:
             return start(words[0], words[1:])
         args = build_parser().parse_args(words)
-        _complete(args)
+        resolve_server(args)
         printer = Printer(as_json=args.json, style=args.format)
         return _run_command(args, printer)
     except UsageError as error:
@@ -86,6 +94,9 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
     except ProctorError as error:
         if args.debug:
             printer.say(traceback.format_exc().rstrip())
+        url = getattr(args, "url", None) or getattr(args, "server", None) or ""
+        if error.code == "not_found" and url.rstrip("/").endswith("/v1"):
+            error = error.explained("Try the URL without /v1, which is added to it.")
         _print_error(error.code, message_of(error), as_json=args.json)
         return exit_code_of(error, has_run=False)
     except UsageError:
@@ -94,16 +105,6 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
         raise
     except ValueError as error:  # an invalid URL or id, noticed before sending
         raise UsageError(" ".join(str(error).split())) from error
-
-
-def _complete(args: argparse.Namespace) -> None:
-    if args.ca:  # also for the processes of workers
-        os.environ["PROCTOR_CA"] = args.ca
-    if args.command in SERVERLESS_COMMANDS:
-        return
-    if args.host is not None or args.port is not None:
-        args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
-    args.token = find_token(args.url, args.token)
 
 
 def _print_error(code: str, line: str, *, as_json: bool) -> None:

@@ -34,6 +34,11 @@ from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.text_tables import TablePrinter, TextTable, fact_table
 from reference_client.evaluation.status_board import Pace, Progress
 from reference_client.printable_text import printable
+from reference_record.comparison.difference_evidence import Evidence
+from reference_record.comparison.sequential_comparison import (
+    SequentialComparison,
+    describe,
+)
 
 LOG_S = 10.0  # between two lines of progress where stderr is no terminal
 
@@ -41,7 +46,7 @@ LOG_S = 10.0  # between two lines of progress where stderr is no terminal
 class Printer:
     """Prints results and messages; as_json: results are one JSON value on stdout.
 
-    style: of tables, one of text_tables.FORMATS.
+    style: of tables, one of arguments.FORMATS.
     """
 
     def __init__(self, *, as_json: bool, style: str = "text") -> None:
@@ -170,11 +175,21 @@ def run_facts(
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
             "workers": f"{run.live_workers} live, at most {run.max_workers}",
+            "earlier runs": earlier_runs_text(run),
             "queue": run.queue_position,
             "endpoint": run.endpoint,
             "submitted": f"{run.created_at:%Y-%m-%d %H:%M:%S %Z}",
         }
     )
+
+
+def earlier_runs_text(run: Run) -> str | None:
+    """Who tries often may quote the best try; None where the server counts none."""
+    number = run.runs_played_before
+    if number is None:
+        return None
+    played = f"{number or 'no'} run{'s' * (number != 1)} of this benchmark"
+    return f"{played} played by its account before this one"
 
 
 def run_list(
@@ -185,7 +200,7 @@ def run_list(
         return ["No runs."]
     table = TextTable(
         ("run", "state", "benchmark", "policy", ">scored", ">score", "submitted"),
-        dispensable=("submitted", "scored", "benchmark"),
+        dispensable=("submitted", "scored", "benchmark", "policy", "score"),
     )
     for run in runs:
         scored, total = run.progress.episodes_scored, run.progress.episodes_total
@@ -208,7 +223,9 @@ def score_text(score: Score | None) -> str:
     return f"({score.mean:.3f})" if score.score is None else f"{score.score:.3f}"
 
 
-def score_facts(score: Score, episodes: Sequence[Episode] = ()) -> TextTable:
+def score_facts(
+    score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
+) -> TextTable:
     counts = score.counts
     mean, rate = score.mean_interval, score.success_interval
     scored = counts.total - counts.unscored
@@ -228,6 +245,7 @@ def score_facts(score: Score, episodes: Sequence[Episode] = ()) -> TextTable:
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
             f"{counts.unscored} unscored",
             **episode_facts(episodes),
+            "earlier runs": None if run is None else earlier_runs_text(run),
             "manifest": score.manifest_sha256,
         }
     )
@@ -259,10 +277,12 @@ def _headline(score: Score) -> str:
     return f"{score.score:.4f}{part}"
 
 
-def score_tables(score: Score, episodes: Sequence[Episode] = ()) -> list[TextTable]:
+def score_tables(
+    score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
+) -> list[TextTable]:
     """The facts, then splits before tasks."""
     return [
-        score_facts(score, episodes),
+        score_facts(score, episodes, run),
         group_table("split", score.by_split),
         group_table("task", score.by_task),
     ]
@@ -310,12 +330,20 @@ def group_table(title: str, by_name: Mapping[str, GroupScore]) -> TextTable:
 
 
 def comparison_tables(
-    comparison: Comparison, run: ComparedRun, players: Mapping[str, str | None]
+    comparison: Comparison,
+    run: ComparedRun,
+    players: Mapping[str, str | None],
+    watched: SequentialComparison,
+    *,
+    evidence: Evidence,
+    earlier: Mapping[str, int | None],
 ) -> list[TextTable]:
     """One run compared with the baseline: a summary, and a row for each task.
 
     Plus is better: a difference is run minus baseline, although the protocol's member
-    `difference` is baseline minus run. players: who played, by run id.
+    `difference` is baseline minus run. players: who played, by run id. watched: what
+    may be looked at while the run is played. evidence: of this run.
+    earlier: runs played before, by run id.
     """
     alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
     head = fact_table(
@@ -325,6 +353,9 @@ def comparison_tables(
             "baseline": comparison.baseline,
             "baseline played by": players.get(comparison.baseline),
             "benchmark": comparison.benchmark_id,
+            "earlier runs": _earlier_of_both(
+                earlier.get(comparison.baseline), earlier.get(run.run_id)
+            ),
             "pairs": f"{run.paired} episodes are scored in both"
             + ("" if run.complete else "; incomplete"),
             "difference": None
@@ -332,7 +363,8 @@ def comparison_tables(
             else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
             f"{run.mean:.4f} (plus is better)",
             "successes": f"{alone}; p = {run.p_value:.4f} (exact McNemar)",
-            "release": _release(comparison, run),
+            "may stop": describe(watched),
+            "release": _release(comparison, run, evidence),
         }
     )
     table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))
@@ -347,18 +379,36 @@ def comparison_tables(
     return [head, table]
 
 
-def _release(comparison: Comparison, run: ComparedRun) -> str:
+def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:
+    if baseline is None or run is None:
+        return None
+    return f"before the baseline {baseline}, before the run {run}, each by its account"
+
+
+def _release(comparison: Comparison, run: ComparedRun, evidence: Evidence) -> str:
+    """The server decides; this says where, and whether chance explains it."""
+    tolerance = f"{comparison.tolerance:g}"
     if run.release:
-        return f"yes: no difference exceeds {comparison.tolerance:g}"
+        return f"yes: no difference exceeds {tolerance}"
     if not run.complete:
         return "no: not every episode is scored in both"
-    groups = {"overall": run.difference}
-    groups |= {task: group.difference for task, group in run.by_task.items()}
-    # The server decides; this only names the groups that exceed the tolerance.
+    groups = [("overall", run.difference, evidence.overall)]
+    for task, group in run.by_task.items():
+        if group.difference is not None:
+            groups.append((task, group.difference, evidence.by_task[task]))
     far = [
-        n for n, d in groups.items() if d is not None and abs(d) > comparison.tolerance
+        (name, of_group)
+        for name, difference, of_group in groups
+        if difference is not None and abs(difference) > comparison.tolerance
     ]
-    return f"no: difference exceeds {comparison.tolerance:g} in {', '.join(far)}"
+    if shown := [name for name, of_group in far if of_group.is_shown]:
+        return f"no: difference exceeds {tolerance} in {', '.join(shown)}"
+    whole, names = evidence.overall, ", ".join(name for name, _ in far)
+    return (
+        f"not decided: difference exceeds {tolerance} in {names}, but chance "
+        f"explains it: {whole.better} episodes better, {whole.worse} worse, of "
+        f"{run.paired}; more episodes decide"
+    )
 
 
 def episode_list(episodes: Sequence[Episode]) -> TextTable:

@@ -7,14 +7,18 @@ import os
 import sys
 from collections.abc import Sequence
 
-from reference_client.command.exit_codes import UsageError
+from reference_client.command.usage_error import UsageError
 
 # Command → module to start, modules that it needs, and the extras that install them.
 PROGRAMS = {
-    "serve": ("reference_server", ("reference_server", "uvicorn"), "server"),
+    "serve": (
+        "reference_server",
+        ("reference_server", "pydantic_settings", "sqlalchemy"),
+        "server",
+    ),
     "admin": (
         "reference_server.http.tokens.admin_command",
-        ("reference_server", "starlette"),
+        ("reference_server", "pydantic_settings", "sqlalchemy"),
         "server",
     ),
     "serve-policy": (

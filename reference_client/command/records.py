@@ -16,9 +16,10 @@ from typing import Any
 import msgspec
 
 from reference_client.command import control, programs
-from reference_client.command.exit_codes import DONE, UsageError
+from reference_client.command.exit_codes import DONE
 from reference_client.command.output import Printer
 from reference_client.command.text_tables import TextTable, fact_table
+from reference_client.command.usage_error import UsageError
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.record_client import fetch_keys, fetch_record
 from reference_client.protocol.retry_policy import RetryPolicy
@@ -30,7 +31,9 @@ from reference_record.verification import Report, verify
 
 BROKEN = 1
 SUFFIX = ".proctor"
-SIMULATION_OPTIONS = ("episode", "failures", "camera", "size", "benchmarks", "anyway")
+SIMULATION_OPTIONS = (
+    *("episode", "failures", "camera", "size", "benchmarks", "seeds", "anyway"),
+)
 _KEY = re.compile(r"(?:(?P<name>[^=]{1,64})=)?(?P<keyid>SHA256:[0-9a-f]{64})")
 NOT_SHOWN = (
     "whether the actions came from this policy: only evaluating it again shows that"
@@ -79,6 +82,7 @@ def _convert(
         "anyway": args.anyway,
         "force": args.force,
         "benchmarks": args.benchmarks,
+        "seeds": args.seeds,
         "json": args.json,
     }
     return programs.start(command, [msgspec.json.encode(job).decode()])

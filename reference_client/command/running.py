@@ -36,12 +36,12 @@ from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
     WRONG_USAGE_OR_NO_SERVER,
-    UsageError,
     exit_code_of,
     message_of,
 )
 from reference_client.command.output import Printer, ProgressDisplay
-from reference_client.errors import PolicyFailed, ProctorError, RunFailed
+from reference_client.command.usage_error import UsageError
+from reference_client.errors import ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import (
@@ -58,7 +58,7 @@ from reference_client.policies import (
     load,
     read_mapping,
 )
-from reference_client.policies.error_origin import describe_policy_error
+from reference_client.policies.error_origin import policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
@@ -84,7 +84,7 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
         mapping = read_mapping(args.policy, args.mapping)
         server = _policy_server(args, mapping, printer)
         check_benchmark = None if mapping is None else mapping.check
-        plan = _plan(args, check_benchmark if server is None else server.check)
+        plan = _plan(args, server, check_benchmark if server is None else server.check)
     except (ValueError, BadMapping) as error:
         raise UsageError(str(error)) from error
     if args.save is not None:
@@ -226,7 +226,7 @@ class _EvaluationCommand:
                 raise self._report_policy_error(error) from error
             except ProctorError as error:
                 raise self._report_refusal(error) from error
-            except Exception as error:
+            except (Exception, SystemExit) as error:
                 raise self._report_policy_error(error) from error
         if not self._read_episodes(score):
             return WRONG_USAGE_OR_NO_SERVER, score
@@ -254,8 +254,8 @@ class _EvaluationCommand:
                 make = self._server or load(args.policy, mapping)
             except BadPolicy:
                 raise
-            except Exception as error:
-                raise _policy_failure(error) from error
+            except (Exception, SystemExit) as error:
+                raise policy_failure(error) from error
             worker_pool = ThreadWorkerPool(_attribute_errors(make))
         return self._board, worker_pool
 
@@ -320,8 +320,8 @@ class _EvaluationCommand:
             can_resume=not isinstance(error, RunFailed) or error.retryable,
         )
 
-    def _report_policy_error(self, error: Exception) -> _EvaluationEnded:
-        return self._report_refusal(_policy_failure(error))
+    def _report_policy_error(self, error: Exception | SystemExit) -> _EvaluationEnded:
+        return self._report_refusal(policy_failure(error))
 
     def _report_end(
         self, code: int, kind: str, line: str, *, can_resume: bool = True
@@ -422,7 +422,9 @@ def _policy_server(
 
 
 def _plan(
-    args: argparse.Namespace, check_benchmark: Callable[[Benchmark], None] | None = None
+    args: argparse.Namespace,
+    server: PolicyServerClient | LerobotPolicies | None,
+    check_benchmark: Callable[[Benchmark], None] | None,
 ) -> EvaluationPlan:
     if args.worker_ids:
         if args.workers is not None:
@@ -432,7 +434,7 @@ def _plan(
         worker_ids = tuple(
             f"{args.worker_prefix}-{i}" for i in range(args.workers or 1)
         )
-    is_new, name = args.run_id is None, _policy_name(args.policy)
+    is_new, name = args.run_id is None, _policy_name(args.policy, server)
     return EvaluationPlan(
         url=args.url,
         token=args.token,
@@ -452,8 +454,12 @@ def _plan(
     )
 
 
-def _policy_name(reference: str) -> str:
-    if reference.startswith(("gr00t:", "openpi:", "proctor:")):
+def _policy_name(
+    reference: str, server: PolicyServerClient | LerobotPolicies | None
+) -> str:
+    if isinstance(server, PolicyServerClient):
+        return server.described_name() or "proctor"
+    if reference.startswith(("gr00t:", "openpi:")):
         return reference.partition(":")[0]
     if reference.startswith("lerobot:"):
         return Path(reference.partition(":")[2]).resolve().name
@@ -468,8 +474,8 @@ def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
             return make()
         except (BadPolicy, ProctorError):
             raise
-        except Exception as error:
-            raise _policy_failure(error) from error
+        except (Exception, SystemExit) as error:
+            raise policy_failure(error) from error
 
     return make_policy
 
@@ -479,12 +485,6 @@ def _open_view(port: int) -> View:
         return View(port)
     except (OSError, OverflowError) as error:
         raise UsageError(f"cannot bind --view-port {port}: {error}") from error
-
-
-def _policy_failure(error: Exception) -> PolicyFailed:
-    return PolicyFailed(
-        describe_policy_error(error), "".join(traceback.format_exception(error))
-    )
 
 
 def _do_nothing() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 from proctor_client import Episode, Score
 from pydantic_core import to_jsonable_python
 
-from reference_client.command.exit_codes import UsageError
+from reference_client.command.usage_error import UsageError
 from reference_client.protocol.control_client import ControlClient
 
 # Of an episode, then of its result.

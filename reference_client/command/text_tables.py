@@ -18,7 +18,6 @@ from rich.table import Table
 
 from reference_client.printable_text import printable
 
-FORMATS = ("text", "markdown", "latex")
 _UNBOUNDED = 100_000
 _LATEX_SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -70,7 +69,7 @@ def fact_table(rows: Mapping[str, object]) -> TextTable:
 
 
 class TablePrinter:
-    """Prints results to `stream`: texts, tables in one of FORMATS, or JSON."""
+    """Prints results to `stream`: JSON, texts, tables in one of arguments.FORMATS."""
 
     def __init__(self, stream: TextIO, style: str = "text") -> None:
         self._stream = stream

@@ -16,10 +16,11 @@ from pathlib import Path
 from proctor_client import RecordImport
 
 from reference_client.command import control
-from reference_client.command.exit_codes import DONE, NOT_COMPLETE, UsageError
+from reference_client.command.exit_codes import DONE, NOT_COMPLETE
 from reference_client.command.output import Printer
 from reference_client.command.records import BROKEN, NOT_SHOWN
 from reference_client.command.text_tables import TextTable, fact_table
+from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.record_client import read_import, send_record

@@ -14,7 +14,7 @@ import numpy as np
 
 from reference_client.api.action_layout import ActionLayout
 from reference_client.api.observation import DTYPES, Named, Observation
-from reference_client.api.policy import Policy, chunk_of
+from reference_client.api.policy import Policy, check_length, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.policies.policy_server_client import PolicySession
 
@@ -42,7 +42,7 @@ def play_dry_turn(policy: Policy, benchmark: dict[str, Any]) -> None:
         _play(policy, benchmark)
     except ProctorError as error:
         raise error.explained(NOTE) from error
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         error.add_note(NOTE)
         raise
 
@@ -56,13 +56,14 @@ def _play(policy: Policy, benchmark: dict[str, Any]) -> None:
         return
     layout = ActionLayout.of(benchmark["benchmark_id"], benchmark["action_space"])
     try:
-        chunk_of(policy.act(_observation(benchmark)), layout)
+        chunk = chunk_of(policy.act(_observation(benchmark)), layout)
     except (ArithmeticError, AssertionError):
         return  # such a state may be impossible
     except ProctorError as error:
         if any("not finite" in text for _, text in error.errors):
             return
         raise
+    check_length(chunk, benchmark["max_chunk"], layout)
 
 
 def _observation(benchmark: dict[str, Any]) -> Observation:

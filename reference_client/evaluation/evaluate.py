@@ -225,4 +225,6 @@ def _check_of(policy: Callable[[], Policy]) -> Callable[[Benchmark], None] | Non
 
 
 def _name_of(policy: Callable[[], Policy]) -> str:
+    if isinstance(policy, PolicyServerClient) and (name := policy.described_name()):
+        return name
     return getattr(policy, "__name__", type(policy).__name__)

@@ -36,6 +36,7 @@ from reference_client.evaluation.declared_policy import (
     declare_player,
 )
 from reference_client.protocol.control_client import ControlClient
+from reference_client.spelling import did_you_mean
 
 # The pattern of the parameter WorkerId: a refusal would leave an unused run behind.
 WORKER_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
@@ -241,6 +242,11 @@ def parse_strictly(
         made = model.from_dict(given)
     except ValidationError as error:
         raise ValueError(f"{name}: {_fault_texts(error)}") from error
+    known = [one.alias or own for own, one in model.model_fields.items()]
+    for member in given:
+        if member not in known:
+            meant = did_you_mean(member, known)
+            raise ValueError(f"{name} has no member {member!r:.60}{meant}")
     if made is None or made.to_dict() != given:
         raise ValueError(
             f"{name} has members that the protocol does not define: {given}"

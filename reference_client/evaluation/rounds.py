@@ -18,6 +18,7 @@ from proctor_client import Run, Score
 
 from reference_client.errors import WORKER_DIED, ProctorError
 from reference_client.evaluation.status_board import Progress, StatusBoard
+from reference_client.policies.error_origin import policy_failure
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import Interrupted
 
@@ -144,6 +145,8 @@ class EvaluationRounds:
             worker.play()
         except Interrupted:
             pass
+        except SystemExit as error:  # the program would end without a word
+            self._fail(policy_failure(error))
         except BaseException as error:  # noqa: BLE001 - raised again by the watcher
             if isinstance(error, ProctorError) and error.code in _WORKER_ENDING_CODES:
                 # Its episode returns to the queue, and another worker plays it.
@@ -151,12 +154,15 @@ class EvaluationRounds:
                 worker.end_session()
                 self.say(error.detail)
             else:
-                self._failures.append(error)
-                self.stop.set()
-                for other in self.run_workers:
-                    other.request_stop()
+                self._fail(error)
         finally:
             self.board.wake()
+
+    def _fail(self, error: BaseException) -> None:
+        self._failures.append(error)
+        self.stop.set()
+        for other in self.run_workers:
+            other.request_stop()
 
     def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
         """After this no worker uses a session, even if its thread still runs."""

@@ -122,6 +122,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
             self._run = self._control_client.resume_if_needed(run_id)
             benchmark = self._run.benchmark_id
         manifest = self._control_client.benchmark(str(benchmark))
+        self.max_steps = manifest.max_steps  # of an episode, before options
         self._submission = submission(
             manifest.benchmark_id,
             self._policy.info,

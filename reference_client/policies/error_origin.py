@@ -5,6 +5,8 @@ from __future__ import annotations
 import traceback
 from pathlib import Path
 
+from reference_client.errors import PolicyFailed
+
 _CLIENT_ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -25,3 +27,9 @@ def describe_policy_error(error: BaseException) -> str:
         return f"The policy raised {what}{notes}"
     at = f"{Path(policy_frames[-1].filename).name}:{policy_frames[-1].lineno}"
     return f"The policy raised {what} ({at}){'.' if notes else ''}{notes}"
+
+
+def policy_failure(error: BaseException) -> PolicyFailed:
+    """The failure to report for what the policy's own code raised."""
+    whole = "".join(traceback.format_exception(error))
+    return PolicyFailed(describe_policy_error(error), whole)

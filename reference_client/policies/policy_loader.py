@@ -22,8 +22,9 @@ from typing import Any
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
-from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError, did_you_mean
+from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
 from reference_client.policies.mapping import InvalidPolicyAnswer, PolicyMapping
+from reference_client.spelling import did_you_mean
 
 
 def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], Policy]:

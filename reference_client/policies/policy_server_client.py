@@ -17,7 +17,7 @@ from proctor_client import Benchmark
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
-from reference_client.errors import POLICY_FAILED, ProctorError
+from reference_client.errors import POLICY_FAILED, ProctorError, innermost_reason
 
 PAUSE_S = 0.2
 FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
@@ -37,22 +37,27 @@ class PolicyServerClient:
         self._retry_timeout_s = retry_timeout_s
         self._pool = urllib3.PoolManager(maxsize=64, retries=False)
         self._benchmark: dict[str, Any] | None = None
+        self._description: dict[str, Any] | None = None
 
     def check(self, benchmark: Benchmark) -> None:
         """Set the benchmark. Raises ProctorError if the server is unreachable."""
         self._benchmark = benchmark.to_dict()
-        reported = self.call("GET", "", None, FIRST_CONTACT_S)
+        self._description = self._describe(FIRST_CONTACT_S)  # it may have ended
+        reported = self._description
         session_limit = reported.get("max_sessions")
         if not isinstance(session_limit, int) or session_limit < 1:
             raise self.failed("violates the schema of describe_policy in policy.yaml")
 
-    def described_name(self) -> str | None:
-        """The name in describe_policy; None without an answer."""
-        try:
-            name = self.call("GET", "", None, 0.0).get("name")
-        except ProctorError:
-            return None
+    def described_name(self, retry_timeout_s: float = FIRST_CONTACT_S) -> str | None:
+        """The name in describe_policy. Raises ProctorError without an answer."""
+        if self._description is None:
+            self._description = self._describe(retry_timeout_s)
+        name = self._description.get("name")
         return name if isinstance(name, str) and name else None
+
+    def _describe(self, retry_timeout_s: float) -> dict[str, Any]:
+        found: dict[str, Any] = self.call("GET", "", None, retry_timeout_s)
+        return found
 
     def __call__(self) -> PolicySession:
         if self._benchmark is None:
@@ -80,11 +85,13 @@ class PolicyServerClient:
                     redirect=False,
                 )
             except urllib3.exceptions.HTTPError as error:
-                last = f"is unreachable ({error})"
+                last = f"is unreachable ({innermost_reason(error)})"
             else:
                 if answer.status == 200:
                     return self._read(answer.data)
                 last = f"answered with status {answer.status}{_detail(answer.data)}"
+                if answer.status == 401:
+                    last += "; its key is taken from PROCTOR_POLICY_KEY"
                 if answer.status not in _RETRY_STATUSES:
                     raise self.failed(last)
             if time.monotonic() > deadline:

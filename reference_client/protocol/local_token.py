@@ -20,17 +20,31 @@ def find_token(url: str, given: str | None = None) -> str | None:
     return given or os.environ.get("PROCTOR_TOKEN") or _token_of_local_server(url)
 
 
-def _token_of_local_server(url: str) -> str | None:
+def token_file(url: str) -> Path | None:
+    """The file in which a server of this account at a loopback URL keeps its token."""
     try:
-        parts = urlsplit(url)
-        port = parts.port or 80
-        if parts.scheme != "http" or not _is_loopback(parts.hostname or ""):
-            return None
-        state = os.environ.get("XDG_STATE_HOME")
-        folder = Path(state) if state else Path.home() / ".local" / "state"
-        return _read(folder / "proctor" / "tokens" / str(port))
+        path = _path(url)
+        return path.resolve() if path is not None and _read(path) else None
     except (OSError, RuntimeError, ValueError):  # no home, no file, no such URL
         return None
+
+
+def _token_of_local_server(url: str) -> str | None:
+    try:
+        path = _path(url)
+        return None if path is None else _read(path)
+    except (OSError, RuntimeError, ValueError):  # as in token_file
+        return None
+
+
+def _path(url: str) -> Path | None:
+    parts = urlsplit(url)
+    port = parts.port or 80
+    if parts.scheme != "http" or not _is_loopback(parts.hostname or ""):
+        return None
+    state = os.environ.get("XDG_STATE_HOME")
+    folder = Path(state) if state else Path.home() / ".local" / "state"
+    return folder / "proctor" / "tokens" / str(port)
 
 
 def _is_loopback(host: str) -> bool:

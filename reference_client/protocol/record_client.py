@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import BinaryIO
 from urllib.parse import quote
 
-from proctor_client import ApiException, Problem, RecordImport
+from proctor_client import ApiException, Problem, PublicKey, RecordImport
 from urllib3 import BaseHTTPResponse, Timeout
 
 from reference_client.errors import BAD_ANSWER, NO_ANSWER_ERRORS, ProctorError
@@ -40,12 +40,14 @@ def fetch_recording(
     return b"".join(_read(connection, retry_policy, url, "recording"))
 
 
-def fetch_keys(connection: Connection, retry_policy: RetryPolicy) -> Mapping[str, str]:
-    """keyid → public key in base64, of those that the host publishes."""
+def fetch_keys(
+    connection: Connection, retry_policy: RetryPolicy
+) -> Mapping[str, PublicKey]:
+    """By keyid, those that the host publishes."""
     found = retry_policy.call(
         lambda: connection.control.list_keys(_request_timeout=TIMEOUTS_S)
     )
-    return {key.keyid: key.public_key for key in found.keys}
+    return {key.keyid: key for key in found.keys}
 
 
 def send_record(

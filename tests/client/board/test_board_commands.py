@@ -78,6 +78,9 @@ def test_people_and_scripts_read_a_ranking(
     assert [row["model_name"] for row in rows] == [names[0], f"'{names[1]}", names[2]]
     assert [row["entry_id"] for row in rows] == [one["entry_id"] for one in entries]
     assert (rows[0]["rank_low"], rows[0]["rank_high"]) == ("1", "2")
+    splits = [[one[f"success_rate split {n}"] for n in ("even", "odd")] for one in rows]
+    assert splits == [["1.0", "1.0"], ["1.0", str(5 / 6)], ["0.0", "0.0"]]
+    assert rows[1]["success_rate task score"] == rows[1]["success_rate"]
 
 
 def test_an_entry_is_private_public_and_withdrawn(proctor: ProctorCommand) -> None:

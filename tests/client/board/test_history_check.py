@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 from pathlib import Path
 from typing import Any
@@ -57,6 +58,31 @@ def test_the_key_is_that_of_the_first_time(tmp_path: Path) -> None:
         history_check.read_signed(signed(LEAVES, OTHER), OTHER.public_key, kept)
     with pytest.raises(RewrittenHistory, match="not signed by this key"):
         history_check.read_signed(signed(LEAVES, OTHER), KEY.public_key, kept)
+
+
+def test_a_key_that_is_retired_and_published_may_be_followed_by_another(
+    tmp_path: Path,
+) -> None:
+    """Then the history is still one that only grew."""
+    kept = keep_and_load(tmp_path / "kept.json", LEAVES[:5])
+    retired = [base64.b64encode(KEY.public_key).decode()]
+    note = signed(LEAVES, OTHER)
+    found = history_check.read_signed(note, OTHER.public_key, kept, retired)
+    proof = tree_of(LEAVES).consistency(5, 7)
+    history_check.check_consistency(kept, found, proof)
+    rewritten = signed(LEAVES[:4], OTHER)
+    with pytest.raises(RewrittenHistory, match="5 leaves and has 4"):
+        history_check.read_signed(rewritten, OTHER.public_key, kept, retired)
+
+
+def test_a_key_in_use_is_not_followed_by_a_retired_one(tmp_path: Path) -> None:
+    """A copy of a retired key cannot take over from the one that followed it."""
+    kept = keep_and_load(tmp_path / "kept.json", LEAVES[:5])
+    old, other = (base64.b64encode(key.public_key).decode() for key in (KEY, OTHER))
+    note = signed(LEAVES, OTHER)
+    for retired in ([], [other], [old, other]):
+        with pytest.raises(RewrittenHistory, match="another key"):
+            history_check.read_signed(note, OTHER.public_key, kept, retired)
 
 
 def test_leaves_are_those_that_were_signed() -> None:

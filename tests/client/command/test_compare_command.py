@@ -71,11 +71,70 @@ def test_people_read_a_table(
     assert max(map(len, proctor.out.splitlines())) <= 80
     better = "difference -0.3333: baseline 1.0000, run 0.6667 (plus is better)"
     assert better in lines
-    assert "release no: difference exceeds 0.05 in overall, score" in lines
+    said = " ".join(lines)
+    assert "release not decided: difference exceeds 0.05 in overall, score" in said
+    assert "0 episodes better, 1 worse, of 3; more episodes decide" in said
     assert "score 2 1.000 0.500 -0.500" in lines
     assert "count 1 1.000 1.000 +0.000" in lines
     assert proctor("compare", base, base) == 0
     assert "yes: no difference exceeds 0.05" in proctor.out
+
+
+def test_chance_is_no_reason_against_a_release(proctor: ProctorCommand) -> None:
+    """One of nine episodes lost, then all of eight of one task. Expect no verdict, then
+    the task by name, without the other one, which had the one loss."""
+    made = ["run", "--policy", "graded.py:graded"]
+    made += options("count", *["score"] * 8)
+    ids = []
+    for scores in ("1 " * 9, "0 " + "1 " * 8, "0 " + "0 " * 8):
+        Path("scores").write_text(scores)
+        ids.append(proctor.json(*made)["run_id"])
+    base, once, often = ids
+    assert proctor("compare", base, once) == 1
+    assert "not decided: difference exceeds 0.05 in overall, count" in proctor.out
+    assert proctor("compare", base, often) == 1
+    assert "no: difference exceeds 0.05 in overall, score" in proctor.out
+    assert "score, count" not in proctor.out
+    found = proctor.json("compare", base, often)["evidence"][often]
+    by_task = found["by_task"]
+    assert (by_task["count"]["worse"], by_task["count"]["p_value"]) == (1, 1.0)
+    assert by_task["score"]["p_value"] == pytest.approx(2 * 2 / 2**8)
+
+
+def test_a_comparison_may_stop_before_the_end(proctor: ProctorCommand) -> None:
+    """Seven episodes of ten, all lost. Expect it decided, with the e-value."""
+    tasks = ["score"] * 10
+    made = ["run", "--policy", "graded.py:graded", *options(*tasks)]
+    Path("scores").write_text("1 " * 10)
+    base = proctor.json(*made)["run_id"]
+    Path("scores").write_text("0 " * 10)
+    worse = proctor.json(*made, "--episodes", "7")["run_id"]
+    assert proctor("compare", base, worse) == 1
+    assert "may stop " in proctor.out
+    assert (
+        "decided at e ≥ 20 (e = 26.8): on the first 7 of 10 episodes the baseline "
+        "succeeds more often; the 3 left need not be played" in proctor.out
+    )
+    found = proctor.json("compare", worse, base)["sequential"][base]
+    assert (found["better"], found["wins"], found["compared"]) == ("run", 7, 7)
+
+
+def test_how_often_each_account_tried_is_shown(proctor: ProctorCommand) -> None:
+    """Expect the runs played before, of both, where the server counts them."""
+    first, second = run(proctor, "1 1 1"), run(proctor, "0 1 1")
+    before = proctor.json("status", first)["runs_played_before"]
+    assert proctor.json("results", second)["runs_played_before"] == before + 1
+    assert proctor("compare", first, second) == 1
+    assert (
+        f"before the baseline {before}, before the run {before + 1}, each by its "
+        "account" in proctor.out
+    )
+    for command in ("status", "results"):
+        assert proctor(command, second) == 0
+        assert "of this benchmark played by its account before this one" in proctor.out
+    unplayed = proctor.json("submit", *options(*TASKS))["run_id"]
+    proctor("status", unplayed)
+    assert "earlier runs" not in proctor.out
 
 
 def test_an_incomplete_run_is_not_released(proctor: ProctorCommand) -> None:

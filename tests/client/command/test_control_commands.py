@@ -5,7 +5,9 @@ What people read, what scripts read, the exit codes, and every mistake in one li
 
 from __future__ import annotations
 
+import importlib.util
 import json
+import os
 import re
 import shlex
 import subprocess
@@ -16,13 +18,13 @@ import pytest
 import yaml
 
 from reference_client.command import aliases
-from reference_client.command.exit_codes import UsageError
 from reference_client.command.main import main
+from reference_client.command.usage_error import UsageError
 from reference_client.evaluation.parameters import WORKER_ID
 from reference_sim import benchmark_registry
 from tests.support.client.command import ProctorCommand, options
 from tests.support.paths import ROOT
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 
@@ -47,6 +49,143 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert [episode["status"] for episode in score["episodes"]] == ["scored"]
     assert proctor.json("status", run_id, "--watch")["state"] == "completed"
     assert proctor.code == 0
+
+
+@pytest.fixture
+def browser(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The file to which what stands in for a browser writes the address it is given."""
+    program, opened = tmp_path / "browser.sh", tmp_path / "opened"
+    program.write_text(f'#!/bin/sh\necho "$1" > {opened}\n')
+    program.chmod(0o700)
+    monkeypatch.setattr("webbrowser._tryorder", None)  # BROWSER is read once
+    monkeypatch.setenv("BROWSER", f"{program} %s")
+    return opened
+
+
+def test_the_page_of_a_run_is_opened(
+    proctor: ProctorCommand, server: ReferenceServer, browser: Path
+) -> None:
+    """Expect the address in the browser and printed; with --print nothing opened."""
+    run_id = proctor.json("submit", *options("score"))["run_id"]
+    page = f"{server.url}/pages/runs/{run_id}"
+    assert proctor("open", run_id, "--print") == 0
+    assert (proctor.out, proctor.err) == (f"{page}\n", "")
+    assert not browser.exists()
+    assert proctor.json("open", run_id) == {"url": page, "opened": True}
+    assert browser.read_text() == f"{page}\n"
+    assert proctor.err == "The pages ask for a token once: it is in PROCTOR_TOKEN.\n"
+    assert proctor("open") == 0
+    assert browser.read_text() == proctor.out == f"{server.url}/pages\n"
+    assert proctor("open", "run_none") == 2
+    assert "There is no run run_none" in proctor.err
+    assert one_line(proctor.err)
+
+
+def test_the_address_is_said_where_no_browser_starts(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("webbrowser.open", lambda _address: False)
+    assert proctor("open") == 0
+    assert proctor.out.endswith("/pages\n")
+    assert "no browser can be started here; open the address in one" in proctor.err
+
+
+def test_no_browser_of_a_terminal_is_started_unasked(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without a display a text browser would take the terminal."""
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.setattr("webbrowser.open", lambda _address: pytest.fail("started"))
+    assert proctor.json("open")["opened"] is False
+
+
+def test_what_a_browser_prints_is_not_the_answer(
+    server: ReferenceServer, browser: Path
+) -> None:
+    program = browser.parent / "browser.sh"
+    program.write_text("#!/bin/sh\necho a page as text\n")
+    command = [sys.executable, "-m", "reference_client.command", "open"]
+    done = subprocess.run(
+        [*command, "--url", server.url],
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout == f"{server.url}/pages\n"
+    assert "a page as text" in done.stderr
+
+
+def test_the_place_of_a_token_that_was_given_is_the_flag(
+    proctor: ProctorCommand, browser: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PROCTOR_TOKEN", "another")
+    assert proctor("open", "--token", TOKENS["alice"]) == 0
+    assert browser.is_file()
+    assert proctor.err == "The pages ask for a token once: paste the one of --token.\n"
+
+
+@pytest.mark.slow("starts a server without pages")
+def test_a_server_without_pages_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with ReferenceServer(tmp_path, PROCTOR_PAGES="off") as server:
+        proctor = ProctorCommand(server.url, capsys)
+        assert proctor("open") == 2
+        assert f"{server.url} has no pages" in proctor.err
+        assert one_line(proctor.err)
+
+
+def test_a_url_with_the_version_is_recognised(
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It stands in every example with curl, so it is pasted here, too."""
+    assert main(["status", "--url", f"{server.url}/v1/"]) == 2
+    assert "Try the URL without /v1, which is added to it." in capsys.readouterr().err
+    assert main(["verify", "x.proctor", "--server", f"{server.url}/v1"]) == 2
+    assert "Try the URL without /v1" in capsys.readouterr().err
+    assert main(["status", "run_none", "--url", server.url]) == 2
+    assert "/v1" not in capsys.readouterr().err
+
+
+def test_a_list_of_runs_is_read_in_forty_columns(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect a line for each run: columns are left out, and no state is folded."""
+    made = ["submit", *options("count"), "--name", "a_long_name"]
+    run_id = proctor.json(*made)["run_id"]
+    monkeypatch.setenv("COLUMNS", "40")
+    assert proctor("status", "--name", "a_long_name") == 0
+    head, row = proctor.out.splitlines()
+    assert head.split() == ["run", "state"]
+    assert row.split()[0] == run_id
+
+
+def required(requirements: str) -> set[str]:
+    """The modules that an extra installs, as far as they have a package's name."""
+    lines = (ROOT / "requirements" / requirements).read_text().splitlines()
+    return {re.split("[^a-z_]", line.replace("-", "_"))[0] for line in lines}
+
+
+@pytest.mark.parametrize("command", ["serve", "admin", "replay", "conformance"])
+def test_a_program_of_another_extra_is_refused_in_one_line(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
+    """Only the client is installed. Expect what to install, and no traceback."""
+    absent = required("server.in") | required("kit.in")
+    absent -= required("client.in")
+    find_spec = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util,
+        "find_spec",
+        lambda name: None if name in absent else find_spec(name),
+    )
+    monkeypatch.setattr("os.execv", lambda *_: pytest.fail("it was started"))
+    assert proctor(command) == 2
+    assert one_line(proctor.err)
+    assert "which is not installed: pip install" in proctor.err
 
 
 def test_a_run_that_was_never_played_is_deleted(proctor: ProctorCommand) -> None:
@@ -156,7 +295,7 @@ def test_benchmarks_are_listed_and_described(
         ("submit --benchmark none", "not_found"),
         ("submit --benchmark NO", "benchmark_id"),
         ("submit CALIBRATION --options {", "invalid JSON"),
-        ("submit CALIBRATION --options '{\"x\": 1}'", "does not define"),
+        ("submit CALIBRATION --options '{\"x\": 1}'", "options has no member 'x'"),
         ("submit CALIBRATION --images raw", "jpeg:224x224"),
         ("submit CALIBRATION --max-workers 0", "expected an integer"),
         ("submit CALIBRATION --max-workers 999", "allows 16 per run"),

@@ -65,6 +65,16 @@ class Rows(Base):
         return np.tile(Row().act(observation), (2, 1))
 
 
+class TooMany(Base):
+    def act(self, observation):
+        return np.zeros((9000, 15))
+
+
+class Quits(Base):
+    def act(self, observation):
+        raise SystemExit(0)
+
+
 class Loud(Base):
     def act(self, observation):
         return policies.action(clipped=90.0, success=1.0, end=observation.step > 2)
@@ -91,6 +101,8 @@ def play(name: str, *flags: str) -> list[str]:
         ("Misspelt", "has sucess, which is no name; did you mean success"),
         ("WrongState", "cuont: observation.state has count"),
         ("NoInstruction", "takes 1 positional argument"),
+        ("TooMany", "/actions has 9000 actions; a chunk holds at most "),
+        ("Quits", "The policy raised SystemExit: 0 (mistakes.py:"),
     ],
 )
 def test_a_mistaken_policy_leaves_no_run(
@@ -137,12 +149,17 @@ def test_clipping_is_reported_at_once_and_at_the_end(
         ("status --stat x", "unknown option --stat; did you mean --state?"),
         ("submit --assumes {}", "--assumes is an option of proctor run only"),
         ("status --state runing", "--state cannot be runing (choose from 'queued'"),
+        ("status --watch", "--watch needs a run id"),
         ("benchmarks calibratoin", "did you mean calibration?"),
         ("submit --benchmark calibratoin", "did you mean calibration?"),
         ("results run/1", "'run/1' is no id of a run; `proctor status` lists them"),
         ("compare run_a b!", "'b!' is no id of a run"),
         ("submit --benchmark Calibration!", "lower-case letters, digits and _"),
         ("run --benchmark calibration --policy policies:Gradd", "mean Graded?"),
+        (
+            """submit --benchmark calibration --options {"taks":[]}""",
+            "options has no member 'taks'; did you mean tasks?",
+        ),
         (
             "submit --benchmark calibration --idle-timeout-s 0.1",
             "idle_timeout_s must be at least 1.0, not 0.1",

@@ -14,6 +14,7 @@ from reference_client.evaluation.dry_turn import NOTE, play_dry_turn
 BENCHMARK: dict[str, Any] = {
     "benchmark_id": "arm",
     "title": "An arm",
+    "max_chunk": 2,
     "action_space": {"joints": {"size": 2, "out_of_range": "refuse", "unit": "rad"}},
     "image_sizes": [{"width": 8, "height": 6}, {"width": 80, "height": 60}],
     "observation_space": {

@@ -204,6 +204,21 @@ def test_a_policy_that_raises_leaves_no_session(
     assert f'run_id="{run.run_id}"' in "\n".join(caught.value.__notes__)
 
 
+def test_a_policy_that_exits_the_program_is_reported(
+    server: ReferenceServer, direct_client: DirectClient
+) -> None:
+    """Expect an error with the run in it, not the end of the program."""
+
+    class ExitingPolicy(GradedPolicy):
+        def act(self, observation: Observation) -> Actions:
+            raise SystemExit(0)
+
+    with pytest.raises(PolicyFailed, match=r"raised SystemExit: 0 \(test_") as caught:
+        evaluate(ExitingPolicy, url=server.url, **calibration_evaluation("score"))
+    run = direct_client.latest()
+    assert f'run_id="{run.run_id}"' in "\n".join(caught.value.__notes__)
+
+
 def test_a_policy_that_raises_ends_the_other_workers_too(
     server: ReferenceServer, direct_client: DirectClient
 ) -> None:

@@ -2,10 +2,12 @@
 
 import json
 import threading
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
+from conformance.policy.scripted_chat import ScriptedChat
 from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
@@ -132,6 +134,18 @@ def test_an_unreachable_policy_server_is_reported_before_submit(
         evaluate_policy(push_server, f"http://127.0.0.1:{free_port()}", "score")
 
 
+def test_each_check_asks_the_server_again() -> None:
+    """It has ended between two runs. Expect this before the second one is created."""
+    benchmark: Any = SimpleNamespace(to_dict=dict)
+    with ScriptedPolicy() as policy:
+        client = PolicyServerClient(policy.url)
+        assert client.described_name()
+        client.check(benchmark)
+        policy.on("describe_policy", lambda _: PolicyReply(b"", 404))
+        with pytest.raises(ProctorError, match="status 404"):
+            client.check(benchmark)
+
+
 def test_the_command_calls_a_policy_server(push_server: ReferenceServer) -> None:
     with run_app(make_app().app) as url:
         done = run_proctor(
@@ -139,6 +153,32 @@ def test_the_command_calls_a_policy_server(push_server: ReferenceServer) -> None
         )
     assert done.returncode == 0, done.stderr
     assert "0.3" in done.stdout
+    assert "played by  counting with proctor-eval" in done.stdout
+
+
+def test_the_command_says_why_a_policy_server_is_not_used(
+    push_server: ReferenceServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nothing listens, and a wrong key. Expect a line without a library's sentence."""
+    play = ["--benchmark", "calibration", "--policy-url"]
+    nowhere = f"http://127.0.0.1:{free_port()}"
+    done = run_proctor(push_server, *play, nowhere)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert f"server at {nowhere} is unreachable (Connection refused)." in done.stderr
+    monkeypatch.setenv("PROCTOR_POLICY_KEY", "wrong")
+    with run_app(make_app().app) as url:
+        done = run_proctor(push_server, *play, url)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "its key is taken from PROCTOR_POLICY_KEY" in done.stderr
+
+
+def test_a_push_run_without_a_known_name_says_so(push_server: ReferenceServer) -> None:
+    """The server may reach what this machine does not. Expect a line about the name."""
+    url = f"http://127.0.0.1:{free_port()}"
+    arguments = ["--benchmark", "calibration", "--push", url]
+    done = run_proctor(push_server, *arguments, command="submit")
+    assert done.returncode == 0
+    assert f"{url} reports no name here, so the run is named unnamed" in done.stderr
 
 
 def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> None:
@@ -149,6 +189,31 @@ def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> 
         run = wait_for_state(client, json.loads(done.stdout)["run_id"])
         assert (run["state"], run["mode"]) == ("completed", "push")
         assert run["policy_server"]["has_api_key"]
+
+
+def test_the_command_has_a_server_ask_a_chat_model(
+    push_server: ReferenceServer,
+) -> None:
+    """Expect name, numbers and key in the calls, and the name in the run."""
+    arguments = ["--benchmark", "question_answering", "--tasks", "count"]
+    arguments += ["--split", "val"]
+    arguments += ["--model", "my-model", "--generation", '{"temperature": 0}', "--json"]
+    with ScriptedChat() as chat, push_server.client() as client:
+        push = ["--push", chat.url, "--max-concurrent", "2"]
+        done = run_proctor(push_server, *arguments, *push, command="submit")
+        assert done.returncode == 0, done.stderr
+        run = wait_for_state(client, json.loads(done.stdout)["run_id"])
+    assert (run["state"], run["policy"]["name"]) == ("completed", "my-model")
+    asked = chat.requests[0]
+    assert (asked.body["model"], asked.body["temperature"]) == ("my-model", 0)
+    assert asked.headers["authorization"].startswith("Bearer ")
+
+
+def test_options_of_a_model_need_a_place_to_call(push_server: ReferenceServer) -> None:
+    arguments = ["--benchmark", "question_answering", "--model", "my-model"]
+    done = run_proctor(push_server, *arguments, command="submit")
+    assert done.returncode == 2
+    assert "--model needs --push URL" in done.stderr
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,162 @@
+"""Completion: what a shell is answered at Tab, and the shells that ask.
+
+The program is started as a shell does it; bash, which every machine has, asks as well.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+
+import pytest
+
+from tests.support.client.command import ProctorCommand, options
+from tests.support.paths import ROOT
+from tests.support.servers import ReferenceServer
+
+pytestmark = pytest.mark.usefixtures("policy_folder")
+SEPARATOR = "\v"
+BASH = """
+proctor() { "$PYTHON" -m reference_client.command "$@"; }
+eval "$(proctor completion bash)"
+COMP_LINE=$1 COMP_POINT=${#1} COMP_TYPE=9
+_python_argcomplete proctor
+printf '%s\\n' "${COMPREPLY[@]}"
+"""
+
+
+Complete = Callable[[str, str], list[str]]
+
+
+@pytest.fixture
+def complete(tmp_path: Path) -> Complete:
+    """(line, URL of the environment) → the words that may stand where it ends."""
+    answer = tmp_path / "words"
+
+    def run(line: str, url: str) -> list[str]:
+        subprocess.run(
+            [sys.executable, "-m", "reference_client.command"],
+            env=os.environ
+            | {"PROCTOR_URL": url, "PYTHONPATH": str(ROOT)}
+            | {"COMP_LINE": line, "COMP_POINT": str(len(line)), "_ARGCOMPLETE": "1"}
+            | {"_ARGCOMPLETE_STDOUT_FILENAME": str(answer)},
+            check=True,
+        )
+        # A word that is the only one is followed by a space.
+        return answer.read_text().rstrip().split(SEPARATOR)
+
+    return run
+
+
+def test_commands_flags_and_values_are_completed(
+    server: ReferenceServer, complete: Complete
+) -> None:
+    assert complete("proctor res", server.url) == ["resume", "results"]
+    assert complete("proctor results --f", server.url) == ["--format"]
+    values = complete("proctor results --format ", server.url)
+    assert values == ["text", "markdown", "latex"]
+
+
+def test_runs_and_benchmarks_are_those_of_the_server(
+    server: ReferenceServer, proctor: ProctorCommand, complete: Complete
+) -> None:
+    """Expect the newest run first, also of a server that the line names."""
+    run_id = proctor.json("submit", *options("score"))["run_id"]
+    assert complete("proctor results ", server.url)[0] == run_id
+    named = f"proctor compare x --url {server.url} "
+    assert complete(named, "http://127.0.0.1:9")[0] == run_id
+    assert complete("proctor run --benchmark calib", server.url) == ["calibration"]
+    assert complete("proctor board ver", server.url) == ["verify"]
+
+
+def test_without_a_right_answer_nothing_is_completed(
+    server: ReferenceServer, complete: Complete, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No server, one that never answers, and a token that is refused."""
+    assert complete("proctor results ", "http://127.0.0.1:9") == [""]
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        url = f"http://127.0.0.1:{silent.getsockname()[1]}"
+        assert complete("proctor results ", url) == [""]
+    monkeypatch.setenv("PROCTOR_TOKEN", "none")
+    assert complete("proctor results ", server.url) == [""]
+
+
+def test_a_hostile_server_puts_nothing_on_the_command_line(complete: Complete) -> None:
+    """Ids that a shell would act on are left out, and so is what a terminal acts on."""
+    policy = {"name": "\x1b[2J\x0bfalse"}
+    runs = [
+        {"run_id": run_id, "state": "ready", "benchmark_id": "b", "policy": policy}
+        for run_id in ("run_1", "$(reboot)", "run_2;reboot", "a\x0bb", "run_3")
+    ]
+    body = json.dumps({"runs": runs}).encode()
+
+    class Hostile(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200)
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+    with HTTPServer(("127.0.0.1", 0), Hostile) as server:
+        threading.Thread(target=server.handle_request).start()
+        url = f"http://127.0.0.1:{server.server_port}"
+        assert complete("proctor results ", url) == ["run_1", "run_3"]
+
+
+def test_a_server_that_sends_slowly_holds_no_tab(complete: Complete) -> None:
+    """A byte each 0.2 s, for 20 s. Expect the shell back when a second is over."""
+    is_over, asked_at = threading.Event(), []
+
+    def drip(listening: socket.socket) -> None:
+        connection, _ = listening.accept()
+        asked_at.append(time.monotonic())
+        with connection, contextlib.suppress(OSError):
+            for byte in b"HTTP/1.1 200 OK\r\nContent-Length: 999\r\n\r\n" + b" " * 62:
+                connection.sendall(bytes([byte]))
+                if is_over.wait(0.2):
+                    break
+
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        server = threading.Thread(target=drip, args=(listening,))
+        server.start()
+        url = f"http://127.0.0.1:{listening.getsockname()[1]}"
+        assert complete("proctor results ", url) == [""]
+        took_s = time.monotonic() - asked_at[0]
+        is_over.set()
+        server.join()
+    assert took_s < 5  # a busy machine ends a process slowly
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_each_shell_has_its_code(proctor: ProctorCommand, shell: str) -> None:
+    assert proctor("completion", shell) == 0
+    assert "_ARGCOMPLETE" in proctor.out
+    assert "proctor" in proctor.out
+
+
+def test_an_unknown_shell_is_refused(proctor: ProctorCommand) -> None:
+    assert proctor("completion", "csh") == 2
+    assert "cannot be csh (choose from" in proctor.err
+
+
+def test_bash_completes(server: ReferenceServer, tmp_path: Path) -> None:
+    done = subprocess.run(
+        ["bash", "--norc", "-c", BASH, "bash", "proctor res"],
+        env=os.environ
+        | {"PROCTOR_URL": server.url, "PYTHONPATH": str(ROOT)}
+        | {"PYTHON": sys.executable},
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.split() == ["resume", "results"]
