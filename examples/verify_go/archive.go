@@ -76,7 +76,7 @@ func rank(name string) int {
 func sizeMax(name string) int64 {
 	switch {
 	case name == statementName || name == manifestName:
-		return 1 << 25
+		return 1 << 24
 	case name == episodesName:
 		return 1 << 28
 	case isRecording(name):

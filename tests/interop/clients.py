@@ -33,6 +33,7 @@ class Language:
 
     tools: executables that must be on PATH. version: prints the toolchain's version.
     steps: commands that build, in the copied directory. command: starts the program.
+    evaluates: the package of clients/ on top of the generated client, else that client.
     """
 
     name: str
@@ -41,10 +42,21 @@ class Language:
     command: Callable[[Path], list[str]]
     steps: tuple[tuple[str, ...], ...] = ()
     environment: dict[str, str] = field(default_factory=dict)
+    evaluates: bool = False
+
+    @property
+    def language(self) -> str:
+        return self.name.removesuffix("-evaluate")
+
+    @property
+    def package(self) -> str:
+        """The folder with the program, seen from the repository's root."""
+        folder = "clients" if self.evaluates else "generated_clients"
+        return f"{folder}/{self.language}"
 
     @property
     def directory(self) -> Path:
-        return CACHE / self.name / "src"
+        return CACHE / self.name / "src" / self.package
 
     def missing(self) -> str:
         """Why this language cannot be built here; empty when it can."""
@@ -59,7 +71,8 @@ class Language:
 
     def build(self) -> None:
         """Bring the program up to date; CannotRun holds what the compiler said."""
-        mirror(CLIENTS / self.name, self.directory)
+        for source in {f"generated_clients/{self.language}", self.package}:
+            mirror(ROOT / source, CACHE / self.name / "src" / source)
         for step in self.steps:
             done = subprocess.run(
                 ("nice", *step),
@@ -161,5 +174,28 @@ LANGUAGES = (
         ),
         command=lambda at: [str(at.parent / "build" / "interop")],
         environment={"CXXFLAGS": "-O0"},
+    ),
+    Language(
+        "typescript-evaluate",
+        tools=("node", "npm"),
+        version=("node", "--version"),
+        steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
+        command=lambda at: [
+            *("node", str(at / "dist/clients/typescript/interop/interop.js"))
+        ],
+        environment={"npm_config_cache": "{base}/npm"},
+        evaluates=True,
+    ),
+    Language(
+        "cpp-evaluate",
+        tools=("g++", "cmake", "make"),
+        version=("g++", "--version"),
+        steps=(
+            ("cmake", "-S", ".", "-B", "build", "-DPROCTOR_EVALUATE_PROGRAMS=ON"),
+            ("make", "-C", "build", "-j2"),
+        ),
+        command=lambda at: [str(at / "build" / "interop")],
+        environment={"CXXFLAGS": "-O0"},
+        evaluates=True,
     ),
 )

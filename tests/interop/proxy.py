@@ -27,6 +27,8 @@ KINDS = {
     "submit": re.compile(r"POST /v1/runs"),
     "attach": re.compile(r"PUT /v1/runs/[^/]+/workers/[^/]+"),
     "predict": re.compile(r"POST /v1/runs/[^/]+/workers/[^/]+/predict"),
+    "heartbeat": re.compile(r"POST /v1/runs/[^/]+/workers/[^/]+/heartbeat"),
+    "episodes": re.compile(r"GET /v1/runs/[^/]+/episodes"),
 }
 HOP_BY_HOP = {"connection", "content-length", "host", "keep-alive", "transfer-encoding"}
 
@@ -44,6 +46,7 @@ class Proxy:
     """A server on a free port of this machine: `url` leads to `upstream`.
 
     drop: kinds whose first answer is lost after the server gave it.
+    lose: kinds of request that never reach the server.
     crash_at: the number of the predict (from 1) whose answer is lost in a crash.
     crash: called then; it returns when the server is back, with its URL.
     alter: makes another answer of each parsed one.
@@ -54,6 +57,7 @@ class Proxy:
         upstream: str,
         *,
         drop: Iterable[str] = (),
+        lose: Iterable[str] = (),
         crash_at: int = 0,
         crash: Callable[[], str] | None = None,
         alter: Callable[[object], object] | None = None,
@@ -62,6 +66,7 @@ class Proxy:
         self.recorded: list[RecordedRequest] = []
         self.dropped_answers: list[str] = []
         self._to_drop, self._crash_at, self._crash = set(drop), crash_at, crash
+        self._lost = frozenset(lose)
         self._lock = threading.Lock()
         # The environment may name a proxy; this machine is never behind it.
         self._client = httpx.Client(trust_env=False, timeout=60.0)
@@ -108,6 +113,8 @@ class Proxy:
                 RecordedRequest(kind, body, request.headers["Idempotency-Key"])
             )
             predicts = sum(recorded.kind == "predict" for recorded in self.recorded)
+        if kind in self._lost:
+            return drop_connection(request)
         headers = [
             (k, v) for k, v in request.headers.items() if k.lower() not in HOP_BY_HOP
         ]

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import json
 import signal
+import socket
 import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -20,10 +22,11 @@ from reference_client import Observation, evaluate
 from reference_client.api.observation import decode_observation
 from reference_client.generated import messages
 from tests.interop import expected_values
-from tests.interop.clients import CLIENTS, LANGUAGES, Language, mirror
+from tests.interop.clients import CLIENTS, LANGUAGES, ROOT, Language, mirror
 from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy
 from tests.interop.scenarios import (
+    EVALUATION_ONLY,
     SCENARIOS,
     Program,
     ScenarioNotRunnable,
@@ -38,6 +41,10 @@ from tools import interop
 pytestmark = pytest.mark.slow("starts servers and clients")
 
 PYTHON = LANGUAGES[0]
+GENERATED = [language for language in LANGUAGES if not language.evaluates]
+TYPESCRIPT = next(one for one in LANGUAGES if one.name == "typescript-evaluate")
+# Sessions, and `evaluate`, when answers are lost and the server is killed.
+FAULTS = ("lost_answer", "restart", "stop_resume")
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +64,7 @@ def program_printing(text: str, language: str = "python") -> Program:
     return Program(language, [sys.executable, "-c", f"print({text!r})"], {})
 
 
-@pytest.mark.parametrize("name", SCENARIOS)
+@pytest.mark.parametrize("name", sorted(SCENARIOS.keys() - EVALUATION_ONLY))
 def test_the_python_client_passes_every_scenario(name: str, server: Server) -> None:
     # Run where it stands: the copy that `make interop` builds is the same.
     SCENARIOS[name](
@@ -193,6 +200,13 @@ def test_a_missing_toolchain_counts_as_not_run(server: Server) -> None:
     assert b'skipped="1"' in interop.junit(matrix)
 
 
+def test_what_no_language_has_a_part_in_is_not_run(server: Server) -> None:
+    matrix = interop.Matrix()
+    interop.play(PYTHON, server, ["heartbeat"], matrix)
+    assert matrix.exit_code() == 2
+    assert b'tests="0"' in interop.junit(matrix)
+
+
 def test_a_build_that_fails_is_a_failure(
     server: Server, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -223,11 +237,16 @@ def test_a_mirror_keeps_what_builds_left(tmp_path: Path) -> None:
 
 
 def test_every_committed_client_is_played() -> None:
-    present = {path.name for path in CLIENTS.iterdir() if path.is_dir()}
-    assert present == {language.name for language in LANGUAGES}
+    present = {
+        f"{folder}/{path.name}"
+        for folder in ("clients", "generated_clients")
+        for path in (ROOT / folder).iterdir()
+        if path.is_dir()
+    }
+    assert present == {language.package for language in LANGUAGES}
     for language in LANGUAGES:
-        assert (CLIENTS / language.name / "interop").is_dir()
-        assert (CLIENTS / language.name / "example").is_dir()
+        assert (ROOT / language.package / "interop").is_dir()
+        assert (ROOT / language.package / "example").is_dir()
 
 
 LOOPS = {
@@ -240,15 +259,17 @@ LOOPS = {
 }
 
 
-@pytest.mark.parametrize("language", LANGUAGES, ids=lambda language: language.name)
+@pytest.mark.parametrize("language", GENERATED, ids=lambda language: language.name)
 def test_the_worker_loop_is_short(language: Language) -> None:
     loop = CLIENTS / language.name / "example" / LOOPS[language.name]
     assert len(loop.read_text().splitlines()) <= 150
 
 
 def test_lock_files_name_no_address() -> None:
-    lock = json.loads((CLIENTS / "typescript" / "package-lock.json").read_text())
-    assert all("resolved" not in package for package in lock["packages"].values())
+    for folder in ("clients", "generated_clients"):
+        path = ROOT / folder / "typescript" / "package-lock.json"
+        packages = json.loads(path.read_text())["packages"]
+        assert all("resolved" not in package for package in packages.values())
     assert (CLIENTS / "rust" / "Cargo.lock").exists()
 
 
@@ -271,6 +292,113 @@ def test_the_example_plays_to_the_end(server: Server) -> None:
     )
     assert refused.returncode == 1
     assert "[unauthenticated]" in refused.stderr
+
+
+@pytest.fixture(scope="module")
+def typescript() -> Program:
+    """The package of clients/typescript, built where `make interop` builds it."""
+    if missing := TYPESCRIPT.missing():
+        need = f"{missing}: clients/typescript is tested with Node.js 20.3 or newer"
+        pytest.fail(need, pytrace=False)
+    TYPESCRIPT.build()
+    command = TYPESCRIPT.command(TYPESCRIPT.directory)
+    return Program(TYPESCRIPT.name, command, TYPESCRIPT.env())
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_an_evaluation_in_typescript_survives(
+    name: str, server: Server, typescript: Program
+) -> None:
+    SCENARIOS[name](server, typescript)
+
+
+@pytest.fixture(scope="module")
+def faults(typescript: Program) -> dict[str, Any]:
+    """What the package did at servers that are silent or answer wrongly."""
+    program = TYPESCRIPT.directory / "dist/clients/typescript/interop/faults.js"
+    return replace(typescript, command=["node", str(program)]).play("", "", "")
+
+
+def test_typescript_keeps_a_lease_of_any_length(faults: dict[str, Any]) -> None:
+    assert faults["heartbeats"] == 1
+    assert faults["own_mistake"]["error"] == "URIError", "it must not be hidden"
+
+
+def test_typescript_refuses_a_wrong_number_of_workers(faults: dict[str, Any]) -> None:
+    assert faults["workers"] == {"errors": ["TypeError"] * 4, "requests": 0}
+
+
+def test_typescript_repeats_a_poll_whose_body_is_lost(faults: dict[str, Any]) -> None:
+    assert faults["lost_body"] == ["completed"]
+    assert faults["html"]["error"] == "bad_answer"
+
+
+def test_a_silent_server_does_not_hold_typescript(faults: dict[str, Any]) -> None:
+    # The requests themselves would be given up after 60 s.
+    limits = {"interrupted": 10, "leave": 15, "service": 20}
+    for name, error in (
+        ("interrupted", "RangeError"),
+        ("leave", "none"),
+        ("service", "unreachable"),
+    ):
+        assert faults[name]["error"] == error
+        assert faults[name]["seconds"] < limits[name]
+
+
+def test_typescript_refuses_observations_that_are_not_whole(
+    faults: dict[str, Any],
+) -> None:
+    assert faults["base64"] == ["none"] * 4 + ["bad_answer"] * 5
+    assert faults["shapes"] == ["none"] * 3 + ["bad_answer"] * 3
+
+
+def test_typescript_checks_actions_with_a_vector_of_some_tasks(
+    faults: dict[str, Any],
+) -> None:
+    assert faults["optional_vector"] == ["none"] * 2 + ["invalid_request"] * 5
+
+
+def play_typescript_example(*arguments: str) -> subprocess.CompletedProcess[str]:
+    example = TYPESCRIPT.directory / "dist/clients/typescript/example/evaluate.js"
+    return subprocess.run(
+        ["node", str(example), *arguments], capture_output=True, text=True, check=False
+    )
+
+
+@pytest.mark.usefixtures("typescript")
+def test_the_example_in_typescript_plays_and_continues(server: Server) -> None:
+    done = play_typescript_example(server.url, server.token)
+    assert done.stdout.splitlines()[-1] == "score 0.40625", done.stderr
+    run_id = done.stdout.split()[1].rstrip(":")
+    again = play_typescript_example(server.url, server.token, run_id)
+    assert again.stdout.splitlines()[-1] == "score 0.40625", again.stderr
+
+
+@pytest.mark.usefixtures("typescript")
+def test_errors_in_typescript_are_for_people(server: Server) -> None:
+    refused = play_typescript_example(server.url, "not-a-token")
+    assert refused.returncode == 1
+    assert "In this package: the option `token`. [unauthenticated]" in refused.stderr
+    assert "    at " not in refused.stderr, "a stack trace"
+    with socket.create_server(("127.0.0.1", 0)) as closed:
+        port = closed.getsockname()[1]
+    away = play_typescript_example(f"http://127.0.0.1:{port}", "token")
+    assert away.returncode == 1
+    assert f"is unreachable (connect ECONNREFUSED 127.0.0.1:{port})" in away.stderr
+
+
+def test_the_example_says_what_it_needs() -> None:
+    """Called without arguments, a mistake that a user makes first."""
+    example = CLIENTS / "python" / "example" / "worker.py"
+    done = subprocess.run(
+        [sys.executable, str(example)],
+        env=PYTHON.env(),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert done.stderr == f"usage: {example} URL TOKEN [RUN_ID]\n"
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,10 @@ static void evaluate(std::string const& url, std::string const& token, std::stri
 }
 
 int main(int count, char** arguments) try {
+    if (count != 3 && count != 4) {
+        std::cerr << "usage: " << arguments[0] << " URL TOKEN [RUN_ID]\n";
+        return 1;
+    }
     evaluate(arguments[1], arguments[2], count > 3 ? arguments[3] : "");
 } catch (std::exception const& error) {
     std::cerr << error.what() << "\nA run is kept: call again with its id to go on.\n";

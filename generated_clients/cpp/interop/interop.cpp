@@ -294,7 +294,7 @@ static json score(Session& s) {
     int pages = 0;
     while (pages == 0 || cursor) {
         auto const page = ask([&] { return s.control.listEpisodes(id, cursor, 2, version); });
-        for (auto const& e : page.episodes) episodes.push_back({e.index, e.result->score, e.result->seed});
+        for (auto const& e : page.episodes) episodes.push_back({e.index, e.result->score, or_null(e.result->seed)});
         cursor = page.next_cursor;
         ++pages;
     }

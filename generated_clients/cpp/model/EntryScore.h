@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include "GroupScore.h"
 #include "Interval.h"
 #include <map>
 #include <vector>
@@ -20,6 +21,8 @@ struct EntryScore {
     Interval success_interval{};
     Interval mean_interval{};
     OutcomeCounts counts{};
+    std::optional<std::map<std::string, GroupScore>> by_task{}; // Absent where the server does not show it, such as for many tasks.
+    std::optional<std::map<std::string, GroupScore>> by_split{}; // Absent where the server does not show it, such as for many splits.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("score", self.score);
@@ -27,6 +30,8 @@ struct EntryScore {
         visitor.required("success_interval", self.success_interval);
         visitor.required("mean_interval", self.mean_interval);
         visitor.required("counts", self.counts);
+        visitor.optional("by_task", self.by_task);
+        visitor.optional("by_split", self.by_split);
     }
 };
 

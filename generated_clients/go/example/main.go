@@ -57,6 +57,10 @@ func evaluate(server *Server, runID string) error {
 }
 
 func main() {
+	if len(os.Args) != 3 && len(os.Args) != 4 {
+		fmt.Fprintf(os.Stderr, "usage: %s URL TOKEN [RUN_ID]\n", os.Args[0])
+		os.Exit(1)
+	}
 	arguments := append(os.Args[1:], "")
 	if err := evaluate(At(arguments[0], arguments[1]), arguments[2]); err != nil {
 		fmt.Fprintf(os.Stderr, "%v\nA run is kept: call again with its id to go on.\n", err)

@@ -35,6 +35,10 @@ public final class Main {
     }
 
     public static void main(String[] arguments) throws Exception {
+        if (arguments.length != 2 && arguments.length != 3) {
+            System.err.println("usage: Main URL TOKEN [RUN_ID]");
+            System.exit(1);
+        }
         try {
             evaluate(new Worker(arguments[0], arguments[1]), arguments.length > 2 ? arguments[2] : null);
         } catch (Exception error) {

@@ -17,9 +17,7 @@ from typing import TypeVar
 
 import urllib3
 from proctor_client import (
-    Action, ApiClient,
-    ApiException,
-    AttachWorker,
+    Action, ApiClient, ApiException, AttachWorker,
     CalibrationOptions,
     Configuration,
     ControlApi,
@@ -144,6 +142,8 @@ def main(url: str, token: str, run_id: str | None = None) -> None:
 
 
 if __name__ == "__main__":
+    if len(sys.argv) not in (3, 4):
+        sys.exit(f"usage: {sys.argv[0]} URL TOKEN [RUN_ID]")
     try:
         main(*sys.argv[1:])
     except Refused as error:

@@ -39,6 +39,10 @@ async fn evaluate(url: &str, token: &str, run_id: Option<&String>) -> Result<(),
 #[tokio::main]
 async fn main() {
     let arguments: Vec<String> = std::env::args().collect();
+    if arguments.len() != 3 && arguments.len() != 4 {
+        eprintln!("usage: {} URL TOKEN [RUN_ID]", arguments[0]);
+        std::process::exit(1);
+    }
     if let Err(failure) = evaluate(&arguments[1], &arguments[2], arguments.get(3)).await {
         eprintln!("{failure}\nA run is kept: call again with its id to go on.");
         std::process::exit(1);

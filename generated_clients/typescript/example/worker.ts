@@ -138,6 +138,10 @@ async function main(url: string, token: string, runId?: string): Promise<void> {
 
 if (require.main === module) {
   const [url, token, runId] = process.argv.slice(2);
+  if (!token) {
+    console.error("usage: node worker.js URL TOKEN [RUN_ID]");
+    process.exit(1);
+  }
   main(url, token, runId).catch((error) => {
     console.error(`${error.message}\nA run is kept: call again with its id to go on.`);
     process.exit(1);

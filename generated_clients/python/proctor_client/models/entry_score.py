@@ -8,8 +8,9 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict, StrictFloat, StrictInt
-from typing import Any, ClassVar, Dict, List, Union
+from pydantic import BaseModel, ConfigDict, Field, StrictFloat, StrictInt
+from typing import Any, ClassVar, Dict, List, Optional, Union
+from proctor_client.models.group_score import GroupScore
 from proctor_client.models.interval import Interval
 from proctor_client.models.outcome_counts import OutcomeCounts
 from typing import Optional, Set
@@ -25,8 +26,10 @@ class EntryScore(BaseModel):
     success_interval: Interval
     mean_interval: Interval
     counts: OutcomeCounts
+    by_task: Optional[Dict[str, GroupScore]] = Field(default=None, description="Absent where the server does not show it, such as for many tasks.")
+    by_split: Optional[Dict[str, GroupScore]] = Field(default=None, description="Absent where the server does not show it, such as for many splits.")
     additional_properties: Dict[str, Any] = {}
-    __properties: ClassVar[List[str]] = ["score", "success_rate", "success_interval", "mean_interval", "counts"]
+    __properties: ClassVar[List[str]] = ["score", "success_rate", "success_interval", "mean_interval", "counts", "by_task", "by_split"]
 
     model_config = ConfigDict(
         validate_by_name=True,
@@ -78,6 +81,18 @@ class EntryScore(BaseModel):
         # override the default output from pydantic by calling `to_dict()` of counts
         if self.counts:
             _dict['counts'] = self.counts.to_dict()
+        # override the default output from pydantic by calling `to_dict()` of each value in by_task (dict)
+        _field_dict = {}
+        if self.by_task:
+            for _key_by_task in self.by_task:
+                _field_dict[_key_by_task] = self.by_task[_key_by_task].to_dict() if self.by_task[_key_by_task] is not None else None
+            _dict['by_task'] = _field_dict
+        # override the default output from pydantic by calling `to_dict()` of each value in by_split (dict)
+        _field_dict = {}
+        if self.by_split:
+            for _key_by_split in self.by_split:
+                _field_dict[_key_by_split] = self.by_split[_key_by_split].to_dict() if self.by_split[_key_by_split] is not None else None
+            _dict['by_split'] = _field_dict
         # puts key-value pairs in additional_properties in the top level
         if self.additional_properties is not None:
             for _key, _value in self.additional_properties.items():
@@ -99,7 +114,19 @@ class EntryScore(BaseModel):
             "success_rate": obj.get("success_rate"),
             "success_interval": Interval.from_dict(obj["success_interval"]) if obj.get("success_interval") is not None else None,
             "mean_interval": Interval.from_dict(obj["mean_interval"]) if obj.get("mean_interval") is not None else None,
-            "counts": OutcomeCounts.from_dict(obj["counts"]) if obj.get("counts") is not None else None
+            "counts": OutcomeCounts.from_dict(obj["counts"]) if obj.get("counts") is not None else None,
+            "by_task": dict(
+                (_k, GroupScore.from_dict(_v))
+                for _k, _v in obj["by_task"].items()
+            )
+            if obj.get("by_task") is not None
+            else None,
+            "by_split": dict(
+                (_k, GroupScore.from_dict(_v))
+                for _k, _v in obj["by_split"].items()
+            )
+            if obj.get("by_split") is not None
+            else None
         })
         # store additional fields in additional_properties
         for _key in obj.keys():

@@ -16,6 +16,12 @@ pub struct EntryScore {
     pub mean_interval: models::Interval,
     #[serde(rename = "counts")]
     pub counts: models::OutcomeCounts,
+    /// Absent where the server does not show it, such as for many tasks.
+    #[serde(rename = "by_task", skip_serializing_if = "Option::is_none")]
+    pub by_task: Option<std::collections::HashMap<String, models::GroupScore>>,
+    /// Absent where the server does not show it, such as for many splits.
+    #[serde(rename = "by_split", skip_serializing_if = "Option::is_none")]
+    pub by_split: Option<std::collections::HashMap<String, models::GroupScore>>,
 }
 
 impl EntryScore {
@@ -27,6 +33,8 @@ impl EntryScore {
             success_interval,
             mean_interval,
             counts,
+            by_task: None,
+            by_split: None,
         }
     }
 }

@@ -5,6 +5,13 @@
  */
 
 import { mapValues } from '../runtime';
+import type { GroupScore } from './GroupScore';
+import {
+    GroupScoreFromJSON,
+    GroupScoreFromJSONTyped,
+    GroupScoreToJSON,
+    GroupScoreToJSONTyped,
+} from './GroupScore';
 import type { OutcomeCounts } from './OutcomeCounts';
 import {
     OutcomeCountsFromJSON,
@@ -47,6 +54,14 @@ export interface EntryScore {
      *
      */
     counts: OutcomeCounts;
+    /**
+     * Absent where the server does not show it, such as for many tasks.
+     */
+    by_task?: { [key: string]: GroupScore; };
+    /**
+     * Absent where the server does not show it, such as for many splits.
+     */
+    by_split?: { [key: string]: GroupScore; };
 }
 
 /**
@@ -77,6 +92,8 @@ export function EntryScoreFromJSONTyped(json: any, ignoreDiscriminator: boolean)
         'success_interval': IntervalFromJSON(json['success_interval']),
         'mean_interval': IntervalFromJSON(json['mean_interval']),
         'counts': OutcomeCountsFromJSON(json['counts']),
+        'by_task': json['by_task'] == null ? undefined : (mapValues(json['by_task'], GroupScoreFromJSON)),
+        'by_split': json['by_split'] == null ? undefined : (mapValues(json['by_split'], GroupScoreFromJSON)),
     };
 }
 
@@ -97,5 +114,7 @@ export function EntryScoreToJSONTyped(value?: EntryScore | null, ignoreDiscrimin
         'success_interval': IntervalToJSON(value['success_interval']),
         'mean_interval': IntervalToJSON(value['mean_interval']),
         'counts': OutcomeCountsToJSON(value['counts']),
+        'by_task': value['by_task'] == null ? undefined : (mapValues(value['by_task'], GroupScoreToJSON)),
+        'by_split': value['by_split'] == null ? undefined : (mapValues(value['by_split'], GroupScoreToJSON)),
     };
 }

@@ -9,6 +9,7 @@ import com.google.gson.annotations.SerializedName;
 import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import proctor.client.JSON;
 
 /** Of the &#x60;get_score&#x60; of the run. */
@@ -32,6 +33,12 @@ public class EntryScore {
   @SerializedName("counts")
   @javax.annotation.Nonnull
   private OutcomeCounts counts;
+
+  @SerializedName("by_task")
+  private Map<String, GroupScore> byTask;
+
+  @SerializedName("by_split")
+  private Map<String, GroupScore> bySplit;
 
   public Double getScore() {
     return score;
@@ -96,6 +103,34 @@ public class EntryScore {
 
   public void setCounts(OutcomeCounts counts) {
     this.counts = counts;
+  }
+
+  /** Absent where the server does not show it, such as for many tasks. */
+  public Map<String, GroupScore> getByTask() {
+    return byTask;
+  }
+
+  public EntryScore byTask(Map<String, GroupScore> byTask) {
+    this.byTask = byTask;
+    return this;
+  }
+
+  public void setByTask(Map<String, GroupScore> byTask) {
+    this.byTask = byTask;
+  }
+
+  /** Absent where the server does not show it, such as for many splits. */
+  public Map<String, GroupScore> getBySplit() {
+    return bySplit;
+  }
+
+  public EntryScore bySplit(Map<String, GroupScore> bySplit) {
+    this.bySplit = bySplit;
+    return this;
+  }
+
+  public void setBySplit(Map<String, GroupScore> bySplit) {
+    this.bySplit = bySplit;
   }
 
   public static EntryScore fromJson(String text) {

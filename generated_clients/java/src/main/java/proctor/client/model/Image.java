@@ -9,6 +9,7 @@ import com.google.gson.annotations.SerializedName;
 import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import proctor.client.JSON;
 
 /** RGB or grey, row 0 on top; raw is height × width × channels bytes. */

@@ -9,6 +9,7 @@ import com.google.gson.annotations.SerializedName;
 import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import proctor.client.JSON;
 
 /** The ranks that an entry may have; absent for an entry that is flagged. */

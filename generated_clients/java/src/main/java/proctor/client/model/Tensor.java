@@ -9,6 +9,7 @@ import com.google.gson.annotations.SerializedName;
 import java.time.OffsetDateTime;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import proctor.client.JSON;
 
 /** C order, little-endian; a bool is one byte, 0 or 1. */

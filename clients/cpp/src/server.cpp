@@ -1,0 +1,167 @@
+#include "proctor/server.h"
+
+#include <algorithm>
+#include <chrono>
+#include <random>
+#include <sstream>
+#include <thread>
+
+namespace proctor {
+namespace {
+
+constexpr double first_pause_s = 0.1, longest_pause_s = 5, poll_s = 0.2, stop_check_s = 0.05;
+constexpr double first_contact_s = 3; // short for a mistyped URL, long enough for a starting server
+constexpr double first_answer_s = 5;  // the same, where something accepts connections and is silent
+constexpr double defect_s = 10;       // a defect of the server seldom disappears by itself
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double chance(double low, double high) {
+    thread_local std::mt19937 generator{std::random_device{}()};
+    return std::uniform_real_distribution<double>(low, high)(generator);
+}
+
+double limit_s(std::string const& code, RetryLimits const& limits_s, double total_s) {
+    if (auto const found = limits_s.find(code); found != limits_s.end()) return found->second;
+    // A healthy server at its capacity is waited for without a limit of time.
+    if (code == "worker_limit" || code == "no_capacity") return std::numeric_limits<double>::infinity();
+    return code == "internal_error" ? std::min(defect_s, total_s) : total_s;
+}
+
+std::string without_slash(std::string url) {
+    while (!url.empty() && url.back() == '/') url.pop_back();
+    return url;
+}
+
+Server checked(Server server) {
+    server.url = without_slash(server.url);
+    if (server.url.rfind("http://", 0) != 0 && server.url.rfind("https://", 0) != 0)
+        throw std::invalid_argument(server.url + " is no URL of a server; it begins with http:// or https://");
+    return server;
+}
+
+} // namespace
+
+void StopSignal::sleep(double seconds) const {
+    for (double const until = now_s() + seconds; !requested();) {
+        double const left_s = until - now_s();
+        if (left_s <= 0) return;
+        std::this_thread::sleep_for(std::chrono::duration<double>(std::min(left_s, stop_check_s)));
+    }
+    throw Interrupted();
+}
+
+void Retry::wait_after(Error const& error) {
+    if (m_code != error.code) {
+        m_since = now_s();
+        m_pause_s = first_pause_s;
+    }
+    // With chance, so that workers that failed together do not repeat together.
+    double const wait_s = error.retry_after_s > 0 ? error.retry_after_s + chance(0, first_pause_s) : m_pause_s * chance(0.5, 1);
+    double const left_s = m_since + limit_s(error.code, m_limits_s, m_server.retry_timeout_s) - now_s();
+    if (!error.retryable || wait_s > left_s) throw error;
+    if (m_server.on_waiting && m_detail != error.detail) m_server.on_waiting(error.detail);
+    m_code = error.code;
+    m_detail = error.detail;
+    m_pause_s = std::min(2 * m_pause_s, longest_pause_s);
+    m_server.stop->sleep(wait_s);
+}
+
+Error current_error(std::string const& url) {
+    try {
+        throw;
+    } catch (Error const& error) {
+        return error;
+    } catch (Refused const& refused) {
+        return Error(refused.problem, refused.status, refused.retry_after_s);
+    } catch (ConnectionError const& error) {
+        auto const detail = std::string("No answer came from ") + url + " (" + error.what() + "). Check the URL, and that the server runs.";
+        return Error("unreachable", detail, true, "possible");
+    } catch (nlohmann::json::exception const& error) {
+        auto const detail = url + " sent an invalid response (" + error.what() + "). Check that the URL is that of a Proctor server.";
+        return Error("bad_answer", detail, false, "possible");
+    }
+}
+
+std::string unique_key() {
+    std::random_device entropy;
+    std::ostringstream key;
+    for (int i = 0; i < 4; ++i) key << std::hex << entropy();
+    return key.str();
+}
+
+ControlPlane::ControlPlane(Server server)
+    : m_server(checked(std::move(server))), m_api(std::make_shared<Connection>(m_server.url, m_server.token)) {}
+
+Service ControlPlane::service() {
+    Server first = m_server;
+    first.retry_timeout_s = std::min(first_contact_s, m_server.retry_timeout_s);
+    ControlApi api(std::make_shared<Connection>(first.url, first.token, first_answer_s));
+    return call(first, [&] { return api.describeService(); });
+}
+
+Benchmark ControlPlane::benchmark(std::string const& benchmark_id) try {
+    return call(m_server, [&] { return m_api.getBenchmark(benchmark_id); });
+} catch (Error const& error) {
+    if (error.code != "not_found") throw;
+    std::string names;
+    for (auto const& one : call(m_server, [&] { return m_api.listBenchmarks(); }).benchmarks)
+        names += (names.empty() ? "" : ", ") + one.benchmark_id;
+    throw Error("not_found", m_server.url + " has no benchmark " + benchmark_id + "; it has " + names);
+}
+
+Run ControlPlane::submit(SubmitRun const& submission, std::string const& key) {
+    return call(m_server, [&] { return m_api.submitRun(submission, key); });
+}
+
+Run ControlPlane::run(std::string const& run_id) {
+    return call(m_server, [&] { return m_api.getRun(run_id); });
+}
+
+Run ControlPlane::stop(std::string const& run_id, StopMode const& mode) {
+    return call(m_server, [&] { return m_api.stopRun(run_id, StopRun{mode}); });
+}
+
+Run ControlPlane::resume(std::string const& run_id) {
+    return call(m_server, [&] { return m_api.resumeRun(run_id); });
+}
+
+Score ControlPlane::score(std::string const& run_id) {
+    return call(m_server, [&] { return m_api.getScore(run_id); });
+}
+
+std::vector<Episode> ControlPlane::episodes(std::string const& run_id, std::int32_t page_size) {
+    std::vector<Episode> all;
+    auto const limit = page_size > 0 ? std::optional(page_size) : std::nullopt;
+    for (std::optional<std::string> cursor;;) {
+        auto const page = call(m_server, [&] { return m_api.listEpisodes(run_id, cursor, limit); });
+        all.insert(all.end(), page.episodes.begin(), page.episodes.end());
+        cursor = page.next_cursor;
+        if (!cursor) return all;
+    }
+}
+
+Run ControlPlane::resume_if_needed(std::string const& run_id) {
+    for (;; m_server.stop->sleep(poll_s)) {
+        auto const now = run(run_id);
+        if (now.state == "stopping") continue;
+        if (now.state == "failed" && !now.retryable.value_or(false)) throw RunFailed(now);
+        return now.state == "stopped" || now.state == "failed" ? resume(run_id) : now;
+    }
+}
+
+bool ControlPlane::wait_for_work(std::string const& run_id, bool held) {
+    for (;; m_server.stop->sleep(poll_s)) {
+        auto const now = run(run_id);
+        if (now.state == "completed") return false;
+        if (now.state == "failed") throw RunFailed(now);
+        if (now.state == "stopped") throw RunStopped(now);
+        if (now.state == "queued" || now.state == "stopping") continue;
+        // If a session of others ends early, its episode is played here.
+        if (held || now.progress.episodes_pending > 0) return true;
+    }
+}
+
+} // namespace proctor

@@ -1,0 +1,105 @@
+#include "proctor/session.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace proctor {
+namespace {
+
+constexpr double margin_s = 3; // added to the lease when waiting for a busy worker
+
+bool is_session_end(std::string const& code) {
+    return code == "session_ended" || code == "session_superseded";
+}
+
+} // namespace
+
+Session::Session(Server server, Run const& run, std::string worker_id)
+    : m_server(std::move(server)), m_endpoint(run.endpoint), m_run_id(run.run_id), m_worker_id(std::move(worker_id)),
+      m_data(std::make_shared<Connection>(m_endpoint, m_server.token)) {}
+
+std::unique_ptr<Session> Session::attach(Server const& server, Run const& run, std::string const& worker_id, AttachWorker request) {
+    std::unique_ptr<Session> session(new Session(server, run, worker_id));
+    request.attach_key = unique_key();
+    RetryLimits const limits_s{{"worker_busy", run.idle_timeout_s + margin_s}};
+    session->m_turn = call(server, [&] { return session->m_data.attachWorker(run.run_id, worker_id, request); }, limits_s);
+    // Of the first turn, and copied: the thread that plays writes the turn from now on.
+    session->m_heartbeats = std::thread([raw = session.get(), id = session->m_turn.session_id, third_s = session->m_turn.lease.idle_timeout_s / 3] {
+        raw->send_heartbeats(id, third_s);
+    });
+    return session;
+}
+
+Session::~Session() {
+    {
+        std::lock_guard const lock(m_mutex);
+        m_closed = true;
+    }
+    m_changed.notify_all();
+    if (m_heartbeats.joinable()) m_heartbeats.join();
+}
+
+Turn const& Session::predict(std::vector<Action> const& actions, std::optional<Observe> const& observe) {
+    Predict const body{m_turn.session_id, m_turn.seq + 1, actions, observe};
+    m_unanswered = true;
+    try {
+        m_turn = call(m_server, [&] { return m_data.predict(m_run_id, m_worker_id, body); });
+    } catch (Error const& error) {
+        m_ended = is_session_end(error.code);
+        m_unanswered = error.side_effects != "none";
+        throw;
+    }
+    m_unanswered = false;
+    return m_turn;
+}
+
+void Session::detach() noexcept {
+    if (m_ended) return;
+    m_ended = true;
+    Server server = m_server; // also when the evaluation was interrupted
+    server.retry_timeout_s = margin_s;
+    server.stop = std::make_shared<StopSignal>();
+    server.on_waiting = nullptr;
+    auto const until = std::chrono::steady_clock::now() + std::chrono::duration<double>(margin_s);
+    try {
+        call(server, [&] {
+            double const left_s = std::chrono::duration<double>(until - std::chrono::steady_clock::now()).count();
+            if (left_s < 0.01) throw Error("unreachable", "There was no answer in time.");
+            DataApi(std::make_shared<Connection>(m_endpoint, m_server.token, left_s)).detachWorker(m_run_id, m_worker_id, m_turn.session_id);
+        });
+    } catch (std::exception const&) {
+        // Its lease ends it.
+    }
+}
+
+void Session::leave() noexcept {
+    bool const is_free = !m_turn.episode || (m_turn.episode->step == 0 && !m_unanswered);
+    if (m_turn.done || is_free) detach();
+    m_ended = true;
+}
+
+void Session::set_thinking(bool thinking) {
+    std::lock_guard const lock(m_mutex);
+    m_thinking = thinking;
+    m_changed.notify_all();
+}
+
+void Session::send_heartbeats(std::string const& session_id, double third_s) {
+    DataApi data(std::make_shared<Connection>(m_endpoint, m_server.token, std::max(1.0, third_s)));
+    std::unique_lock lock(m_mutex);
+    while (!m_closed) {
+        m_changed.wait(lock, [&] { return m_closed || m_thinking; });
+        auto const is_over = [&] { return m_closed || !m_thinking; };
+        while (!m_changed.wait_for(lock, std::chrono::duration<double>(third_s), is_over)) {
+            lock.unlock();
+            try {
+                data.heartbeat(m_run_id, m_worker_id, Heartbeat{session_id});
+            } catch (std::exception const&) {
+                // Not repeated: the next is early enough, and predict says what is wrong.
+            }
+            lock.lock();
+        }
+    }
+}
+
+} // namespace proctor

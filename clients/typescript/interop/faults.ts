@@ -1,0 +1,149 @@
+/* What this package does at a server that is silent or sends what it should not: one JSON line.
+ *
+ * The servers are made here. tests/interop/test_interop.py judges.
+ */
+
+import { createServer, type IncomingMessage, type ServerResponse } from "node:http";
+import type { AddressInfo } from "node:net";
+import { ProctorError, Server, Session, decodeObservation, evaluate, protocol, type Actions } from "../src";
+import { ActionLayout, chunkOf } from "../src/actions";
+
+type Answer = (request: IncomingMessage, response: ServerResponse) => void;
+
+const LEASE_S = 3.1; // a third of it is no whole number of milliseconds
+const RUN = { run_id: "r", state: "completed", idle_timeout_s: LEASE_S };
+const IMAGE = { codec: "jpeg", height: 1, width: 1, channels: 3 };
+const silent: Answer = () => {};
+
+const json = (response: ServerResponse, body: unknown) => void response.setHeader("Content-Type", "application/json").end(JSON.stringify(body));
+const sleep = (ms: number) => new Promise((done) => setTimeout(done, ms));
+
+async function at(answer: Answer, retryTimeoutS = 10, signal?: AbortSignal): Promise<Server> {
+  const server = createServer(answer);
+  await new Promise<void>((done) => server.listen(0, "127.0.0.1", done));
+  return new Server(`http://127.0.0.1:${(server.address() as AddressInfo).port}`, "token", { retryTimeoutS, signal });
+}
+
+/** A session whose attach is answered; `rest` answers all that follows. */
+function attach(rest: Answer): Promise<Session> {
+  const turn = { session_id: "s", seq: 0, lease: { idle_timeout_s: LEASE_S }, done: false, episode: { step: 0 } };
+  const answer: Answer = (request, response) => (request.method === "PUT" ? json(response, turn) : rest(request, response));
+  return at(answer).then((server) => Session.attach(server, { ...RUN, endpoint: server.retryPolicy.url } as protocol.Run, "w"));
+}
+
+/** How an action ended, in how many seconds. */
+async function ending(action: () => unknown): Promise<{ error: string; seconds: number }> {
+  const started = performance.now();
+  let error = "none";
+  try {
+    await action();
+  } catch (failure) {
+    error = failure instanceof ProctorError ? failure.code : String((failure as Error).name ?? failure);
+  }
+  return { error, seconds: (performance.now() - started) / 1000 };
+}
+
+async function heartbeats(): Promise<number> {
+  let count = 0;
+  const session = await attach((_, response) => {
+    count += 1;
+    json(response, { idle_timeout_s: LEASE_S });
+  });
+  await session.whileAlive(() => sleep(1500));
+  return count;
+}
+
+/** A heartbeat that cannot be sent for a reason of this program's. */
+async function own_mistake() {
+  const session = await attach(silent);
+  return ending(() => session.whileAlive(async () => {
+    (session as unknown as { address: unknown }).address = { runId: "r", workerId: "\ud800" }; // no URL
+    await sleep(1500);
+  }));
+}
+
+async function workers(): Promise<{ errors: string[]; requests: number }> {
+  let requests = 0;
+  const { url } = (await at((_, response) => {
+    requests += 1;
+    json(response, { limits: { max_workers: 8 } });
+  })).retryPolicy;
+  const errors: string[] = [];
+  for (const count of [0, -1, NaN, 2.5]) {
+    const given = { url, token: "t", policy: () => { throw new RangeError("a policy"); }, runId: "r", workers: count, retryTimeoutS: 1 };
+    errors.push((await ending(() => evaluate(given))).error);
+  }
+  return { errors, requests };
+}
+
+/** The states of a run whose first answer breaks off in its body. */
+async function lost_body(): Promise<string[]> {
+  let requests = 0;
+  const server = await at((_, response) => {
+    requests += 1;
+    if (requests > 1) return json(response, RUN);
+    response.writeHead(200, { "Content-Type": "application/json", "Content-Length": 1000 }).write("{");
+    setTimeout(() => response.destroy(), 50);
+  });
+  for await (const run of server.changes("r")) return [run.state];
+  return [];
+}
+
+async function html() {
+  const server = await at((_, response) => void response.setHeader("Content-Type", "text/html").end("<html>"));
+  return ending(() => server.changes("r").next());
+}
+
+async function interrupted() {
+  const stop = new AbortController();
+  const server = await at(silent, 10, stop.signal);
+  setTimeout(() => stop.abort(new RangeError("enough")), 300);
+  return ending(() => server.run("r"));
+}
+
+async function leave() {
+  const session = await attach(silent);
+  return ending(() => session.leave());
+}
+
+async function service() {
+  const server = await at(silent, 0.01);
+  return ending(() => server.service());
+}
+
+function base64(): Promise<string[]> {
+  const images = (data: string) => ({ front: { ...IMAGE, data } });
+  const texts = ["AAAA", "AAA=", "AA==", "", "AA*A", "AA\nA", "AAAA*", "AA=A", "A"];
+  return Promise.all(texts.map(async (data) => (await ending(() => decodeObservation({ state: {}, images: images(data), tensors: {} }))).error));
+}
+
+/** Tensors of one byte, of none, and with sizes that are not theirs. */
+function shapes(): Promise<string[]> {
+  const given: [string, number[]][] = [["AA==", [1]], ["AA==", []], ["", [0, 5]], ["AA==", [2]], ["AA==", [-1, -1]], ["", [-1]]];
+  return Promise.all(given.map(async ([data, shape]) =>
+    (await ending(() => decodeObservation({ state: {}, images: {}, tensors: { t: { dtype: "uint8", shape, data } } }))).error));
+}
+
+/** Actions of a benchmark with a vector that some tasks alone have. */
+function optional_vector(): Promise<string[]> {
+  const action_space = { arm: { size: 2 }, base: { size: 1, tasks: ["drive"] } };
+  const layout = new ActionLayout({ benchmark_id: "b", action_space } as unknown as protocol.Benchmark);
+  const given: Actions[] = [
+    { arm: [1, 2] }, { arm: [1, 2], base: [3] },
+    { arm: [1] }, { arm: [1, 2], base: [3, 4] }, { base: [3] }, { arm: [1, 2], leg: [1] }, [1, 2, 3],
+  ];
+  return Promise.all(given.map(async (actions) => (await ending(() => chunkOf(actions, layout))).error));
+}
+
+const faults = { heartbeats, own_mistake, workers, lost_body, html, interrupted, leave, service, base64, shapes, optional_vector };
+
+async function main(): Promise<void> {
+  const seen = await Promise.all(Object.entries(faults).map(async ([name, play]) => [name, await play().catch(String)] as const));
+  console.log(JSON.stringify(Object.fromEntries(seen)));
+}
+
+// The servers hold connections that would keep the program alive.
+main().then(() => process.exit(0), (error) => {
+  console.error(error);
+  process.exit(1);
+});

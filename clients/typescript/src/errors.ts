@@ -1,0 +1,133 @@
+/* The exceptions of this package; every message says what happened and what to do.
+ *
+ * A refusal of the server and an error found here have the same class, with the members of
+ * the specification's schema Problem. Nothing is sent from here.
+ */
+
+import { FetchError, ResponseError, type Problem, type Run } from "../../../generated_clients/typescript/src";
+
+/* What acts in a terminal, but for tab and line feed: control sequences, marks of direction. */
+const UNPRINTABLE = /[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g;
+
+/* What helps in this package, beside the words of the server. */
+const HINTS: Record<string, string> = {
+  unauthenticated: "In this package: the option `token`.",
+  worker_busy: "In this package: `takeover: true`.",
+  session_superseded: "In this package: `takeover: true` with the run's `runId`.",
+};
+
+export interface ErrorMembers {
+  retryable?: boolean;
+  sideEffects?: "none" | "possible";
+  status?: number;
+  problem?: Problem;
+  retryAfterS?: number;
+  cause?: unknown;
+}
+
+/** A request was refused, could not be sent, or would be refused if it were sent. */
+export class ProctorError extends Error {
+  /** One of the specification's codes, or `unreachable`, `bad_answer`, `run_failed`, `run_stopped`. */
+  readonly code: string;
+  /** What happened and what to do about it. */
+  readonly detail: string;
+  /** Whether the same request can succeed later. */
+  readonly retryable: boolean;
+  /** `possible` when the request may have been carried out. */
+  readonly sideEffects: "none" | "possible";
+  /** The HTTP status, if there was an answer. */
+  readonly status?: number;
+  /** The server's problem document, if it sent one. */
+  readonly problem?: Problem;
+  /** The server's Retry-After, seconds. */
+  readonly retryAfterS?: number;
+
+  constructor(code: string, detail: string, members: ErrorMembers = {}) {
+    const errors = (members.problem?.errors ?? []).map((item) => `\n  ${item.pointer}: ${item.detail}`);
+    super(printable(`${detail} [${code}]${errors.join("")}`), { cause: members.cause });
+    this.name = new.target.name;
+    this.code = printable(code);
+    this.detail = printable(detail);
+    this.retryable = members.retryable ?? false;
+    this.sideEffects = members.sideEffects ?? "none";
+    this.status = members.status;
+    this.problem = members.problem;
+    this.retryAfterS = members.retryAfterS;
+  }
+}
+
+/** The run is `failed`; `run.reason` says why. `retryable`: whether `runId` may resume it. */
+export class RunFailed extends ProctorError {
+  constructor(readonly run: Run) {
+    const cure = run.retryable ? `Scored episodes are kept; ${howToResume(run.run_id)}.` : "It cannot be resumed.";
+    super("run_failed", `Run ${run.run_id} failed: ${run.reason} ${cure}`, { retryable: run.retryable ?? false });
+  }
+}
+
+/** The run was stopped during the evaluation. */
+export class RunStopped extends ProctorError {
+  constructor(readonly run: Run) {
+    const cure = `Scored episodes are kept; ${howToResume(run.run_id)}.`;
+    super("run_stopped", `Run ${run.run_id} is stopped: ${run.reason} ${cure}`, { retryable: true });
+  }
+}
+
+export function howToResume(runId: string): string {
+  return `evaluate({ ..., runId: "${runId}" }) continues it`;
+}
+
+/** The ProctorError for what a request to `url` threw; anything else is thrown again. */
+export async function fromFailure(failure: unknown, url: string): Promise<ProctorError> {
+  if (failure instanceof ResponseError) return fromAnswer(failure.response, url);
+  if (failure instanceof FetchError || isBroken(failure)) {
+    const detail = `${url} is unreachable (${innermost(failure)}). Check the URL, and that the server runs.`;
+    return new ProctorError("unreachable", detail, { retryable: true, sideEffects: "possible", cause: failure });
+  }
+  if (failure instanceof SyntaxError || failure instanceof TypeError) {
+    const detail = `${url} sent an invalid response (${failure.message}). Check that the URL is that of a Proctor server.`;
+    return new ProctorError("bad_answer", detail, { sideEffects: "possible", cause: failure });
+  }
+  throw failure;
+}
+
+/** Whether the connection or the time was lost while the body of an answer was read. */
+function isBroken(failure: unknown): boolean {
+  if (failure instanceof DOMException) return failure.name === "TimeoutError";
+  return failure instanceof TypeError && (failure.message === "terminated" || failure.cause !== undefined);
+}
+
+async function fromAnswer(response: Response, url: string): Promise<ProctorError> {
+  const body: unknown = await response.json().catch(() => null);
+  const { status } = response;
+  const wait = response.headers.get("Retry-After") ?? "";
+  const retryAfterS = /^\d+$/.test(wait) ? Number(wait) : undefined; // a date is ignored
+  if (!isProblem(body)) {
+    // Sent by a gateway in front of the server, not by the server itself.
+    const detail = `${url} answered ${status} without a problem document. Check that the URL is that of a Proctor server.`;
+    const retryable = status === 429 || status >= 500;
+    return new ProctorError("bad_answer", detail, { retryable, sideEffects: "possible", status, retryAfterS });
+  }
+  const hint = HINTS[body.code];
+  return new ProctorError(body.code, hint ? `${body.detail} ${hint}` : body.detail, {
+    retryable: body.retryable, sideEffects: body.side_effects, status, problem: body, retryAfterS,
+  });
+}
+
+function isProblem(body: unknown): body is Problem {
+  if (typeof body !== "object" || body === null) return false;
+  const { code, detail, retryable } = body as Problem;
+  return typeof code === "string" && typeof detail === "string" && typeof retryable === "boolean";
+}
+
+/** The innermost reason: the operating system's, if there is one. */
+function innermost(failure: unknown): string {
+  let inner = failure;
+  while (inner instanceof Error && inner.cause instanceof Error) inner = inner.cause;
+  const { code, message } = inner as NodeJS.ErrnoException;
+  return message || code || String(inner);
+}
+
+/** The text with an escape, such as \x1b, for each character that acts in a terminal. */
+function printable(text: string): string {
+  return text.replace(UNPRINTABLE, (found) => `\\u${found.charCodeAt(0).toString(16).padStart(4, "0")}`);
+}

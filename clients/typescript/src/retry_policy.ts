@@ -1,0 +1,117 @@
+/* The retry policy: the only place that decides whether a request is repeated.
+ *
+ * Every request may be repeated, because operations that must not be executed twice carry a
+ * seq, an attach_key or an Idempotency-Key. So the answer alone decides.
+ */
+
+import { ProctorError, fromFailure } from "./errors";
+
+const FIRST_PAUSE_S = 0.1;
+const LONGEST_PAUSE_S = 5;
+const REQUEST_TIMEOUT_S = 60;
+const DEFECT_S = 10; // a defect of the server seldom disappears by itself
+/* Refusals of a healthy server at its capacity: repeated without a limit of time. */
+const FULL = new Set(["worker_limit", "no_capacity"]);
+
+/** How long failing requests to `url` are repeated; `signal` ends every wait and request. */
+export class RetryPolicy {
+  constructor(
+    readonly url: string,
+    readonly totalS: number,
+    readonly signal: AbortSignal,
+    private readonly onWaiting: (why: string | null) => void,
+    private readonly requestS: number = REQUEST_TIMEOUT_S,
+  ) {}
+
+  /** The result of `send`, which is called until it succeeds.
+   *
+   * limitsS: code → limit for this refusal. Throws ProctorError for what cannot be repeated or
+   * exceeds its limit, and the reason of `signal`.
+   */
+  async call<T>(send: (init: RequestInit) => Promise<T>, limitsS: Record<string, number> = {}): Promise<T> {
+    let last: ProctorError | null = null;
+    let since = now(), pauseS = FIRST_PAUSE_S;
+    try {
+      for (;;) {
+        this.signal.throwIfAborted();
+        try {
+          return await this.once(send);
+        } catch (failure) {
+          if (!(failure instanceof ProctorError)) throw failure;
+          if (last?.code !== failure.code) [since, pauseS] = [now(), FIRST_PAUSE_S];
+          const waitS = jittered(failure, pauseS);
+          const leftS = since + this.limitS(failure.code, limitsS) - now();
+          if (!failure.retryable || waitS > leftS) throw failure;
+          if (last?.detail !== failure.detail) this.onWaiting(failure.detail);
+          [last, pauseS] = [failure, Math.min(2 * pauseS, LONGEST_PAUSE_S)];
+          await this.pause(waitS);
+        }
+      }
+    } finally {
+      if (last !== null) this.onWaiting(null);
+    }
+  }
+
+  /** Send one request; what it throws becomes a ProctorError, but for the reason of `signal`. */
+  async once<T>(send: (init: RequestInit) => Promise<T>, timeoutS = this.requestS): Promise<T> {
+    const { signal } = this;
+    signal.throwIfAborted();
+    // By hand: AbortSignal.any leaves a reference in `signal` for every request.
+    const request = new AbortController();
+    const abort = () => request.abort(signal.reason);
+    const late = () => request.abort(new DOMException(`no answer in ${timeoutS} s`, "TimeoutError"));
+    const timer = setTimeout(late, milliseconds(timeoutS));
+    signal.addEventListener("abort", abort, { once: true });
+    try {
+      return await send({ signal: request.signal });
+    } catch (failure) {
+      signal.throwIfAborted();
+      throw await fromFailure(failure, this.url);
+    } finally {
+      clearTimeout(timer);
+      signal.removeEventListener("abort", abort);
+    }
+  }
+
+  /** Wait; throws the reason of `signal` if it is aborted meanwhile. */
+  pause(waitS: number): Promise<void> {
+    const { signal } = this;
+    return new Promise((resolve, reject) => {
+      const abort = () => {
+        clearTimeout(timer);
+        reject(signal.reason);
+      };
+      const timer = setTimeout(() => {
+        signal.removeEventListener("abort", abort);
+        resolve();
+      }, milliseconds(waitS));
+      if (signal.aborted) abort();
+      else signal.addEventListener("abort", abort, { once: true });
+    });
+  }
+
+  /** The same, with other limits or another signal. */
+  with(other: {
+    totalS?: number; requestS?: number; signal?: AbortSignal; onWaiting?: (why: string | null) => void;
+  }): RetryPolicy {
+    const { totalS, requestS, signal, onWaiting } = { ...this, ...other };
+    return new RetryPolicy(this.url, totalS, signal, onWaiting, requestS);
+  }
+
+  private limitS(code: string, limitsS: Record<string, number>): number {
+    if (code in limitsS) return limitsS[code];
+    if (FULL.has(code)) return Infinity;
+    return code === "internal_error" ? Math.min(DEFECT_S, this.totalS) : this.totalS;
+  }
+}
+
+/** What timers take: a whole number of at most 31 bits. */
+export const milliseconds = (seconds: number) => Math.min(Math.ceil(1000 * seconds), 2 ** 31 - 1);
+
+const now = () => performance.now() / 1000;
+
+/** With chance, so that workers that failed together do not repeat together. */
+function jittered(error: ProctorError, pauseS: number): number {
+  if (error.retryAfterS) return error.retryAfterS + FIRST_PAUSE_S * Math.random();
+  return pauseS * (0.5 + 0.5 * Math.random());
+}
