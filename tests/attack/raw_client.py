@@ -99,12 +99,22 @@ class RawClient:
 
         headers: names with _ for -.
         """
+        return self.exchange(self.encode(method, path, body, content_type, **headers))
+
+    def encode(
+        self,
+        method: str,
+        path: str,
+        body: bytes | dict[str, Any] | None = None,
+        content_type: str = JSON,
+        **headers: str,
+    ) -> bytes:
+        """One request, as it is sent."""
         data = json.dumps(body).encode() if isinstance(body, dict) else body
         lines = {name.replace("_", "-"): value for name, value in headers.items()}
         if data is not None:
             lines |= {"Content-Type": content_type, "Content-Length": str(len(data))}
-        sent = self.head(method, path, lines) + (data or b"")
-        return self.exchange(sent)
+        return self.head(method, path, lines) + (data or b"")
 
     def exchange(self, sent: bytes) -> Answer:
         """Send bytes that are one request, and read its answer; raises as `request`."""

@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, Self, cast
 
 import pytest
 
+from reference_record.statement import EpisodeLine
 from tests.attack import reliability_page
-from tests.attack.attack import Attack, Report
-from tests.attack.attacks import ATTACKS
+from tests.attack.attack import Attack, Report, Target
+from tests.attack.attacks import ATTACKS, recorded_kills
+from tests.attack.attacks.recorded_kills import Worker, missing
 from tests.attack.invariants import check_histories
 from tests.attack.measurement import measure_all
 from tests.attack.raw_client import Answer, RawClient
@@ -33,6 +35,7 @@ GATE = (
     "pickles",
     "fuzz",
     "server kills",
+    "recorded kills",
     "simulator kills",
     "torn log",
     "full disk",
@@ -119,6 +122,62 @@ def test_what_does_not_add_up_is_found(
 def test_a_result_of_no_play_is_found() -> None:
     episodes = (_episode(0, 0.25), _episode(1, 0.75))
     assert "None was played" in _findings(_history(0.25), *episodes, score=0.5)
+
+
+def test_what_a_record_lacks_is_found() -> None:
+    """A turn that is not recorded, or twice, and a result that is another one."""
+    line = EpisodeLine("e0", 0, "t", "s", "success", True, 0.5, 3, 1, None, None)
+    result = {"outcome": "success", "score": 0.5, "steps": 3, "attempt": 1}
+    assert list(missing({1.0: 1}, [line], [1.0], {0: result})) == []
+    found = list(missing({1.0: 2}, [line], [1.0, 2.0], {0: result | {"score": 0.25}}))
+    assert len(found) == 3
+    assert "turn of 1 is recorded 2 times" in found[0]
+    assert "turn of 2 is recorded 0 times" in found[1]
+    assert "acknowledged as ('success', 0.25" in found[2]
+
+
+class _Answers:
+    """A client that is answered one of these after the other."""
+
+    def __init__(self, *answers: Answer) -> None:
+        self._answers = list(answers)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        pass
+
+    def request(self, *_: Any) -> Answer:
+        return self._answers.pop(0)
+
+
+_TARGET = Target("", "", [], seed=1, size=1, seconds=1)
+
+
+def test_a_wrong_answer_to_a_worker_is_counted(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    wrong = Answer(500, b"", b'{"code": "internal_error"}')
+    completed = Answer(200, b"", b'{"state": "completed"}')
+    monkeypatch.setattr(Target, "client", lambda *_, **__: _Answers(wrong, completed))
+    worker = Worker(_TARGET, "r", 1)
+    worker.run()
+    assert (worker.report.wrong_5xx, worker.report.violations) == (1, [])
+
+
+def test_workers_that_end_are_findings_and_end_the_kills(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each worker is answered wrongly at once. Expect an end, with what was found."""
+    wrong = Answer(200, b"", b"{}")
+    monkeypatch.setattr(recorded_kills, "_submit", lambda _: "r")
+    monkeypatch.setattr(recorded_kills, "_check_record", lambda *_: iter(()))
+    monkeypatch.setattr(recorded_kills, "server_of", lambda _: None)
+    monkeypatch.setattr(Target, "client", lambda *_, **__: _Answers(wrong))
+    report = recorded_kills.kill_recording_server(_TARGET)
+    assert report.sent == 0
+    assert sum("KeyError" in one for one in report.violations) == recorded_kills.WORKERS
 
 
 @pytest.mark.parametrize(

@@ -213,6 +213,12 @@ PROMISES = {
         "server kills",
         1000,
     ),
+    "records": _no_findings_in(
+        "100 kills of the server in runs of 8 workers: each record verifies, replays, "
+        "and has every turn and result that was acknowledged",
+        "recorded kills",
+        100,
+    ),
     "simulators": _no_findings_in(
         "1,000 kills of simulators, 8 workers: no result is lost, doubled, rescored",
         "simulator kills",

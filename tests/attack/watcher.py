@@ -108,10 +108,10 @@ class Watcher:
             return []
         return [Sample(begun.kind, begun.began_at, time.monotonic() - begun.began_at)]
 
-    def _until_answered(self, *request: Any) -> Answer:
+    def _until_answered(self, *request: Any, **headers: Any) -> Answer:
         while not self._is_ending.is_set():
             try:
-                answer = self._client.request(*request)
+                answer = self._client.request(*request, **headers)
             except NoAnswer:
                 self.report.hangs += 1
             except OSError:
@@ -148,6 +148,8 @@ class Player(Watcher):
         self._episodes = episodes
         self._is_short = episodes == 1
         self._keys = (f"{name}-{number}" for number in itertools.count())
+        # A later player of the same name may play on the same server.
+        self._run_keys = f"{name}-{time.monotonic_ns()}"
 
     def step(self) -> None:
         self._begin("start")
@@ -156,15 +158,18 @@ class Player(Watcher):
         self._finish()
         self._play(history, turn)
 
-    def _submit(self) -> History:
+    def _submission(self) -> dict[str, Any]:
         tasks = ["score"] * self._episodes
-        options = {"tasks": tasks, "max_steps": 100, "max_faults": 10}
-        body = {
+        return {
             "benchmark_id": "calibration",
             "policy": {"name": self.name},
-            "options": options,
+            "options": {"tasks": tasks, "max_steps": 100, "max_faults": 10},
         }
-        answer = self._until_answered("POST", "/v1/runs", body)
+
+    def _submit(self) -> History:
+        body = self._submission()
+        key = f"{self._run_keys}-{len(self.histories)}"
+        answer = self._until_answered("POST", "/v1/runs", body, Idempotency_Key=key)
         assert answer.status == 201, answer
         history = History(answer.json()["run_id"], self._episodes)
         self.histories.append(history)
@@ -172,22 +177,28 @@ class Player(Watcher):
 
     def _attach(self, history: History) -> dict[str, Any] | None:
         """Turn 0 of a new session as soon as the run is ready; None: the run ended."""
-        path, key = (
-            f"/v1/runs/{history.run_id}/workers/w",
-            {"attach_key": next(self._keys)},
-        )
+        path = f"/v1/runs/{history.run_id}/workers/w"
+        body: dict[str, Any] = {"attach_key": next(self._keys)}
         while True:
-            answer = self._until_answered("PUT", path, key)
+            answer = self._until_answered("PUT", path, body)
             if answer.status == 200:
                 turn: dict[str, Any] = answer.json()
                 return turn
-            if answer.code != "illegal_transition":
-                raise AssertionError(f"attach was answered {answer}")
-            run = self._until_answered("GET", f"/v1/runs/{history.run_id}").json()
-            if run["state"] not in ("queued", "ready", "running"):
-                assert run["state"] == "completed", run
+            if not self._may_attach_again(history, answer, body):
                 return None
-            self._is_ending.wait(RETRY_S)
+
+    def _may_attach_again(
+        self, history: History, answer: Answer, _body: dict[str, Any]
+    ) -> bool:
+        """After a refusal; False: the run is completed. The body may be changed."""
+        if answer.code != "illegal_transition":
+            raise AssertionError(f"attach was answered {answer}")
+        run = self._until_answered("GET", f"/v1/runs/{history.run_id}").json()
+        if run["state"] not in ("queued", "ready", "running"):
+            assert run["state"] == "completed", run
+            return False
+        self._is_ending.wait(RETRY_S)
+        return True
 
     def _play(self, history: History, turn: dict[str, Any] | None) -> None:
         path = f"/v1/runs/{history.run_id}/workers/w/predict"
@@ -208,6 +219,7 @@ class Player(Watcher):
                 if answer.code not in ("session_ended", "session_superseded"):
                     raise AssertionError(f"a turn was answered {answer}")
                 turn = self._attach(history)
+                steps = 0 if turn is None or turn["done"] else turn["episode"]["step"]
                 continue
             turn = self._accept(history, answer)
             fault = turn.get("fault") or {"episode_id": None}

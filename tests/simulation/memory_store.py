@@ -76,7 +76,13 @@ class MemoryStore:
         await self._world.delay(READ_S)
         await self._life.check()
 
-    async def insert(self, run: Run, key: str | None, body_sha256: str) -> bool:
+    async def insert(
+        self,
+        run: Run,
+        key: str | None,
+        body_sha256: str,
+        _check: object = None,  # of a cluster alone
+    ) -> bool:
         data = self._database
         async with self._write_lock, self._commit():
             if key is not None and (run.account, key) in data.keys:

@@ -12,6 +12,7 @@ from tests.attack.attacks import (
     hostile_values,
     other_accounts,
     process_kills,
+    recorded_kills,
     storage_faults,
 )
 
@@ -20,6 +21,7 @@ MODULES = (
     hostile_values,
     capacity_hoarding,
     process_kills,
+    recorded_kills,
     storage_faults,
     other_accounts,
     hostile_urls,

@@ -10,7 +10,7 @@ import socket
 import time
 from collections.abc import Iterator
 
-from conformance.client.raw_connection import open_raw_connection
+from conformance.client.connections.raw_connection import open_raw_connection
 from tests.attack.attack import Attack, Report, Target
 from tests.attack.raw_client import NoAnswer, try_request
 

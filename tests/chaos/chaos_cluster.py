@@ -1,0 +1,119 @@
+"""Nodes over one PostgreSQL behind a balancer, with a link on each of their ways.
+
+Players reach the balancer. It gives the nodes connections in turn, each over a link
+(`fronts`); nodes reach one another (`peers`) and the database (`databases`) over links,
+too. So each way of each node can be cut for itself.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from tests.attack.attacked_server import AttackedServer
+from tests.chaos.links import HOST, Link, LinkThread
+from tests.support.processes import descendants
+from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
+from tools.local_cluster import balance
+
+SOCKET = ".s.PGSQL.5432"
+
+
+class ChaosCluster:
+    """Opened by `open`. url: of the balancer. database: name of the nodes' one."""
+
+    def __init__(
+        self,
+        directory: Path,
+        postgresql: PostgresqlServer,
+        links: LinkThread,
+        lease_s: float,
+    ) -> None:
+        self.postgresql, self.links, self.lease_s = postgresql, links, lease_s
+        self.nodes: list[AttackedServer] = []
+        self.fronts: list[Link] = []
+        self.peers: list[Link] = []
+        self.databases: list[Link] = []
+        self._directory = directory
+        self._ports: list[int] = []
+        url = postgresql.create()
+        self.database = url.partition("@/")[2].partition("?")[0]
+        self._socket = Path(url.partition("host=")[2]) / SOCKET
+
+    @classmethod
+    @contextlib.contextmanager
+    def open(
+        cls, directory: Path, *, size: int, lease_s: float, seed: int
+    ) -> Iterator[ChaosCluster]:
+        with contextlib.ExitStack() as stack:
+            postgresql = stack.enter_context(PostgresqlServer())
+            links = stack.enter_context(LinkThread(seed))
+            cluster = cls(directory, postgresql, links, lease_s)
+            stack.callback(cluster._end_nodes)
+            fronts = [cluster._add_node(number) for number in range(size)]
+            server = links.run(balance(HOST, 0, fronts))
+            cluster.url = f"http://{HOST}:{server.sockets[0].getsockname()[1]}"
+            yield cluster
+
+    url = ""
+
+    def _add_node(self, number: int) -> int:
+        """The port of its front link."""
+        user = f"node{number}"  # so that the database knows who writes
+        self.execute(
+            f"CREATE ROLE {user} SUPERUSER LOGIN PASSWORD '{PASSWORD}'", "SELECT 1"
+        )
+        folder = self._directory / user
+        folder.mkdir()
+        self._ports.append(0)  # a node finds one when it starts
+        peer, peer_port = self.links.open_port(lambda: self._ports[number])
+        front, front_port = self.links.open_port(lambda: self._ports[number])
+        self.databases.append(self.links.open_path(folder / SOCKET, self._socket))
+        self.peers.append(peer)
+        self.fronts.append(front)
+        settings = {
+            "PROCTOR_CLUSTER": "on",
+            "PROCTOR_RECORDINGS": "off",
+            "PROCTOR_PROFILES": "",
+            "PROCTOR_NODE_LEASE_S": str(self.lease_s),
+            "PROCTOR_NODE_URL": f"http://{HOST}:{peer_port}",
+            "PROCTOR_SPARE_SIMULATORS": "1",
+            "PROCTOR_TURN_TIMEOUT_S": "5",
+            "PROCTOR_LOG_LEVEL": "info",
+            "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8",
+            "PROCTOR_DATABASE": f"postgresql://{user}:{PASSWORD}@/{self.database}"
+            f"?host={folder}",
+            "PROCTOR_SEALING_KEY": str(self._directory / "key"),
+            "PROCTOR_SEED_SECRET": str(self._directory / "seeds"),
+        }
+        node = AttackedServer(folder, settings)
+        self.nodes.append(node)
+        self._ports[number] = int(node.url.rpartition(":")[2])
+        return front_port
+
+    def _end_nodes(self) -> None:
+        for node in self.nodes:
+            node.end(signal.SIGKILL)
+
+    def ways(self, number: int) -> list[Link]:
+        """All links of a node."""
+        return [self.fronts[number], self.peers[number], self.databases[number]]
+
+    def execute(self, *statements: str) -> list[tuple[Any, ...]]:
+        """In the database, past the links; the rows of the last one."""
+        return self.postgresql.execute(self.database, *statements)
+
+    def signal_database(self, number: signal.Signals) -> None:
+        """Send it to each process of PostgreSQL."""
+        main = self.postgresql.process.pid
+        for pid in (main, *descendants(main)):
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, number)
+
+    def logs(self) -> list[str]:
+        """Of each node, from its first start on."""
+        return [node.log() for node in self.nodes]

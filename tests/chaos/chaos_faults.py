@@ -1,0 +1,196 @@
+"""The faults: each happens, is there while the players go on, and is repaired.
+
+A fault is a generator. What precedes its `yield` makes it; it yields the time from
+which on a cluster has to go on, and repairs what is broken when it is resumed.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from random import Random
+
+from tests.chaos.chaos_cluster import ChaosCluster
+from tests.chaos.links import Link
+from tests.support.processes import descendants
+
+Happens = Callable[[ChaosCluster, Random], Iterator[float]]
+
+
+@dataclass(frozen=True)
+class Fault:
+    """does: for the table. weight: how often it is chosen beside the others."""
+
+    name: str
+    does: str
+    happens: Happens
+    weight: int = 1
+
+
+def _wait_until(moment: float) -> None:
+    time.sleep(max(0.0, moment - time.monotonic()))
+
+
+def _beyond_lease(cluster: ChaosCluster, chance: Random) -> float:
+    """Seconds; rarely less than the lease, for what is just in time, too."""
+    return cluster.lease_s * chance.choice((0.5, 0.9, 1.0, 1.1, 1.5, 2.5))
+
+
+def _number(cluster: ChaosCluster, chance: Random) -> int:
+    return chance.randrange(len(cluster.nodes))
+
+
+# --- processes ---
+
+
+def _kill_nodes(count: int, with_: signal.Signals) -> Happens:
+    def happens(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+        nodes = chance.sample(cluster.nodes, count)
+        for node in nodes:
+            node.process.send_signal(with_)
+        since = time.monotonic()
+        for node in nodes:
+            node.end(with_)
+        yield since
+        for node in nodes:
+            node.start()
+
+    return happens
+
+
+def _restart_node(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    """At once: it takes its own place."""
+    node = chance.choice(cluster.nodes)
+    since = time.monotonic()
+    node.end(signal.SIGKILL)
+    node.start()
+    yield since
+
+
+def _pause_node(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    node, pause_s = chance.choice(cluster.nodes), _beyond_lease(cluster, chance)
+    since = time.monotonic()
+    node.process.send_signal(signal.SIGSTOP)
+    try:
+        yield since
+        _wait_until(since + pause_s)
+    finally:
+        node.process.send_signal(signal.SIGCONT)
+
+
+def _kill_simulators(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    since = time.monotonic()
+    for _ in range(3):
+        found = chance.choice(cluster.nodes).simulators()
+        if found:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(chance.choice(found), signal.SIGKILL)
+    yield since
+
+
+# --- the database ---
+
+
+def _restart_database(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    cluster.postgresql.kill()
+    time.sleep(chance.choice((0.0, 0.3, 1.5)) * cluster.lease_s)
+    cluster.postgresql.start()
+    yield time.monotonic()
+
+
+def _pause_database(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    pause_s = _beyond_lease(cluster, chance)
+    cluster.signal_database(signal.SIGSTOP)
+    try:
+        time.sleep(pause_s)
+    finally:
+        cluster.signal_database(signal.SIGCONT)
+    yield time.monotonic()
+
+
+def _kill_backend(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    """PostgreSQL ends all its other processes then, and recovers."""
+    found = sorted(descendants(cluster.postgresql.process.pid))
+    since = time.monotonic()
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(chance.choice(found), signal.SIGKILL)
+    yield since
+
+
+# --- ways ---
+
+
+def _disturb(
+    links_of: Callable[[ChaosCluster, int], list[Link]],
+    change: Callable[[Link], None],
+    *,
+    is_over_first: bool = False,
+) -> Happens:
+    """is_over_first: the cluster has to go on when the fault is over."""
+
+    def happens(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+        links = links_of(cluster, _number(cluster, chance))
+        lasts_s = _beyond_lease(cluster, chance)
+        since = time.monotonic()
+        cluster.links.call(*(lambda link=link: change(link) for link in links))
+        try:
+            if not is_over_first:
+                yield since
+            _wait_until(since + lasts_s)
+        finally:
+            cluster.links.call(*(link.heal for link in links))
+        if is_over_first:
+            yield time.monotonic()
+
+    return happens
+
+
+def _lose_answers(link: Link) -> None:
+    link.loss = 0.2
+
+
+def _delay(link: Link) -> None:
+    link.delay_s = 0.03
+
+
+FAULTS = {
+    fault.name: fault
+    for fault in (
+        Fault("node killed", "SIGKILL, started when all go on",
+              _kill_nodes(1, signal.SIGKILL), 4),
+        Fault("two nodes killed", "SIGKILL of two of three",
+              _kill_nodes(2, signal.SIGKILL)),
+        Fault("node restarted", "SIGKILL, started again at once", _restart_node, 2),
+        Fault("node ended", "SIGTERM", _kill_nodes(1, signal.SIGTERM)),
+        Fault("node paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_node, 4),
+        Fault("simulators killed", "SIGKILL of three", _kill_simulators, 2),
+        Fault("database restarted", "killed; away for up to 1.5 leases",
+              _restart_database, 2),
+        Fault("database paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_database, 2),
+        Fault("database process killed", "SIGKILL; PostgreSQL recovers",
+              _kill_backend, 2),
+        Fault("balancer – node cut", "connections closed",
+              _disturb(lambda c, n: [c.fronts[n]], Link.cut)),
+        Fault("balancer – node lost", "no byte passes",
+              _disturb(lambda c, n: [c.fronts[n]], Link.hold)),
+        Fault("node – nodes cut", "others do not reach it",
+              _disturb(lambda c, n: [c.peers[n]], Link.cut), 2),
+        Fault("node – nodes lost", "no byte from others passes",
+              _disturb(lambda c, n: [c.peers[n]], Link.hold), 2),
+        Fault("node – database cut", "connections closed",
+              _disturb(lambda c, n: [c.databases[n]], Link.cut), 2),
+        Fault("node – database lost", "no byte passes",
+              _disturb(lambda c, n: [c.databases[n]], Link.hold), 3),
+        Fault("node partitioned", "no byte to or from it passes",
+              _disturb(lambda c, n: c.ways(n), Link.hold), 2),
+        Fault("answers lost", "a fifth, to players and to nodes",
+              _disturb(lambda c, _: [*c.fronts, *c.peers], _lose_answers,
+                       is_over_first=True), 2),
+        Fault("slow network", "30 ms each way, everywhere",
+              _disturb(lambda c, _: [*c.fronts, *c.peers, *c.databases], _delay)),
+    )
+}  # fmt: skip

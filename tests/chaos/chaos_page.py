@@ -1,0 +1,103 @@
+"""Shows rounds: a line for the console, a table for docs/reliability.md."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import UTC, datetime
+
+from tests.attack import reliability_page
+from tests.attack.verdicts import percentile
+from tests.chaos.chaos_campaign import NODES, Counts, Round
+from tests.chaos.chaos_faults import FAULTS
+from tools.measurements.git_commit import read_commit
+
+# The last part of the page; what precedes it is left as it is.
+HEADING = "\n## A cluster\n"
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """Under which rounds were played. load: of the machine before them."""
+
+    seed: int
+    players: int
+    lease_s: float
+    load: float
+    counts: Counts
+
+
+def round_line(played: Round) -> str:
+    """One line, and one more for each finding."""
+    waits = played.waits_s
+    line = (
+        f"{played.number:4} {played.fault.name:<24} on after "
+        f"{percentile(waits, 0.5):5.2f} s, all {max(waits, default=0):5.2f} s  "
+        f"{'BROKEN' if played.findings else 'kept'}"
+    )
+    return "\n".join([line, *(f"    {found[:4000]}" for found in played.findings)])
+
+
+def summary(rounds: Sequence[Round], conditions: Conditions) -> Iterator[str]:
+    """What was found, and the times of all rounds."""
+    counts = conditions.counts
+    waits = [wait for one in rounds for wait in one.waits_s]
+    findings = sum(len(one.findings) for one in rounds)
+    yield (
+        f"{len(rounds)} rounds, seed {conditions.seed}: {findings} findings in "
+        f"{counts.runs:,} runs, {counts.operations:,} turns, starts and "
+        f"changes of push runs, {counts.compared:,} turns with two answers, "
+        f"{counts.writes:,} writes, and "
+        f"{counts.claims:,} claims of runs by another node"
+    )
+    yield (
+        f"Time until a player goes on: p50 {percentile(waits, 0.5):.1f} s, "
+        f"p99 {percentile(waits, 0.99):.1f} s, at most {max(waits, default=0):.1f} s"
+    )
+
+
+def write(rounds: Sequence[Round], conditions: Conditions) -> None:
+    commit, _ = read_commit()
+    date = datetime.now(UTC).date().isoformat()
+    head = (
+        f"{HEADING}\n{NODES} [nodes](host/cluster.md) over one PostgreSQL, behind a "
+        "balancer without affinity, on this\nmachine alone. `make chaos` plays rounds: "
+        "a fault while players play, its repair, then a\nverdict about all that was "
+        "answered and all that was written:\n\n"
+        "1. What was acknowledged exists once, as it was acknowledged.\n"
+        "2. The steps of the simulator are the actions that were sent.\n"
+        "3. The score is the mean of the results.\n"
+        "4. Whenever the owner of a run changes, its fence grows.\n"
+        "5. A turn that is sent twice, to two nodes at once, has one answer.\n"
+        "6. A stop and a resume lose nothing that is scored.\n"
+        "7. Events come once each, and all, to a reader who reconnects to any node.\n\n"
+        "Time: the longest in which a player had no success, from the fault on; for a "
+        "database or a network\nthat is away as a whole, from its return. A player "
+        "waits a lease and a second for each answer, and\nthe balancer goes on giving "
+        "connections to a node that does not answer: several such waits\nmay follow "
+        "one another where a node is paused or no byte passes.\n\n"
+        f"Written by `make chaos ARGS=--write` on commit {commit} of {date}: "
+        f"{conditions.players} players, lease {conditions.lease_s:g} s,\n"
+        f"{os.cpu_count()} processors shared with other programs, load before it "
+        f"{conditions.load:.1f}.\n\n"
+    )
+    text = head + "\n\n".join(summary(rounds, conditions)) + "\n\n"
+    text += "\n".join(_table(rounds)) + "\n"
+    page = reliability_page.PAGE
+    page.write_text(page.read_text().partition(HEADING)[0] + text)
+
+
+def _table(rounds: Sequence[Round]) -> Iterator[str]:
+    yield "| fault | what happens | rounds | p50, s | p99, s | longest, s | findings |"
+    yield "|---|---|--:|--:|--:|--:|--:|"
+    for fault in FAULTS.values():
+        of_fault = [one for one in rounds if one.fault is fault]
+        if of_fault:
+            waits = [wait for one in of_fault for wait in one.waits_s]
+            times = (percentile(waits, 0.5), percentile(waits, 0.99), max(waits))
+            shown = " | ".join(f"{value:.1f}" for value in times)
+            found = sum(len(one.findings) for one in of_fault)
+            yield (
+                f"| {fault.name} | {fault.does} | {len(of_fault)} | {shown} | {found} |"
+            )

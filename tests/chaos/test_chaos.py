@@ -1,0 +1,146 @@
+"""A short form of `make chaos`, and what it finds where something is wrong."""
+
+from __future__ import annotations
+
+import json
+import threading
+from pathlib import Path
+from random import Random
+from typing import Any, cast
+
+import pytest
+
+from tests.attack import reliability_page
+from tests.attack.raw_client import Answer
+from tests.attack.watcher import History
+from tests.chaos import chaos_page
+from tests.chaos.chaos_campaign import Campaign, Counts, Round
+from tests.chaos.chaos_cluster import ChaosCluster
+from tests.chaos.chaos_faults import FAULTS
+from tests.chaos.push_player import PushPlayer
+from tests.chaos.write_audit import WriteAudit
+from tests.support.server.postgresql_server import PostgresqlServer
+
+# Those that need no time of their own: each ends as soon as all players go on.
+GATE = ("two nodes killed", "database process killed", "balancer – node cut")
+
+
+@pytest.mark.slow("breaks a cluster")
+def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
+    with Campaign.open(seed=1, players=4, lease_s=1.0) as campaign:
+        rounds = [
+            campaign.play_fault(number, FAULTS[name], Random(number))
+            for number, name in enumerate(GATE)
+        ]
+        counts = campaign.counts()
+    assert [one.findings for one in rounds] == [[] for _ in GATE]
+    assert counts.runs >= 4
+    seen = counts.claims, counts.compared, counts.writes
+    assert all(seen), counts  # so there was something to find
+
+
+# --- what is judged ---
+
+
+class _Written:
+    """A database that has noted these writes."""
+
+    def __init__(self, *rows: tuple[Any, ...]) -> None:
+        self._rows = [(number, *row) for number, row in enumerate(rows)]
+
+    def execute(self, *statements: str) -> list[tuple[Any, ...]]:
+        return self._rows if "FROM audit" in statements[-1] else []
+
+
+def _owned(owner: str, fence: int, writer: str = "") -> tuple[Any, ...]:
+    return (7, owner, fence, None, None, writer or owner)
+
+
+def _scored(result: str | None) -> tuple[Any, ...]:
+    return (7, None, None, 0, result, "a")
+
+
+@pytest.mark.parametrize(
+    ("rows", "found"),
+    [
+        ([_owned("a", 1), _owned("a", 1), _owned("b", 2)], ""),
+        ([_owned("a", 1), _owned("b", 1)], "was written"),
+        ([_owned("a", 2), _owned("a", 1)], "was written"),
+        ([_owned("a", 1), _owned("b", 2), _owned("a", 1)], "was written"),
+        ([_owned("a", 1), _owned("b", 2), _owned("b", 2, "a")], "a wrote"),
+        ([_scored(None), _scored("1"), _scored("1")], ""),
+        ([_scored("1"), _scored("2")], "was replaced"),
+        ([_scored("1"), _scored(None)], "was replaced"),
+    ],
+)
+def test_a_wrong_write_is_found(rows: list[tuple[Any, ...]], found: str) -> None:
+    audit = WriteAudit(cast("ChaosCluster", _Written(*rows)))
+    sentences = list(audit.judge())
+    assert len(sentences) == bool(found)
+    assert found in "".join(sentences)
+
+
+class _Database:
+    """A database without nodes, which has what the triggers need."""
+
+    def __init__(self, postgresql: PostgresqlServer) -> None:
+        self._postgresql = postgresql
+        self._name = postgresql.create().partition("@/")[2].partition("?")[0]
+        self.execute(
+            "CREATE TABLE runs (number bigint, owner text, fence bigint)",
+            "CREATE TABLE episodes (number bigint, index bigint, result text)",
+            "SELECT 1",
+        )
+
+    def execute(self, *statements: str) -> list[tuple[Any, ...]]:
+        return self._postgresql.execute(self._name, *statements)
+
+
+@pytest.mark.slow("starts PostgreSQL")
+def test_a_write_that_is_committed_late_is_judged() -> None:
+    """It has the lower id of two, and is still open when the other one is stored."""
+    with PostgresqlServer() as postgresql:
+        database = _Database(postgresql)
+        audit = WriteAudit(cast("ChaosCluster", database))
+        late = ("INSERT INTO runs VALUES (1, 'a', 1)", "SELECT pg_sleep(1)")
+        thread = threading.Thread(target=database.execute, args=late)
+        thread.start()
+        held = "SELECT 1 FROM pg_locks WHERE relation = 'audit'::regclass"
+        while not database.execute(held):
+            pass
+        database.execute("INSERT INTO runs VALUES (2, 'a', 1)", "SELECT 1")
+        assert list(audit.judge()) == []
+        thread.join()
+        assert list(audit.judge()) == []
+    assert audit.rows == 2
+
+
+def test_reading_a_push_run_is_no_progress(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is read four times and changes once."""
+    player = PushPlayer("http://127.0.0.1:1", 1, "p", 1.0)
+    states = [("running", 0), ("running", 0), ("running", 1), ("completed", 1)]
+    answers = (
+        Answer(200, b"", json.dumps({"state": state, "progress": done}).encode())
+        for state, done in states
+    )
+    monkeypatch.setattr(player, "_until_answered", lambda *_: next(answers))
+    player._watch(history := History("r", 1))
+    assert history.is_done
+    assert [sample.kind for sample in player.samples] == ["progress"]
+
+
+def test_the_table_replaces_an_earlier_one_and_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reliability_page, "PAGE", tmp_path / "page.md")
+    reliability_page.PAGE.write_text("# Reliability\n\n## Long runs\n\nBy hand.\n")
+    played = Round(0, FAULTS["node killed"], [0.5, 6.0], ["a result was lost"])
+    conditions = chaos_page.Conditions(1, 2, 5.0, 0.5, Counts(3, 2000, 4))
+    assert "BROKEN" in chaos_page.round_line(played)
+    for _ in range(2):
+        chaos_page.write([played], conditions)
+        text = reliability_page.PAGE.read_text()
+        assert text.startswith("# Reliability\n\n## Long runs\n\nBy hand.\n\n## A clus")
+        assert text.count("## A cluster") == 1
+        assert "| node killed | SIGKILL, started when all go on | 1 | 0.5 |" in text
+        assert text.endswith("| 6.0 | 1 |\n")
