@@ -97,6 +97,24 @@ def shows_the_success_rate_as_the_score() -> None:
     change_view(wrong)
 
 
+@mutant("BRD-003")
+def shows_one_task_for_all() -> None:
+    """A policy that fails at one task seems to be equally good at each."""
+    put(
+        entry_changes,
+        "_shown_of",
+        lambda score, right=entry_changes._shown_of: (
+            right(score)
+            | {"by_task": dict.fromkeys(score["by_task"], _of_the_first(score))}
+        ),
+    )
+
+
+def _of_the_first(score: Json) -> Json:
+    first, *_ = score["by_task"].values()
+    return {**first, "mean": 1 - first["mean"]}
+
+
 @mutant("BRD-001", "BRD-003")
 def escapes_names_for_html() -> None:
     """A terminal shows `&lt;` where the name has `<`."""

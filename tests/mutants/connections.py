@@ -13,7 +13,6 @@ from reference_server import __main__ as server_main
 from reference_server import app
 from reference_server.app import Application
 from reference_server.http import dispatch
-from reference_server.http.auth import Tokens
 from reference_server.http.connections.connection_limits import ConnectionLimits
 from reference_server.http.dispatch import Operation
 from reference_server.rules import capacity, effects
@@ -58,8 +57,8 @@ def announce(**limits: Any) -> None:
     """Run the server with other settings; what it announces follows from them."""
     right = app.build
 
-    def wrong(settings: Settings, tokens: Tokens) -> Application:
-        return right(settings.model_copy(update=limits), tokens)
+    def wrong(settings: Settings, *parts: Any) -> Application:
+        return right(settings.model_copy(update=limits), *parts)
 
     put(server_main, "build", wrong)
 

@@ -73,17 +73,17 @@ def lists_the_runs_of_every_account() -> None:
     import sqlalchemy as sa
 
     from reference_server.storage import store
+    from reference_server.storage.database_tables import runs
 
     async def wrong(
         self: Store, _account: str, before: int | None, limit: int
     ) -> list[tuple[int, str]]:
-        query = sa.select(store._runs.c.number, store._runs.c.run_id)
+        query = sa.select(runs.c.number, runs.c.run_id)
         query = query.where(store._IS_THERE)
         if before is not None:
-            query = query.where(store._runs.c.number < before)
-        query = query.order_by(store._runs.c.number.desc()).limit(limit)
-        async with self._transaction() as connection:
-            return [(n, r) for n, r in await connection.execute(query)]
+            query = query.where(runs.c.number < before)
+        query = query.order_by(runs.c.number.desc()).limit(limit)
+        return await self.read(lambda found: [(n, r) for n, r in found.execute(query)])
 
     put(Store, "page", wrong)
     right = RunRegistry.page
@@ -190,10 +190,12 @@ def shares_idempotency_keys_between_accounts() -> None:
     right_add, right_find = Store.insert, Store.find_key
     owners: dict[str, str] = {}
 
-    async def insert(self: Store, run: Run, key: str | None, body: str) -> bool:
+    async def insert(
+        self: Store, run: Run, key: str | None, body: str, check: Any = None
+    ) -> bool:
         if key is not None and owners.setdefault(key, run.account) != run.account:
             return False
-        return await right_add(self, run, key, body)
+        return await right_add(self, run, key, body, check)
 
     async def find(self: Store, account: str, key: str) -> Any:
         found = await right_find(self, owners.get(key, account), key)

@@ -13,7 +13,7 @@ from reference_server.rules.run import Run, RunHead, Session
 from reference_server.runs import service
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
-from reference_server.storage import store
+from reference_server.storage import database_tables
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from tests.mutants import mutant, put
@@ -113,8 +113,8 @@ def uses_the_key_of_a_deleted_run_again() -> None:
     async def wrong(self: Store, run: RunHead, now_wall: float, **how: bool) -> None:
         await right(self, run, now_wall, **how)
         async with self._write_lock, self._transaction() as connection:
-            of_run = store._keys.c.run_id == run.run_id
-            await connection.execute(store._keys.delete().where(of_run))
+            keys = database_tables.idempotency_keys
+            await connection.execute(keys.delete().where(keys.c.run_id == run.run_id))
 
     put(Store, "delete", wrong)
 

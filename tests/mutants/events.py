@@ -14,7 +14,7 @@ from reference_server.http.event_streams import EventStream
 from reference_server.rules import events
 from reference_server.rules.events import Cursor, EventBatch
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.registry import RunChange, RunRegistry
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from tests.mutants import Patch, mutant, put
@@ -101,9 +101,7 @@ def resends_an_unchanged_run() -> None:
     """A page that follows a run is redrawn although nothing changed."""
     right, changed = events.next_batch, RunRegistry.wait_for_change
 
-    async def wake_early(
-        self: RunRegistry, event: asyncio.Event, timeout_s: float
-    ) -> bool:
+    async def wake_early(self: RunRegistry, event: RunChange, timeout_s: float) -> bool:
         return await changed(self, event, min(timeout_s, 0.2)) or True
 
     put(RunRegistry, "wait_for_change", wake_early)

@@ -36,8 +36,10 @@ def change_keys(change: Any) -> None:
     """Let `change(key)` spoil every Idempotency-Key on its way to the store."""
     right_insert, right_find = Store.insert, Store.find_key
 
-    async def insert(self: Store, run: Run, key: str | None, body: str) -> bool:
-        return await right_insert(self, run, key and change(key), body)
+    async def insert(
+        self: Store, run: Run, key: str | None, body: str, check: Any = None
+    ) -> bool:
+        return await right_insert(self, run, key and change(key), body, check)
 
     async def find_key(self: Store, account: str, key: str) -> Any:
         return await right_find(self, account, change(key))

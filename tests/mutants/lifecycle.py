@@ -24,7 +24,10 @@ ALSO: dict[str, set[str]] = {
     "LIFE-504": {"ATR-005", "ERR-017", "SUB-003"},
     "LIFE-802": {"ATT-015", "LEASE-011", "LEASE-012"},
     "LIFE-803": {"ATT-015", "LEASE-012"},
-    "LIFE-804": {"EPI-009", "LEASE-012"},
+    "LIFE-804": {
+        *("AUTH-005", "EPI-009", "ERR-008", "LEASE-012"),
+        *("SEAL-001", "SEAL-002", "SUB-001"),
+    },
     "LIFE-805": {"EPI-009"},
     "LIFE-806": {"FAULT-005", "FAULT-010"},
 }

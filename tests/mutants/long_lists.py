@@ -66,18 +66,17 @@ def lists_the_run_that_changed_last_first() -> None:
     import sqlalchemy as sa
 
     from reference_server.storage import store
-
-    runs = store._runs
+    from reference_server.storage.database_tables import runs
 
     async def wrong(
         self: Store, account: str, before: int | None, limit: int
     ) -> list[tuple[int, str]]:
-        query = sa.select(runs.c.number, runs.c.run_id).where(runs.c.account == account)
+        query = sa.select(runs.c.number, runs.c.run_id)
+        query = query.where(store._IS_THERE, runs.c.account == account)
         if before is not None:
             query = query.where(runs.c.number < before)
         query = query.order_by(runs.c.updated_at_wall.desc()).limit(limit)
-        async with self._transaction() as connection:
-            return [(n, r) for n, r in await connection.execute(query)]
+        return await self.read(lambda found: [(n, r) for n, r in found.execute(query)])
 
     put(Store, "page", wrong)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from reference_server.records import import_replays, record_imports
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays
 from reference_server.records.record_imports import RecordImports
+from reference_server.records.record_verifier import RecordVerifier
 from reference_server.records.verify_process import RecordFacts
 from reference_server.rules.imported_record import (
     ImportReplay,
@@ -52,16 +54,16 @@ def shows_another_run_of_an_import() -> None:
 @mutant("REC-113")
 def names_no_rule_of_a_broken_record() -> None:
     """An author cannot see what is wrong with a file."""
-    right = ImportFiles.examine
+    right = RecordVerifier.examine
 
-    async def wrong(self: ImportFiles, draft: Draft) -> RecordFacts:
+    async def wrong(self: RecordVerifier, account: str, path: Path) -> RecordFacts:
         try:
-            return await right(self, draft)
+            return await right(self, account, path)
         except BrokenRecord as broken:
             detail = "it is wrong"
             raise BrokenRecord("archive", "REC-002", detail) from broken
 
-    put(ImportFiles, "examine", wrong)
+    put(RecordVerifier, "examine", wrong)
 
 
 @mutant("REC-114")
@@ -93,13 +95,13 @@ def lists_imports_of_every_account() -> None:
 @mutant("REC-115", "REC-116")
 def replays_the_first_episode_alone() -> None:
     """A record whose other episodes are made up has the level of one that is true."""
-    right = import_replays._prepare
+    right = ImportReplays._prepare
 
-    def wrong(path: Path) -> Any:
-        benchmark, lines = right(path)
-        return benchmark, lines[:1]
+    async def wrong(self: ImportReplays, path: Path) -> Any:
+        benchmark, recorded = await right(self, path)
+        return benchmark, islice(recorded, 1)
 
-    put(import_replays, "_prepare", wrong)
+    put(ImportReplays, "_prepare", wrong)
 
 
 @mutant("REC-116")
@@ -111,7 +113,7 @@ def calls_every_replay_exact() -> None:
 @mutant("REC-116")
 def names_another_step_of_a_divergence() -> None:
     """An author looks for the difference where there is none."""
-    right = import_replays._replay_line
+    right = import_replays._replay_one
 
     async def wrong(*arguments: Any) -> Any:
         result, where = await right(*arguments)
@@ -119,7 +121,7 @@ def names_another_step_of_a_divergence() -> None:
             where.step -= 1
         return result, where
 
-    put(import_replays, "_replay_line", wrong)
+    put(import_replays, "_replay_one", wrong)
 
 
 @mutant("REC-117")
@@ -204,8 +206,10 @@ def loses_archives_at_a_restart() -> None:
     """A record that was taken in has to be sent again, if its author still has it."""
     right = ImportFiles.open
 
-    def wrong(self: ImportFiles, _import_ids: set[str]) -> None:
-        right(self, set())
+    def wrong(self: ImportFiles, import_ids: set[str]) -> None:
+        right(self, import_ids)
+        for import_id in import_ids:
+            self.remove(import_id)
 
     put(ImportFiles, "open", wrong)
 

@@ -8,7 +8,7 @@ from reference_server.rules.lifecycle import ACTIVE_STATES, STATES_AFTER_RESTART
 from reference_server.rules.run import Run
 from reference_server.runs import registry
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage import rows, store
+from reference_server.storage import database_tables, rows
 from tests.mutants import mutant, put
 
 
@@ -19,7 +19,7 @@ def forgets_idempotency_keys_on_restart() -> None:
 
     async def wrong(self: RunRegistry) -> None:
         async with self._store._transaction() as connection:
-            await connection.execute(store._keys.delete())
+            await connection.execute(database_tables.idempotency_keys.delete())
         await right(self)
 
     put(RunRegistry, "open", wrong)

@@ -8,7 +8,7 @@ from reference_server.generated import models
 from reference_server.rules.run import Episode
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks
-from reference_server.runs.seed_secret import SeedSecret
+from reference_server.system.seed_secret import SeedSecret
 from reference_server.views import run_views, turn_view
 from tests.mutants import mutant, put
 

@@ -267,7 +267,7 @@ def extends_the_lease_on_refused_requests() -> None:
     replace_guard(right, wrong)
 
 
-@mutant("DET-001")
+@mutant("ATR-002", "DET-001")
 def keeps_the_slot_after_detach() -> None:
     """A client that detached blocks its session until its lease would have ended."""
     right = SessionExecutor.detach
