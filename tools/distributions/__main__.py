@@ -1,0 +1,117 @@
+"""Build the wheels of the project into dist/: `make dist`.
+
+    python -m tools.distributions [FOLDER]
+
+Beside each wheel: its lock with hashes, its bill of materials (CycloneDX); and
+SHA256SUMS over all; those of an earlier build are removed. The time in them is
+SOURCE_DATE_EPOCH, or that of the commit: the same commit gives the same bytes in any
+folder, with the setuptools that is locked and the same Python image, as zlib decides
+the compressed bytes. Nothing is fetched.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from tools.distributions.bill_of_materials import write_bill
+from tools.distributions.staging import DISTRIBUTIONS, ROOT, Distribution, copy_sources
+
+_BUILD = (
+    "import sys; from setuptools import build_meta as b; b.build_wheel(sys.argv[1])"
+)
+
+
+class CannotBuild(Exception):
+    """A wheel was not built; the text has the reason."""
+
+
+def build_all(to: Path) -> list[Path]:
+    """Build every wheel into a folder, give their paths. Raises CannotBuild."""
+    to.mkdir(parents=True, exist_ok=True)
+    _remove_older(to)
+    epoch = _read_epoch()
+    written = [_build(distribution, to, epoch) for distribution in DISTRIBUTIONS]
+    names = sorted(path for paths in written for path in paths)
+    sums = "".join(f"{_sha256(path)}  {path.name}\n" for path in names)
+    (to / "SHA256SUMS").write_text(sums, encoding="utf-8")
+    return [wheel for wheel, *_ in written]
+
+
+def _remove_older(folder: Path) -> None:
+    """Wheels, locks, bills and sums of any version; no other file of the folder."""
+    (folder / "SHA256SUMS").unlink(missing_ok=True)
+    for distribution in DISTRIBUTIONS:
+        name = distribution.name.replace("-", "_")
+        for ending in ("-py3-none-any.whl", "-requirements.txt", ".cdx.json"):
+            for old in folder.glob(f"{name}-*{ending}"):
+                old.unlink()
+
+
+def _build(distribution: Distribution, to: Path, epoch: int) -> tuple[Path, ...]:
+    """Write a wheel, its lock and its bill of materials, give their paths."""
+    stem = distribution.file_stem
+    wheel = to / f"{stem}-py3-none-any.whl"
+    with tempfile.TemporaryDirectory(prefix="proctor-dist-") as directory:
+        source, built = Path(directory) / "source", Path(directory) / "built"
+        copy_sources(distribution, source)
+        built.mkdir()
+        done = subprocess.run(
+            [sys.executable, "-c", _BUILD, str(built)],
+            cwd=source,
+            env=os.environ | {"SOURCE_DATE_EPOCH": str(epoch)},
+            umask=0o022,  # modes of the metadata
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        if done.returncode != 0:
+            raise CannotBuild(f"{distribution.name}:\n{done.stdout}{done.stderr}")
+        shutil.copyfile(built / wheel.name, wheel)
+    lock, bill = to / f"{stem}-requirements.txt", to / f"{stem}.cdx.json"
+    shutil.copyfile(ROOT / "requirements" / distribution.lock, lock)
+    write_bill(distribution, wheel, _sha256(wheel), epoch, bill)
+    return wheel, lock, bill
+
+
+def _read_epoch() -> int:
+    """Seconds since 1970 that every file of a wheel gets."""
+    given = os.environ.get("SOURCE_DATE_EPOCH")
+    if given is None:
+        command = ["git", "log", "-1", "--format=%ct"]
+        done = subprocess.run(
+            command, cwd=ROOT, capture_output=True, text=True, check=True
+        )
+        given = done.stdout
+    return int(given)
+
+
+def _sha256(path: Path) -> str:
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def main() -> int:
+    """The exit code: 2 when a wheel was not built."""
+    parser = argparse.ArgumentParser(prog="make dist")
+    parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "dist")
+    folder: Path = parser.parse_args().folder
+    try:
+        wheels = build_all(folder)
+    except CannotBuild as error:
+        print(error, file=sys.stderr)
+        return 2
+    print(f"in {folder}, with locks, bills of materials and SHA256SUMS:")
+    for wheel in wheels:
+        size = f"{wheel.stat().st_size / 1e6:.2f} MB"
+        print(f"{_sha256(wheel)[:12]}  {size}  {wheel.name}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
