@@ -17,7 +17,11 @@ import pytest
 from tests.support.paths import ROOT
 
 DOCS = ROOT / "docs"
-PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *DOCS.rglob("*.md")]
+PAGES = [
+    *(ROOT / "README.md", ROOT / "examples" / "README.md"),
+    *(ROOT / "clients").glob("*/README.md"),
+    *DOCS.rglob("*.md"),
+]
 LINK = re.compile(r"\]\(<?([^)>\s]+)>?(?: \"[^\"]*\")?\)")
 FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`[^`\n]*`")
@@ -26,7 +30,7 @@ LINE = re.compile(r"L(\d+)")
 MENTION = re.compile(r"(?<![\w/.])docs/[\w./-]+\.(?:md|svg|png)")
 MENTIONING = (
     *("*.py", "*.md", "*.toml", "*.yaml", "*.mustache", "Makefile"),
-    *("generated_clients/*/example", "generated_clients/*/interop"),
+    *("clients/*", "generated_clients/*/example", "generated_clients/*/interop"),
 )
 ENTRY_LIMIT = 13  # a dozen pages in a folder, and its index
 
@@ -119,7 +123,7 @@ def test_dead_links_are_found(tmp_path: Path) -> None:
 
 
 PATH = re.compile(
-    r"`((?:spec|conformance|tests|docs|tools|examples|reference_\w+|generated_clients)"
+    r"`((?:spec|conformance|tests|docs|tools|examples|reference_\w+|clients|generated_clients)"
     r"/[\w./-]*)`"
 )
 NO_FILES = {"tools/generators/dart.yaml"}  # of a language that is an example
@@ -162,3 +166,13 @@ def test_make_knows_the_commands_of_every_page() -> None:
     }
     assert len(named) > 10
     assert named - targets == set()
+
+
+def test_pages_install_the_checkout_before_names_of_an_index() -> None:
+    """Nothing is published yet: such a name may be taken by others."""
+    install = re.compile(r"pipx? install [\"']?proctor-")
+    for page in PAGES:
+        for paragraph in re.split(r"\n\s*\n", page.read_text(encoding="utf-8")):
+            if found := install.search(paragraph):
+                before = paragraph[: found.start()]
+                assert "From the first release on" in before, f"{page}: {paragraph}"

@@ -78,19 +78,23 @@ MAY_IMPORT: dict[str, set[str]] = {
     "generated": set(),
     "rules": {"generated"},
     "storage": {"rules", "system"},
-    "records": {"generated", "reference_record", "reference_sim", "rules", "storage"},
+    "records": {"generated", "reference_record", "reference_sim", "rules", "storage"}
+    | {"system"},
     "system": set(),
     "views": {"generated", "reference_record", "reference_sim", "rules"},
     "runs": {"generated", "records", "reference_record", "reference_sim", "rules"}
     | {"storage", "system", "views"},
     "push": {"allowed_networks", "generated", "http", "rules", "runs"}
     | {"storage", "system"},
+    "cluster": {"http", "rules", "runs", "storage", "system"},
     "http": {"generated", "records", "reference_record", "rules", "runs", "settings"}
     | {"storage", "system", "views"},
+    "monitoring": {"http", "system"},
     "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
 }
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
+    ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed"},
     ("http", "storage"): {"StoreFailed"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles", "add_areas"},
     ("push", "storage"): {"StoreFailed"},
@@ -153,7 +157,21 @@ def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
         (
             "sqlalchemy",
             "reference_server/storage",
-            ["board_store.py", "import_store.py", "store.py"],
+            [
+                "board_store.py",
+                "column_types.py",
+                "database.py",
+                "database_commands.py",
+                "database_tables.py",
+                "import_store.py",
+                "migrations/versions/r0001_baseline.py",
+                "migrations/versions/r0002_nodes.py",
+                "node_store.py",
+                "postgresql.py",
+                "schema_version.py",
+                "server_lock.py",
+                "store.py",
+            ],
         ),
         ("mujoco", "reference_sim/mujoco", ["world.py"]),
         ("av", "reference_sim/exports", ["video_file.py"]),
@@ -356,5 +374,7 @@ def test_the_top_level_has_few_entries() -> None:
         ["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True
     ).stdout.split("\n")
     entries = {name.partition("/")[0] for name in tracked if name}
+    # Platforms find these two at the root only.
+    entries -= {"action.yml", "CITATION.cff"}
     shown = sorted(entry for entry in entries if not entry.startswith("."))
-    assert 0 < len(shown) <= 17, shown
+    assert 0 < len(shown) <= 18, shown

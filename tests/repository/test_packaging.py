@@ -146,6 +146,23 @@ def test_command_says_what_to_install(wheel: Path, tmp_path: Path) -> None:
     assert "pip install 'proctor-eval[client]'" in line
 
 
+@pytest.mark.parametrize("name", ["proctor-conformance", "proctor-conformance-policy"])
+def test_the_kit_says_what_to_install(name: str, wheel: Path, tmp_path: Path) -> None:
+    """Where only the client was wanted. Expect exit code 2, one line, no traceback."""
+    module, _, function = PROJECT["project"]["scripts"][name].partition(":")
+    program = (
+        "import sys\n"
+        "for name in ('jsonschema', 'pytest', 'msgpack', 'httpx', 'rich'):\n"
+        "    sys.modules[name] = None\n"
+        f"from {module} import {function}\n"
+        f"sys.exit({function}())"
+    )
+    done = run_installed(wheel, tmp_path, program)
+    assert done.returncode == 2
+    (line,) = done.stderr.splitlines()
+    assert "pip install 'proctor-eval[kit]'" in line
+
+
 def test_command_has_a_name() -> None:
     scripts = PROJECT["project"]["scripts"]
-    assert scripts["proctor-conformance"] == "conformance.cli.main:main"
+    assert scripts["proctor-conformance"] == "conformance.__main__:main"

@@ -46,6 +46,16 @@ def test_folders_and_links_exist() -> None:
         assert (ROOT / place).exists(), place
 
 
+def test_program_says_what_it_needs(tmp_path: Path) -> None:
+    (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    file = tmp_path / "evaluate.py"
+    file.write_text(program)
+    done = subprocess.run(
+        [sys.executable, file], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (1, "usage: evaluate.py URL TOKEN\n")
+
+
 def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> None:
     """The program, copied, against a server. Expect the expert's score: 1 of 1."""
     (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)

@@ -20,6 +20,7 @@ from benchmarks import (
     chart,
     contender_registry,
     observations,
+    page_speed,
     performance_page,
     report,
     results,
@@ -161,6 +162,8 @@ def test_results_are_on_the_performance_page() -> None:
         assert chart.FILE.read_text() == chart.svg(sections["round_trips"])
     if "throughput" in sections:
         assert throughput.tables(sections["throughput"]) in shown
+    if "pages" in sections:
+        assert page_speed.report(sections["pages"]) in shown
 
 
 def test_a_contender_that_breaks_is_named(tmp_path: Path) -> None:

@@ -30,3 +30,10 @@ def is_alive(pid: int) -> bool:
         stat = Path(f"/proc/{pid}/stat").read_text()
         return stat.rpartition(")")[2].split()[0] not in ("Z", "X")
     return False
+
+
+def peak_bytes(pid: int) -> int:
+    """The most memory that the process had at any moment, resident."""
+    status = Path(f"/proc/{pid}/status").read_text()
+    (line,) = (one for one in status.splitlines() if one.startswith("VmHWM:"))
+    return int(line.split()[1]) * 1024

@@ -38,14 +38,24 @@ def find_program(name: str) -> str:
 def run_proxy(name: str, directory: Path, port: int, upstream: str) -> Iterator[None]:
     """Run a proxy on a port, in front of the server at the URL `upstream`."""
     directory.mkdir()
-    text = Path(__file__).with_name("proxies").joinpath(CONFIGURATIONS[name])
-    configuration = directory / "configuration"
-    configuration.write_text(
-        text.read_text()
+    path = Path(__file__).with_name("proxies").joinpath(CONFIGURATIONS[name])
+    text = (
+        path.read_text()
         .replace("DIRECTORY", str(directory))
         .replace("UPSTREAM", upstream.rpartition(":")[2])
         .replace("PORT", str(port))
     )
+    with run_configuration(name, directory, port, text):
+        yield
+
+
+@contextlib.contextmanager
+def run_configuration(
+    name: str, directory: Path, port: int, text: str
+) -> Iterator[None]:
+    """Run a proxy with a configuration by which it listens on the port."""
+    configuration = directory / "configuration"
+    configuration.write_text(text)
     libraries = ":".join(map(str, PROVIDED.glob("usr/lib/*-linux-gnu")))
     options = {
         "nginx": ["-e", str(directory / "error.log"), "-c"],

@@ -20,8 +20,10 @@ from typing import Any, Self
 import httpx
 from websockets.sync.client import connect
 
+from tests.support.paths import ROOT
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
+from tools.npm_package import provide_file
 
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = (
@@ -30,6 +32,14 @@ FLAGS = (
     *("--disable-component-update", "--disable-sync", "--remote-debugging-port=0"),
     "--disable-dev-shm-usage",
 )
+
+
+# The rules of accessibility of axe-core, which requirements/pages-npm.txt pins.
+AXE = ROOT / ".venv" / "axe.min.js"
+VIOLATIONS = """
+axe.run({resultTypes: ["violations"]}).then(found => found.violations.map(
+  one => `${one.id} (${one.help}): ${one.nodes[0].html}`))
+"""
 
 
 def find_browser() -> str | None:
@@ -154,6 +164,19 @@ class Browser:
         """A PNG of the whole page."""
         shot = self.call("Page.captureScreenshot", captureBeyondViewport=True)
         path.write_bytes(base64.b64decode(shot["data"]))
+
+    def find_violations(self) -> list[str]:
+        """What axe-core complains of in the page: rule and one element of each."""
+        provide_file("pages-npm.txt", "axe.min.js", AXE)
+        self.evaluate(f"{AXE.read_text()}; 0")
+        result = self.call(
+            "Runtime.evaluate",
+            expression=VIOLATIONS,
+            awaitPromise=True,
+            returnByValue=True,
+        )
+        assert "exceptionDetails" not in result, result
+        return list(result["result"]["value"])
 
     @property
     def text(self) -> str:

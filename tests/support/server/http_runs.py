@@ -25,3 +25,14 @@ def predict_body(turn: dict[str, Any], **values: float) -> dict[str, Any]:
         "seq": turn["seq"] + 1,
         "actions": [{"values": calibration_action(**values)}],
     }
+
+
+def worker_path(run_id: str, worker_id: str = "w") -> str:
+    return f"/v1/runs/{run_id}/workers/{worker_id}"
+
+
+def attach(client: httpx.Client, run_id: str, key: str = "key") -> dict[str, Any]:
+    """The turn that attaching the worker `w` gave."""
+    answer = client.put(worker_path(run_id), json={"attach_key": key})
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())

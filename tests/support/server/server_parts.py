@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
-import sqlite3
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Coroutine, Iterator
-from contextlib import asynccontextmanager, contextmanager
+from contextlib import AbstractContextManager, asynccontextmanager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -23,12 +21,13 @@ from reference_server.rules.run import Episode, Result, Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks, digest
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.seed_secret import SeedSecret
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
+from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
+from tests.support.server.databases import UsedDatabase
 from tests.support.server.runs import make_run
 from tests.support.servers import TIMEOUT_S
 from tests.support.sim.calibration_action import calibration_action
@@ -74,7 +73,7 @@ Scenario = Callable[["ServerParts"], Awaitable[None]]
 class ServerParts:
     """Store, runs, simulators and executor, put together as `app` does."""
 
-    path: Path
+    database: UsedDatabase
     store: Store
     registry: RunRegistry
     pool: SimulatorPool
@@ -82,19 +81,15 @@ class ServerParts:
     service: RunService
     on_change: Callable[[Run], None] = lambda _run: None
 
-    @contextmanager
-    def reject_writes(self) -> Iterator[None]:
+    @property
+    def path(self) -> Path:
+        """Of the SQLite file."""
+        assert self.database.path is not None
+        return self.database.path
+
+    def reject_writes(self) -> AbstractContextManager[None]:
         """While it lasts the database takes no write and can still be read."""
-        events = [("UPDATE", "runs"), ("INSERT", "runs"), ("INSERT", "episodes")]
-        with contextlib.closing(sqlite3.connect(self.path)) as database:
-            for event, table in events:
-                database.execute(
-                    f"CREATE TRIGGER full_{event}_{table} BEFORE {event} ON {table} "
-                    "BEGIN SELECT RAISE(ABORT, 'the disk is full'); END"
-                )
-            yield
-            for event, table in events:
-                database.execute(f"DROP TRIGGER full_{event}_{table}")
+        return self.database.reject_writes()
 
 
 def make_service(
@@ -114,9 +109,12 @@ def make_service(
 
 @asynccontextmanager
 async def open_server_parts(
-    path: Path, active_max: int = 10, recordings: Recordings | None = None
+    where: Path | UsedDatabase,
+    active_max: int = 10,
+    recordings: Recordings | None = None,
 ) -> AsyncIterator[ServerParts]:
-    url = f"sqlite+aiosqlite:///{path}"
+    database = where if isinstance(where, UsedDatabase) else UsedDatabase.of_file(where)
+    url = database.url
     if recordings is None:
         store = Store(url)
     else:
@@ -133,7 +131,7 @@ async def open_server_parts(
     seed_secret = SeedSecret()
     executor = SessionExecutor(registry, pool, seed_secret, recordings=recordings)
     service = make_service(registry, executor, seed_secret)
-    parts = ServerParts(path, store, registry, pool, executor, service)
+    parts = ServerParts(database, store, registry, pool, executor, service)
     await store.open()
     await registry.open()
     try:
@@ -147,15 +145,19 @@ async def open_server_parts(
         await store.close()
 
 
-def run_scenarios(path: Path, *scenarios: Scenario, active_max: int = 10) -> None:
-    """Each story with a server of its own, over the same database."""
+def run_scenarios(
+    where: Path | UsedDatabase, *scenarios: Scenario, active_max: int = 10
+) -> None:
+    """Each story with a server of its own, over the same database.
+
+    where: a folder for an SQLite file, or a database.
+    """
+    used = where / "proctor.sqlite" if isinstance(where, Path) else where
 
     async def run() -> None:
         for scenario in scenarios:
             async with asyncio.timeout(TIMEOUT_S):
-                async with open_server_parts(
-                    path / "proctor.sqlite", active_max
-                ) as parts:
+                async with open_server_parts(used, active_max) as parts:
                     await scenario(parts)
 
     asyncio.run(run())
@@ -229,9 +231,7 @@ def expect_refusal(
 
 
 def count_rows(path: Path, table: str) -> int:
-    with contextlib.closing(sqlite3.connect(path)) as database:
-        (count,) = database.execute(f"SELECT count(*) FROM {table}").fetchone()  # noqa: S608
-    return int(count)
+    return UsedDatabase.of_file(path).count(table)
 
 
 def stop_run(parts: ServerParts, run: Run, mode: str = "abort") -> None:

@@ -1,0 +1,303 @@
+"""The wheels that are published: what is in them, and that each is used alone.
+
+Built by `make dist`'s program, installed with their locks into empty environments where
+nothing of this checkout can be imported.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
+from packaging.metadata import Metadata
+from packaging.requirements import Requirement
+
+from conformance.specification.document import spec_name
+from tests.support.paths import ROOT
+from tests.support.repository.installed import Installed, build_wheels
+from tests.support.servers import TOKENS, ReferenceServer
+from tools.distributions.locks import read_lock
+from tools.distributions.staging import DISTRIBUTIONS, VERSION, Distribution
+from tools.example_servers import GO, build_server_go
+
+slow = pytest.mark.slow("builds and installs wheels")
+PACKAGES = ("conformance", "reference_client", "reference_record", "reference_server")
+MODULES = (*PACKAGES, "reference_sim", "proctor_client", "tests", "tools")
+OF_CLIENT = ["reference_client", "reference_record", "reference_sim", "proctor_client"]
+NAMES = [distribution.name for distribution in DISTRIBUTIONS]
+# What the wheels are built from.
+SOURCES = ("requirements", "spec", "tools", "generated_clients/python", *MODULES[:5])
+POLICY = """
+class Best:
+    def reset(self, instruction):
+        pass
+
+    def act(self, observation):
+        names = ("score", "success", "end", "delay_s", "fault")
+        action = {name: [float(name in ("score", "success", "end"))] for name in names}
+        return action | {"vector": [0.0] * 8, "clipped": [0.0] * 2}
+"""
+
+
+@pytest.fixture(scope="module")
+def dist(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("dist")
+    build_wheels(folder)
+    return folder
+
+
+def wheel_of(dist: Path, distribution: Distribution) -> Path:
+    return dist / f"{distribution.file_stem}-py3-none-any.whl"
+
+
+def packed_files(dist: Path, distribution: Distribution) -> set[str]:
+    with zipfile.ZipFile(wheel_of(dist, distribution)) as packed:
+        return {name for name in packed.namelist() if ".dist-info/" not in name}
+
+
+# --- what is in them ---
+
+
+@slow
+def test_every_file_is_in_one_wheel(dist: Path) -> None:
+    """What git has of the packages, and the specification. Expect it once."""
+    packed = Counter(name for one in DISTRIBUTIONS for name in packed_files(dist, one))
+    assert [name for name, count in packed.items() if count > 1] == []
+    tracked = set()
+    for folder in ("conformance", *OF_CLIENT, "reference_server"):
+        at = ROOT / ("generated_clients/python" if folder == "proctor_client" else ".")
+        done = subprocess.run(
+            ["git", "ls-files", folder], cwd=at, capture_output=True, text=True,
+            check=True,
+        )  # fmt: skip
+        tracked |= set(done.stdout.split())
+    specification = {name for name in packed if "specification/files/" in name}
+    assert set(packed) - specification == tracked
+    assert "conformance/specification/files/openapi.yaml" in specification
+    assert "conformance/specification/files/profiles/ebench.yaml" in specification
+
+
+@slow
+@pytest.mark.parametrize("distribution", DISTRIBUTIONS, ids=NAMES)
+def test_metadata_is_valid(dist: Path, distribution: Distribution) -> None:
+    """By the reader of the packaging library, which refuses what an index refuses."""
+    with zipfile.ZipFile(wheel_of(dist, distribution)) as packed:
+        (name,) = [n for n in packed.namelist() if n.endswith(".dist-info/METADATA")]
+        metadata = Metadata.from_email(packed.read(name), validate=True)
+        licenses = {n for n in packed.namelist() if ".dist-info/licenses/" in n}
+    assert metadata.name == distribution.name
+    assert str(metadata.version) == VERSION
+    assert metadata.license_expression == "Apache-2.0"
+    assert metadata.license_files is not None
+    assert len(licenses) == len(metadata.license_files) >= 1
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    assert str(metadata.requires_python) == project["requires-python"]
+    assert metadata.description is not None
+    assert metadata.description.startswith(f"# {distribution.name}\n")
+
+
+@slow
+def test_extras_are_those_of_the_repository(dist: Path) -> None:
+    """A message that names `proctor-eval[video]` is right in both."""
+    wheel = wheel_of(dist, DISTRIBUTIONS[1])
+    with zipfile.ZipFile(wheel) as packed:
+        (name,) = [n for n in packed.namelist() if n.endswith(".dist-info/METADATA")]
+        metadata = Metadata.from_email(packed.read(name))
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
+    ours = project["tool"]["setuptools"]["dynamic"]["optional-dependencies"]
+    assert metadata.provides_extra is not None
+    assert set(metadata.provides_extra) == set(ours)
+    required = {str(r) for r in metadata.requires_dist or []}
+    for one, extra in (("proctor-server", "server"), ("proctor-conformance", "kit")):
+        assert f'{one}=={VERSION}; extra == "{extra}"' in required
+
+
+@slow
+def test_the_same_commit_gives_the_same_bytes(dist: Path, tmp_path: Path) -> None:
+    """Again in a clone elsewhere, with a strict umask. Expect the same SHA256SUMS."""
+    clone = tmp_path / "clone"
+    subprocess.run(
+        ["git", "clone", "--quiet", "--no-checkout", ROOT, clone], check=True
+    )
+    listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    names = subprocess.run(
+        [*listed, "--", "LICENSE", "pyproject.toml", "*/*.in", *SOURCES],
+        cwd=ROOT,
+        capture_output=True,
+        check=True,
+    ).stdout
+    pack = ["tar", "--null", "--files-from=-", "-c", "-f", "-"]
+    packed = subprocess.run(
+        pack, cwd=ROOT, input=names, capture_output=True, check=True
+    )
+    unpack = ["tar", "-x", "-f", "-"]
+    subprocess.run(unpack, cwd=clone, input=packed.stdout, check=True, umask=0o077)
+    again = tmp_path / "again"
+    again.mkdir()
+    (again / "proctor_eval-0.0.9-py3-none-any.whl").touch()  # of an earlier build
+    mine = {f"{DISTRIBUTIONS[0].file_stem}-notes.md", "mine.txt"}
+    for name in mine:
+        (again / name).touch()
+    build_wheels(again, source=clone)
+    sums = (dist / "SHA256SUMS").read_text()
+    assert (again / "SHA256SUMS").read_text() == sums
+    assert len(sums.splitlines()) == 3 * len(DISTRIBUTIONS)
+    summed = {line.split("  ")[1] for line in sums.splitlines()}
+    kept = {path.name for path in again.iterdir()} - summed
+    assert kept == {"SHA256SUMS", *mine}
+    for line in sums.splitlines():
+        digest, name = line.split("  ")
+        assert hashlib.sha256((dist / name).read_bytes()).hexdigest() == digest
+
+
+# --- locks and bills of materials ---
+
+
+@pytest.mark.parametrize("distribution", DISTRIBUTIONS, ids=NAMES)
+def test_locks_hold_what_is_required(distribution: Distribution) -> None:
+    locked = {package.name for package in read_lock(lock_of(distribution))}
+    for name in distribution.requires:
+        if name.endswith(".in"):
+            lines = (ROOT / "requirements" / name).read_text().splitlines()
+            texts = [line.partition("#")[0].strip() for line in lines]
+            assert {Requirement(text).name for text in texts if text} <= locked
+
+
+def lock_of(distribution: Distribution) -> Path:
+    return ROOT / "requirements" / distribution.lock
+
+
+def test_a_lock_is_read_with_hashes_and_origins(tmp_path: Path) -> None:
+    lock = tmp_path / "some.txt"
+    digest = "0" * 64
+    lock.write_text(
+        f"some-name==1.5 ; sys_platform != 'win32' \\\n    --hash=sha256:{digest}\n"
+        f"    # via -r some.in\nother==2 \\\n    --hash=sha256:{digest}\n"
+        "    # via\n    #   -r some.in\n    #   some-name\n"
+    )
+    some, other = read_lock(lock)
+    assert (some.name, some.version, some.hashes) == ("some-name", "1.5", [digest])
+    assert some.marker == 'sys_platform != "win32"'
+    assert (some.required_by, other.required_by) == (
+        ["-r some.in"],
+        ["-r some.in", "some-name"],
+    )
+
+
+def test_a_lock_with_a_line_of_another_kind_is_refused(tmp_path: Path) -> None:
+    lock = tmp_path / "some.txt"
+    lock.write_text("some==1 \\\n    --no-such-option\n")
+    with pytest.raises(ValueError, match="no-such-option"):
+        read_lock(lock)
+    lock.write_text("some>=1\n")
+    with pytest.raises(ValueError, match="not pinned"):
+        read_lock(lock)
+
+
+@slow
+@pytest.mark.parametrize("distribution", DISTRIBUTIONS, ids=NAMES)
+def test_bill_of_materials(dist: Path, distribution: Distribution) -> None:
+    """By CycloneDX's own schema. Expect each package of the lock, with its hashes."""
+    text = (dist / f"{distribution.file_stem}.cdx.json").read_text()
+    assert JsonStrictValidator(SchemaVersion.V1_6).validate_str(text) is None
+    bill = json.loads(text)
+    wheel = wheel_of(dist, distribution).read_bytes()
+    (digest,) = bill["metadata"]["component"]["hashes"]
+    assert digest["content"] == hashlib.sha256(wheel).hexdigest()
+    listed = {c["purl"]: c for c in bill["components"]}
+    for package in read_lock(lock_of(distribution)):
+        component = listed[f"pkg:pypi/{package.name}@{package.version}"]
+        (source,) = component["externalReferences"]
+        hashes = {one["content"] for one in source["hashes"]}
+        assert hashes == set(package.hashes) != set()
+    # Nothing hangs in the air: every package is required by something.
+    required = {name for d in bill["dependencies"] for name in d.get("dependsOn", [])}
+    assert set(listed) <= required
+    if distribution.name == "proctor-eval":
+        assert {"pkg:npm/htmx.org@2.0.8", "pkg:npm/uplot@1.6.32"} <= set(listed)
+
+
+# --- each is used alone ---
+
+
+@slow
+@pytest.mark.skipif(not GO, reason="set-up brings no Go")
+def test_the_kit_judges_a_server_in_one_command(dist: Path, tmp_path: Path) -> None:
+    """The server in Go, by the kit from its wheel. Expect rules verified, exit 0."""
+    kit = Installed(tmp_path, dist, "proctor-conformance")
+    assert kit.can_import(MODULES) == ["conformance"]
+    server = build_server_go(tmp_path)
+    done = kit.run(
+        "proctor-conformance",
+        *("--start-cmd", str(server), "--quick", "--only", "SVC,PRED"),
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert spec_name() in done.stdout
+    (verified,) = re.findall(r"MUST: (\d+) verified, 0 violated", done.stdout)
+    assert int(verified) > 20
+    assert (tmp_path / "report" / "report.html").is_file()
+    policy = kit.run("proctor-conformance-policy", "--help")
+    assert policy.returncode == 0, policy.stderr
+
+
+class WheelServer(ReferenceServer):
+    """The reference server from its wheel."""
+
+    def __init__(self, installed: Installed) -> None:
+        self.command = (str(installed.bin / "proctor-server"),)
+        super().__init__(installed.directory, PYTHONSAFEPATH="1")
+
+
+@slow
+def test_the_client_plays_on_a_server_from_its_wheel(
+    dist: Path, tmp_path: Path
+) -> None:
+    """Each in an environment of its own. Expect the score of the policy, 1."""
+    folders = tmp_path / "server", tmp_path / "client"
+    for folder in folders:
+        folder.mkdir()
+    served = Installed(folders[0], dist, "proctor-eval", "proctor-server")
+    assert set(served.can_import(MODULES)) == {*OF_CLIENT, "reference_server"}
+    client = Installed(folders[1], dist, "proctor-eval")
+    assert set(client.can_import(MODULES)) == set(OF_CLIENT)
+    version = client.run("proctor", "--version")
+    assert version.stdout.startswith(f"proctor {VERSION}, protocol version ")
+    (folders[1] / "evaluate.py").write_text(POLICY)
+    with WheelServer(served) as server:
+        done = client.run(
+            "proctor",
+            *("run", "--url", server.url, "--policy", "evaluate.py:Best"),
+            *("--benchmark", "calibration"),
+            PROCTOR_TOKEN=TOKENS["alice"],
+        )
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "success    1 of 1 scored" in done.stdout
+
+
+def test_the_program_says_what_failed(tmp_path: Path) -> None:
+    """A folder that cannot be built. Expect exit code 2 and the reason."""
+    program = (
+        "import tools.distributions.__main__ as m, sys\n"
+        "m._BUILD = 'raise SystemExit(\"no room\")'\n"
+        f"sys.argv[1:] = [{str(tmp_path)!r}]\n"
+        "sys.exit(m.main())"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr.splitlines()[:2] == ["proctor-conformance:", "no room"]

