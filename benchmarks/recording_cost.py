@@ -12,6 +12,7 @@ import os
 import statistics
 import tempfile
 from pathlib import Path
+from typing import NamedTuple
 
 import httpx
 
@@ -19,6 +20,13 @@ from tests.support.server.http_runs import predict_body
 from tests.support.servers import ReferenceServer
 
 TURNS_A_BLOCK = 100
+
+
+class Spent(NamedTuple):
+    """Seconds of CPU: of the server itself, and of all that it started."""
+
+    server: float
+    others: float
 
 
 class PlayedServer:
@@ -37,19 +45,20 @@ class PlayedServer:
         self._path = f"{worker}/predict"
         self._turn = self._client.put(worker, json={"attach_key": "k"}).json()
 
-    def cpu_of_block(self) -> float:
-        """Seconds of CPU of one block of turns."""
+    def cpu_of_block(self) -> Spent:
+        """Of one block of turns."""
         before = cpu_seconds(self._pid)
         for _ in range(TURNS_A_BLOCK):
             answer: httpx.Response = self._client.post(
                 self._path, json=predict_body(self._turn)
             )
             self._turn = answer.raise_for_status().json()
-        return cpu_seconds(self._pid) - before
+        after = cpu_seconds(self._pid)
+        return Spent(after.server - before.server, after.others - before.others)
 
 
-def cpu_seconds(pid: int) -> float:
-    """Of a process and its descendants, so far; those that ended included."""
+def cpu_seconds(pid: int) -> Spent:
+    """So far; with those that ended."""
     children: dict[int, list[int]] = {}
     spent: dict[int, float] = {}
     for entry in Path("/proc").iterdir():
@@ -61,19 +70,20 @@ def cpu_seconds(pid: int) -> float:
             continue
         children.setdefault(int(fields[1]), []).append(int(entry.name))
         spent[int(entry.name)] = sum(map(int, fields[11:15]))
-    ticks, left = 0.0, [pid]
+    ticks, left = 0.0, list(children.get(pid, []))
     while left:
         one = left.pop()
         ticks += spent.get(one, 0.0)
         left += children.get(one, [])
-    return ticks / os.sysconf("SC_CLK_TCK")
+    second = os.sysconf("SC_CLK_TCK")
+    return Spent(spent.get(pid, 0.0) / second, ticks / second)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--blocks", type=int, default=40)
     blocks = parser.parse_args().blocks
-    spent: dict[str, list[float]] = {"off": [], "actions": []}
+    spent: dict[str, list[Spent]] = {"off": [], "actions": []}
     with tempfile.TemporaryDirectory() as directory:
         folders = {ways: Path(directory, ways) for ways in spent}
         for folder in folders.values():
@@ -89,14 +99,19 @@ def main() -> None:
             for number in range(blocks):
                 for ways in sorted(spent, reverse=bool(number % 2)):
                     spent[ways].append(played[ways].cpu_of_block())
-    per_turn = {
-        ways: statistics.mean(seconds[2:]) / TURNS_A_BLOCK * 1e6
-        for ways, seconds in spent.items()
-    }
-    share = per_turn["actions"] / per_turn["off"] - 1
-    print(f"without recordings {per_turn['off']:.0f} µs of CPU for a turn")
-    print(f"with recordings    {per_turn['actions']:.0f} µs of CPU for a turn")
-    print(f"difference         {share:+.1%}, {blocks} blocks of {TURNS_A_BLOCK} turns")
+    whole = {}
+    for ways, seconds in spent.items():
+        server, others = (
+            statistics.mean(part) / TURNS_A_BLOCK * 1e6
+            for part in zip(*seconds[2:], strict=True)
+        )
+        whole[ways] = server + others
+        print(
+            f"recordings={ways:8} {whole[ways]:6.0f} µs of CPU for a turn: "
+            f"{server:.0f} in the server, {others:.0f} in its simulator"
+        )
+    share = whole["actions"] / whole["off"] - 1
+    print(f"difference {share:+.1%}, {blocks} blocks of {TURNS_A_BLOCK} turns")
 
 
 if __name__ == "__main__":
