@@ -165,6 +165,17 @@ LANGUAGES = (
         ],
     ),
     Language(
+        "kotlin",
+        tools=("java", "mvn"),
+        version=("java", "-version"),
+        steps=(("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),),
+        command=lambda at: [
+            *("java", "-cp"),
+            f"{at}/target/classes:{at}/target/test-classes:{at}/target/dependency/*",
+            "InteropKt",
+        ],
+    ),
+    Language(
         "cpp",
         tools=("g++", "cmake", "make"),
         version=("g++", "--version"),

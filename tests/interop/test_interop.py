@@ -253,6 +253,7 @@ LOOPS = {
     "cpp": "worker.hpp",
     "go": "worker/worker.go",
     "java": "Worker.java",
+    "kotlin": "Worker.kt",
     "python": "worker.py",
     "rust": "worker.rs",
     "typescript": "worker.ts",

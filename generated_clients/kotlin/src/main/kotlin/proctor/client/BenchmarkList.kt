@@ -1,0 +1,11 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+package proctor.client
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+@Serializable
+data class BenchmarkList(
+    @SerialName("benchmarks") val benchmarks: List<BenchmarkSummary>,
+)

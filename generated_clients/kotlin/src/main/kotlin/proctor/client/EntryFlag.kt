@@ -1,0 +1,12 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+package proctor.client
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+@Serializable
+data class EntryFlag(
+    @SerialName("reason") val reason: String,
+    @SerialName("flagged_at") val flaggedAt: String,
+)

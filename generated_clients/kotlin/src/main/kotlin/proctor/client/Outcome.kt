@@ -1,0 +1,13 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+package proctor.client
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+@Serializable
+enum class Outcome {
+    @SerialName("success") SUCCESS,
+    @SerialName("failure") FAILURE,
+    @SerialName("abandoned") ABANDONED,
+}

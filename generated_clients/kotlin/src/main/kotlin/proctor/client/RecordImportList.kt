@@ -1,0 +1,12 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+package proctor.client
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+@Serializable
+data class RecordImportList(
+    @SerialName("imports") val imports: List<RecordImport>,
+    @SerialName("next_cursor") val nextCursor: String?,
+)

@@ -1,0 +1,14 @@
+/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+
+package proctor.client
+
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+
+@Serializable
+data class TensorSpace(
+    @SerialName("dtype") val dtype: String,
+    @SerialName("shape") val shape: List<Int>,
+    @SerialName("description") val description: String,
+    @SerialName("tasks") val tasks: List<String>? = null,
+)
