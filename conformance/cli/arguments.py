@@ -17,6 +17,9 @@ from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import STAGES
 
 _NODES_MAX = 9
+# Of a quick run. A check waits for its server or for a moment half of its time: three
+# keep two cores busy, and each more costs more to start than it saves.
+_QUICK_PROCESSES = 3
 
 
 class BadArguments(Exception):
@@ -129,7 +132,8 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
         "-n",
         metavar="N",
         type=int,
-        help="number of parallel processes; 2 with --quick alone, otherwise 1",
+        help=f"number of parallel processes; {_QUICK_PROCESSES} with --quick alone, "
+        "otherwise 1",
     )
     execution.add_argument(
         "--fail-fast",
@@ -195,7 +199,8 @@ def read_processes(options: argparse.Namespace) -> int:
     """How many processes judge: one keeps the order that --only asks for."""
     if options.n is not None:
         return int(options.n)
-    return 2 if options.quick and not (options.only or options.fail_fast) else 1
+    is_ordered = bool(options.only or options.fail_fast)
+    return _QUICK_PROCESSES if options.quick and not is_ordered else 1
 
 
 def read_selection(options: argparse.Namespace) -> Settings:

@@ -134,6 +134,8 @@ def _run_pytest(
         "-pno:cacheprovider",
         "-pno:faulthandler",
         "-pno:terminal",
+        # Collects garbage again and again at the end of each process.
+        "-pno:unraisableexception",
         "-pno:warnings",
         *more,
     ]

@@ -2,6 +2,7 @@
 failures that the implementer knows of.
 """
 
+import itertools
 import json
 import os
 import subprocess
@@ -88,16 +89,36 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
     ("arguments", "processes"),
     [
         ([], 1),
-        (["--quick"], 2),
+        (["--quick"], 3),
         (["--quick", "-n", "1"], 1),
         (["--quick", "--only", "ATT"], 1),
         (["--quick", "--fail-fast"], 1),
-        (["-n", "3"], 3),
+        (["-n", "2"], 2),
     ],
 )
-def test_quick_takes_two_processes(arguments: list[str], processes: int) -> None:
+def test_quick_takes_three_processes(arguments: list[str], processes: int) -> None:
     """One keeps the order of --only, and the place where --fail-fast ends."""
     assert read_processes(build_parser().parse_args(arguments)) == processes
+
+
+@pytest.mark.parametrize(("quick", "are_apart"), [(True, True), (False, False)])
+def test_quick_mixes_the_checks_of_the_files(quick: bool, are_apart: bool) -> None:
+    """Those of one file wait alike, so all processes would wait at one time."""
+    code = (
+        "import json; from conformance.run_settings import Settings;"
+        "from conformance.runner.execution import list_checks;"
+        "names = ['core', 'push']; service = {'profiles': names};"
+        f"chosen = Settings(quick={quick}, profiles=names, service=service);"
+        "print(json.dumps([row[0] for row in list_checks(chosen)]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=True
+    )
+    ids = json.loads(done.stdout.splitlines()[-1])
+    places = [n for n, name in enumerate(ids) if name.startswith("PUSH-")]
+    distances = [after - before for before, after in itertools.pairwise(places)]
+    assert len(places) > 5
+    assert (min(distances) > 1) == are_apart
 
 
 @pytest.mark.parametrize("processes", ["0", "2"])
