@@ -6,7 +6,7 @@ It shows what is so and decides nothing; which run an account may see is decided
 from __future__ import annotations
 
 from collections.abc import Sequence
-from datetime import UTC, datetime
+from datetime import date, timedelta
 from functools import lru_cache
 from typing import Any
 
@@ -25,7 +25,16 @@ def timestamp(at_wall: float) -> str:
 @lru_cache(maxsize=64)
 def _format_second(at_wall: int) -> str:
     """Cached: every turn carries a time, mostly one within few seconds."""
-    return datetime.fromtimestamp(at_wall, UTC).replace(tzinfo=None).isoformat()
+    day, second = divmod(at_wall, 86_400)
+    minute, second = divmod(second, 60)
+    hour, minute = divmod(minute, 60)
+    return f"{_format_day(day)}T{hour:02d}:{minute:02d}:{second:02d}"
+
+
+@lru_cache(maxsize=64)
+def _format_day(day: int) -> str:
+    """Cached: episodes are listed by the thousand, of few days."""
+    return (date(1970, 1, 1) + timedelta(days=day)).isoformat()
 
 
 def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import UTC, datetime
 from itertools import combinations
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 
 from reference_server.generated import models
 from reference_server.rules.run import Episode, Result
-from reference_server.views.run_views import episode_view, result_view
+from reference_server.views.run_views import episode_view, result_view, timestamp
 
 REQUIRED = Result("success", 0.5, 2, 7, True, False, 0.25, 1.7e9)
 ALL_OF_IT: dict[str, Any] = {
@@ -59,3 +60,12 @@ def test_an_episode_is_what_its_schema_says(
     assert model.model_dump() == shown
     assert shown["status"] == status
     assert shown.get("policy_fault") == members.get("policy_fault")
+
+
+@pytest.mark.parametrize("at_wall", [0.0, 951_827_696.789, 1.7e9, 1_798_761_599.999])
+def test_times_are_rfc_3339_to_the_millisecond(at_wall: float) -> None:
+    """A leap day, and the last second of a year, among others."""
+    expected = datetime.fromtimestamp(int(at_wall * 1000) / 1000, UTC)
+    text = timestamp(at_wall)
+    assert datetime.fromisoformat(text) == expected
+    assert len(text) == len("2026-11-23T09:00:00.000Z")
