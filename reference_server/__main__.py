@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import asyncio
 import contextlib
+import gc
 import socket
 import sys
 from collections.abc import Callable, Mapping
@@ -160,6 +161,9 @@ def _serve(
         settings.drain_s,
     )
     server = DrainingServer(config, message, drain)
+    # Modules stay for good. Long lists bring about full collections, and each would go
+    # through them for 70 ms in which nothing is answered.
+    gc.freeze()
     # uvicorn shuts down in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])

@@ -16,6 +16,7 @@ import pytest
 import sqlalchemy as sa
 
 from reference_server.rules.imported_record import RecordImport
+from reference_server.rules.manifest import Submission
 from reference_server.rules.run import Result, Run, RunHead
 from reference_server.storage import postgresql as postgresql_module
 from reference_server.storage import store as store_module
@@ -200,6 +201,26 @@ def test_a_window_is_a_part_of_the_run(database: UsedDatabase) -> None:
         assert heads["run_1"].manifest is run.manifest, "it is decoded once for all"
         assert await parts.store.read_window("run_3", 0, None) is None
         assert await parts.store.heads([]) == {}
+
+    run_scenarios(database, scenario)
+
+
+def test_a_list_of_runs_has_all_of_their_submissions_but_the_options(
+    database: UsedDatabase,
+) -> None:
+    """Every member of a submission. Expect that those of one run have the options."""
+    all_of_it = dict.fromkeys(Submission.__annotations__, "x")
+    options = {"options": {"tasks": ["score"] * 3}}
+
+    async def scenario(parts: ServerParts) -> None:
+        run = calibration_run(submission=all_of_it | options)
+        await parts.store.insert(run, None, "")
+        listed = (await parts.store.heads(["run_1"]))["run_1"]
+        assert listed.submission | options == all_of_it | options
+        assert "options" not in listed.submission
+        found = await parts.store.read_window("run_1", 0, 0)
+        assert found is not None
+        assert found[0].submission == all_of_it | options
 
     run_scenarios(database, scenario)
 
