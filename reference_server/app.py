@@ -78,6 +78,7 @@ from reference_server.system.log_output import (
 )
 from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.ray.ray_pool import RayPool
 
 log = logging.getLogger("proctor.app")
 access_log = logging.getLogger(ACCESS_LOG)
@@ -123,7 +124,8 @@ def build(
     )
     retention = _retention_of(settings, service)
     board = _board_of(board_store, service)
-    imports = _imports_of(settings, store, pool, records)
+    replay_pool = _replay_pool_of(settings, pool)
+    imports = _imports_of(settings, store, replay_pool, records)
     streams = SharedStreams(settings.max_event_streams)
     handlers = Handlers(settings, service, streams, board, imports)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
@@ -148,7 +150,7 @@ def build(
             finally:
                 following.cancel()
                 await _close_all(metrics, retention, driver, imports, executor)
-                await _close_all(registry, node, records, pool, store)
+                await _close_all(registry, node, records, replay_pool, pool, store)
 
     readiness = _readiness_of(store, pool, registry)
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
@@ -269,9 +271,22 @@ def _node_of(
 
 
 def _pool_of(settings: Settings) -> SimulatorPool:
-    return SimulatorPool(
-        settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
+    limits = settings.max_simulators, settings.spares, settings.turn_timeout_s
+    if settings.simulators == "local":
+        return SimulatorPool(*limits)
+    return RayPool(
+        settings.simulators,
+        settings.ray_resources,
+        *limits,
+        recordings=None if settings.recordings == "off" else settings.records_path,
     )
+
+
+def _replay_pool_of(settings: Settings, pool: SimulatorPool) -> SimulatorPool:
+    """Replays read records that are files of this machine, so they stay here."""
+    if settings.simulators == "local":
+        return pool
+    return SimulatorPool(1, 0, settings.turn_timeout_s)
 
 
 def _executor_of(
