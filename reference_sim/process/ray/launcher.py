@@ -23,6 +23,7 @@ import socket
 import sys
 import threading
 import time
+from functools import partial
 from typing import Any
 
 from reference_sim.process.ray.launcher_messages import (
@@ -121,15 +122,20 @@ class Launcher:
         except ImportError as error:
             raise CannotUse(f"Ray is not installed here: {_INSTALL}") from error
         self._ray = ray
-        address = "auto" if connect.address == "ray" else connect.address
-        # A driver and a client alike: what actors print stays in the logs of Ray.
-        quiet = {"log_to_driver": False, "logging_level": logging.CRITICAL}
+        # What actors print stays in the logs of Ray.
+        init = partial(ray.init, log_to_driver=False, logging_level=logging.CRITICAL)
+        address, how = connect.address, "does it have that address?"
+        if address == "ray":
+            address, how = "auto", "run `ray start` on this machine first"
         try:
-            ray.init(address, configure_logging=True, **quiet)
+            try:
+                init(address)
+            except ConnectionAbortedError:
+                # Ray's server for clients was slow to start a process for this one.
+                init(address)
         except Exception as error:
-            text = str(error).strip().partition("\n")[0] or type(error).__name__
-            how = "run `ray start` first" if address == "auto" else "is it the address?"
-            raise CannotUse(f"no Ray cluster at {address} ({text}); {how}") from error
+            text = f"no Ray cluster at {address} ({_first_line(error)}); {how}"
+            raise CannotUse(text) from error
         options = actor_options(connect.resources)
         self._actor_class = ray.remote(**options)(SimulatorActor)
         self._machine = connect.machine

@@ -88,7 +88,7 @@ class RayPool(SimulatorPool):
         self._plan = address, resources, recordings
         self._place_s, self._idle_s = place_s, idle_s
         self._launcher: LauncherClient | None = None
-        self._starting: list[asyncio.Task[None]] = []
+        self._starting: dict[asyncio.Task[None], None] = {}  # oldest first
         self._idle_since: dict[SimulatorProcess, float] = {}
         self._waiting: deque[asyncio.Future[SimulatorProcess]] = deque()
         self._cluster_is_full = False
@@ -103,9 +103,12 @@ class RayPool(SimulatorPool):
         """Join the cluster. Raises SimulatorFault."""
         address, resources, recordings = self._plan
         connect = _connect(address, resources, recordings, checks_machines=False)
-        self._launcher = LauncherClient(connect)
-        if not await self._launcher.open():
-            _log.warning("no machine of the Ray cluster has %s yet", resources)
+        await self.start_with(LauncherClient(connect))
+
+    async def start_with(self, launcher: LauncherClient) -> None:
+        """Join the cluster by this launcher. Raises SimulatorFault."""
+        self._launcher = launcher
+        await launcher.open()
         self._tidying = asyncio.create_task(self._tidy())
         await super().start()
 
@@ -177,18 +180,25 @@ class RayPool(SimulatorPool):
         wanted = len(self._waiting) + max(0, self._spares - spares)
         while len(self._starting) < wanted and not self._closed:
             task = asyncio.create_task(self._place())
-            self._starting.append(task)
-            task.add_done_callback(self._starting.remove)
+            self._starting[task] = None
+            task.add_done_callback(self._count_out)
+
+    def _count_out(self, task: asyncio.Task[None] | None) -> None:
+        if task is not None:
+            self._starting.pop(task, None)
 
     async def _place(self) -> None:
         """Start one simulator, for the caller that has waited longest."""
         try:
             process = await self._start_process()
         except SimulatorFault as fault:
+            # Before the caller runs, which may ask for another one at once.
+            self._count_out(asyncio.current_task())
             _log.warning("no simulator on the Ray cluster: %s", fault)
             if self._waiting:
                 self._waiting.popleft().set_exception(fault)
             return
+        self._count_out(asyncio.current_task())
         self._cluster_is_full = False
         self._hand_out(process)
 
@@ -226,5 +236,5 @@ class RayPool(SimulatorPool):
                 if now - self._idle_since.get(process, now) > self._idle_s:
                     process.end("was idle")
             if not self._waiting and now - self._waited_at > REQUEST_S:
-                for task in self._starting[self._spares :]:
+                for task in list(self._starting)[self._spares :]:
                     task.cancel()

@@ -40,17 +40,18 @@ def prepare(connection: socket.socket) -> None:
 
 
 class SimulatorActor:
-    """One simulator. `open` and `serve` are called once each, in this order."""
+    """One simulator. `open` and `serve` are called once each, in this order.
 
-    def __init__(self, check: MachineCheck) -> None:
-        self._check = check
+    host: where it listens; if empty, at the address that Ray knows this machine by.
+    """
+
+    def __init__(self, check: MachineCheck, host: str = "") -> None:
+        self._check, self._host = check, host
         self._listener: socket.socket | None = None
 
     def open(self) -> tuple[str, int, str]:
         """Listen; the machine's address and a port, or 0 and why there is none."""
-        import ray
-
-        host = str(ray.util.get_node_ip_address())
+        host = self._host or _address_in_cluster()
         if (why := mismatch(self._check)) is not None:
             return host, 0, why
         family = socket.AF_INET6 if ":" in host else socket.AF_INET
@@ -86,6 +87,12 @@ class SimulatorActor:
                     return connection
                 connection.close()
         return None
+
+
+def _address_in_cluster() -> str:
+    import ray
+
+    return str(ray.util.get_node_ip_address())
 
 
 def _sends(connection: socket.socket, secret: bytes) -> bool:
