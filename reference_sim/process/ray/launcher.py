@@ -141,7 +141,10 @@ class Launcher:
         self._machine = connect.machine
 
     async def _check_machines(self, connect: Connect) -> int:
-        """How many machines could hold a simulator. Raises CannotUse."""
+        """How many machines could hold a simulator. Raises CannotUse.
+
+        One that does not answer is left out: its end may not have been noticed yet.
+        """
         from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
 
         nodes = await asyncio.to_thread(self._ray.nodes)
@@ -150,19 +153,22 @@ class Launcher:
             return len(machines)
         remote = self._ray.remote(num_cpus=0, max_retries=0)(mismatch)
 
-        async def check(machine: dict[str, Any]) -> None:
+        async def check(machine: dict[str, Any]) -> bool:
+            address = machine["NodeManagerAddress"]
             place = NodeAffinitySchedulingStrategy(machine["NodeID"], soft=False)
             asking = remote.options(scheduling_strategy=place).remote(self._machine)
             try:
                 why = await asyncio.wait_for(asking, _CHECK_TIMEOUT_S)
-            except Exception as error:  # noqa: BLE001 - what Ray raises, or the machine
+            except self._ray.exceptions.RayTaskError as error:
                 why = f"cannot run a simulator: {_first_line(error)}"
+            except Exception as error:  # noqa: BLE001 - Ray raises what it likes
+                _log.warning("machine %s is left out: %s", address, _first_line(error))
+                return False
             if why is not None:
-                address = machine["NodeManagerAddress"]
                 raise CannotUse(f"machine {address} of the Ray cluster {why}")
+            return True
 
-        await asyncio.gather(*map(check, machines))
-        return len(machines)
+        return sum(await asyncio.gather(*map(check, machines)))
 
     # One actor
 

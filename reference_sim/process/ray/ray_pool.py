@@ -15,7 +15,11 @@ from pathlib import Path
 
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import NoCapacity, SimulatorHandle, SimulatorPool
-from reference_sim.process.ray.actor_process import ActorProcess, LauncherClient
+from reference_sim.process.ray.actor_process import (
+    ActorProcess,
+    CannotUseRay,
+    LauncherClient,
+)
 from reference_sim.process.ray.launcher_messages import Connect
 from reference_sim.process.ray.machine_check import make_check
 from reference_sim.process.simulator_process import (
@@ -28,6 +32,7 @@ PLACE_S = 10.0  # for a machine that starts a simulator slowly
 PLACE_IN_FULL_CLUSTER_S = 1.0
 REQUEST_S = 120.0  # how long a request outlives the last caller that waited for it
 IDLE_S = 30.0
+START_TRIES, START_AGAIN_S = 4, 1.0
 _log = logging.getLogger(__name__)
 
 
@@ -190,7 +195,7 @@ class RayPool(SimulatorPool):
     async def _place(self) -> None:
         """Start one simulator, for the caller that has waited longest."""
         try:
-            process = await self._start_process()
+            process = await self._start_somewhere()
         except SimulatorFault as fault:
             # Before the caller runs, which may ask for another one at once.
             self._count_out(asyncio.current_task())
@@ -201,6 +206,18 @@ class RayPool(SimulatorPool):
         self._count_out(asyncio.current_task())
         self._cluster_is_full = False
         self._hand_out(process)
+
+    async def _start_somewhere(self) -> SimulatorProcess:
+        """Again when a machine fails meanwhile, or is not fit to simulate."""
+        for _ in range(START_TRIES - 1):
+            try:
+                return await self._start_process()
+            except CannotUseRay:
+                raise
+            except ResourceShortage as shortage:
+                _log.warning("a simulator is started elsewhere: %s", shortage)
+                await asyncio.sleep(START_AGAIN_S)
+        return await self._start_process()
 
     def _hand_out(self, process: SimulatorProcess) -> None:
         while self._waiting:

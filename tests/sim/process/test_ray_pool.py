@@ -221,6 +221,23 @@ def test_a_lost_cluster_is_no_fault() -> None:
     with_pool(scenario, room=1)
 
 
+@pytest.mark.parametrize(("bad", "starts"), [(3, True), (4, False)])
+def test_a_machine_that_fails_in_a_start_is_not_the_last_one(
+    monkeypatch: pytest.MonkeyPatch, bad: int, starts: bool
+) -> None:
+    monkeypatch.setattr(ray_pool, "START_AGAIN_S", 0.01)
+
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        launcher.bad_starts = bad
+        if starts:
+            await pool.acquire(WORLD)
+        else:
+            with pytest.raises(NoCapacity, match="its machine is gone"):
+                await pool.acquire(WORLD)
+
+    with_pool(scenario, room=1)
+
+
 def test_memory_of_another_machine_is_not_mapped() -> None:
     async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
         await pool.acquire(WORLD)

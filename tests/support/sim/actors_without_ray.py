@@ -8,6 +8,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 
+from reference_sim.process.ray.actor_process import CannotUseRay
 from reference_sim.process.ray.launcher_messages import ActorReady
 from reference_sim.process.ray.simulator_actor import SECRET_BYTES
 from reference_sim.process.simulator_process import ResourceShortage
@@ -27,13 +28,14 @@ actor.serve(bytes.fromhex(sys.stdin.readline()))
 class LauncherWithoutRay:
     """What a LauncherClient does. room: how many more actors the cluster can hold.
 
-    requested: how many actors wait for room.
+    requested: how many actors wait for room. bad_starts: how many of the next ones end
+    before they are ready.
     """
 
     def __init__(self, room: int) -> None:
         self.room, self.requested = room, 0
         self.actors: dict[int, subprocess.Popen[str]] = {}
-        self.is_joined = True
+        self.is_joined, self.bad_starts = True, 0
         self._more_room = asyncio.Event()
         self._last_number = 0
 
@@ -43,7 +45,7 @@ class LauncherWithoutRay:
 
     async def open(self) -> int:
         if not self.is_joined:
-            raise ResourceShortage("there is no cluster")
+            raise CannotUseRay("there is no cluster")
         return 1
 
     async def start_actor(self, on_end: Callable[[], None]) -> tuple[int, ActorReady]:
@@ -56,6 +58,10 @@ class LauncherWithoutRay:
         finally:
             self.requested -= 1
         self.room -= 1
+        if self.bad_starts:
+            self.bad_starts -= 1
+            self.room += 1
+            raise ResourceShortage("its machine is gone")
         self._last_number += 1
         number = self._last_number
         actor = subprocess.Popen(  # noqa: ASYNC220 - a millisecond
