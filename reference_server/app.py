@@ -97,7 +97,7 @@ def build(
     limiter: of its connections. metrics_socket: bound, for metrics; None for none.
     """
     recordings, store, records, board_store = _storage_of(settings)
-    pool = _pool_of(settings)
+    pool, replay_pool = _pools_of(settings)
 
     # Called only while the server runs; by then both parts are there.
     def on_run_lost(run: Run) -> None:
@@ -124,7 +124,6 @@ def build(
     )
     retention = _retention_of(settings, service)
     board = _board_of(board_store, service)
-    replay_pool = _replay_pool_of(settings, pool)
     imports = _imports_of(settings, store, replay_pool, records)
     streams = SharedStreams(settings.max_event_streams)
     handlers = Handlers(settings, service, streams, board, imports)
@@ -270,23 +269,19 @@ def _node_of(
     )
 
 
-def _pool_of(settings: Settings) -> SimulatorPool:
+def _pools_of(settings: Settings) -> tuple[SimulatorPool, SimulatorPool]:
+    """For sessions, and for replays of records: those are files of this machine."""
     limits = settings.max_simulators, settings.spares, settings.turn_timeout_s
     if settings.simulators == "local":
-        return SimulatorPool(*limits)
-    return RayPool(
+        pool = SimulatorPool(*limits)
+        return pool, pool
+    pool = RayPool(
         settings.simulators,
         settings.ray_resources,
         *limits,
         recordings=None if settings.recordings == "off" else settings.records_path,
     )
-
-
-def _replay_pool_of(settings: Settings, pool: SimulatorPool) -> SimulatorPool:
-    """Replays read records that are files of this machine, so they stay here."""
-    if settings.simulators == "local":
-        return pool
-    return SimulatorPool(1, 0, settings.turn_timeout_s)
+    return pool, SimulatorPool(1, 0, settings.turn_timeout_s)
 
 
 def _executor_of(

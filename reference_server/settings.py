@@ -476,10 +476,10 @@ class Settings(BaseSettings):
         """Simulators write recordings where they are executed."""
         if self.simulators == "local" or self.recordings == "off":
             return self
-        if not self.records_dir:
+        if not Path(self.records_dir).is_absolute():
             raise ValueError(
-                f"simulators {self.simulators} needs records_dir: a folder that all "
-                "machines of the Ray cluster share at the same path; or recordings off"
+                f"simulators {self.simulators} needs records_dir: the absolute path of "
+                "a folder that all machines of the Ray cluster share; or recordings off"
             )
         return self
 

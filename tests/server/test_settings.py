@@ -200,8 +200,9 @@ def test_a_setting_has_bounds(name: str, bad: Any) -> None:
 
 
 def test_on_ray_recordings_need_a_folder_that_was_chosen() -> None:
-    with pytest.raises(ValidationError, match="records_dir"):
-        Settings(simulators="ray")
+    for folder in ("", "var/records"):
+        with pytest.raises(ValidationError, match="records_dir"):
+            Settings(simulators="ray", records_dir=folder)
     assert Settings(simulators="ray", recordings="off").records_path
     chosen = Settings(simulators="ray://head:10001", records_dir="/shared")
     assert chosen.records_path == Path("/shared")
