@@ -99,6 +99,7 @@ class RayPool(SimulatorPool):
         self._cluster_is_full = False
         self._waited_at = 0.0
         self._tidying: asyncio.Task[None] | None = None
+        self._joining: asyncio.Task[None] | None = None
 
     @property
     def is_full(self) -> bool:
@@ -119,7 +120,8 @@ class RayPool(SimulatorPool):
 
     async def close(self) -> None:
         self._closed = True
-        for task in [one for one in (self._tidying, *self._starting) if one]:
+        tasks = (self._tidying, self._joining, *self._starting)
+        for task in [one for one in tasks if one is not None]:
             task.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await task
@@ -131,10 +133,17 @@ class RayPool(SimulatorPool):
             await self._launcher.close()
 
     async def check_start(self) -> None:
-        """Raises SimulatorFault while there is no cluster; joins it again if it can."""
+        """Raises SimulatorFault while there is no cluster, which is joined again."""
         if self._closed or self._launcher is None:
             raise SimulatorFault("the pool of simulators is closed")
-        await self._launcher.open()
+        if not self._launcher.is_open:
+            if self._joining is None or self._joining.done():
+                self._joining = asyncio.create_task(self._join_again(self._launcher))
+            raise CannotUseRay("the Ray cluster cannot be reached")
+
+    async def _join_again(self, launcher: LauncherClient) -> None:
+        with contextlib.suppress(CannotUseRay):
+            await launcher.open()
 
     async def acquire(self, world: SimulatorConfig) -> SimulatorHandle:
         """Raises NoCapacity, or SimulatorFault if the simulator cannot be built."""

@@ -28,14 +28,14 @@ actor.serve(bytes.fromhex(sys.stdin.readline()))
 class LauncherWithoutRay:
     """What a LauncherClient does. room: how many more actors the cluster can hold.
 
-    requested: how many actors wait for room. bad_starts: how many of the next ones end
-    before they are ready.
+    is_joined: whether there is a cluster. requested: how many actors wait for room.
+    bad_starts: how many of the next ones end before they are ready.
     """
 
     def __init__(self, room: int) -> None:
         self.room, self.requested = room, 0
         self.actors: dict[int, subprocess.Popen[str]] = {}
-        self.is_joined, self.bad_starts = True, 0
+        self.is_joined, self.is_open, self.bad_starts = True, True, 0
         self._more_room = asyncio.Event()
         self._last_number = 0
 
@@ -44,6 +44,7 @@ class LauncherWithoutRay:
         self._more_room.set()
 
     async def open(self) -> int:
+        self.is_open = self.is_joined
         if not self.is_joined:
             raise CannotUseRay("there is no cluster")
         return 1
