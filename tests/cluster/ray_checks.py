@@ -52,7 +52,8 @@ def cluster() -> Iterator[RayCluster]:
 @pytest.fixture(autouse=True)
 def _leaves_nothing(cluster: RayCluster) -> Iterator[None]:
     yield
-    wait_until(lambda: cluster.living_actors() == [] and processes() == [])
+    left = (cluster.living_actors, cluster.actor_processes, launchers)
+    wait_until(lambda: not any(found() for found in left))
 
 
 async def until(holds: Callable[[], bool]) -> None:
@@ -66,15 +67,13 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def processes() -> list[str]:
-    """Simulators on Ray, and what is connected to it for a server."""
+def launchers() -> list[str]:
+    """What is connected to Ray for a server of this environment."""
     listed = subprocess.run(
         ["ps", "-eo", "args"], capture_output=True, text=True, check=True
     )
-    names = ("ray::SimulatorActor", "reference_sim.process.ray.launcher")
-    return [
-        line for line in listed.stdout.splitlines() if any(n in line for n in names)
-    ]
+    start = f"{sys.executable} -P -m reference_sim.process.ray.launcher"
+    return [line for line in listed.stdout.splitlines() if line.startswith(start)]
 
 
 def with_parts(
@@ -139,14 +138,16 @@ class ServerOnRay(ReferenceServer):
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
-def test_a_server_leaves_nothing_behind(tmp_path: Path, number: signal.Signals) -> None:
+def test_a_server_leaves_nothing_behind(
+    cluster: RayCluster, tmp_path: Path, number: signal.Signals
+) -> None:
     settings = {"PROCTOR_SIMULATORS": "ray", "PROCTOR_RECORDINGS": "off"}
     with ServerOnRay(tmp_path, **settings) as server, server.client() as client:
         body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
         run_id = client.post("/v1/runs", json=body).json()["run_id"]
         where = f"/v1/runs/{run_id}/workers/w"
         client.put(where, json={"attach_key": "key"}).raise_for_status()
-        assert len(processes()) == 2
+        assert len(launchers()) == len(cluster.actor_processes()) == 1
         server.end(number)
         assert server.log() == ""
 

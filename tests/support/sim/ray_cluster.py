@@ -3,9 +3,19 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 MEMORY_BYTES = 80 * 2**20  # of each machine's object store; Ray's least
+
+
+def start_again(start: Callable[[], Any]) -> Any:
+    """A second time, if a busy machine needed more than the 30 s that Ray allows."""
+    try:
+        return start()
+    except Exception:  # noqa: BLE001 - Ray raises nothing more special
+        return start()
 
 
 class RayCluster:
@@ -22,7 +32,9 @@ class RayCluster:
 
         head = {"num_cpus": 0, "include_dashboard": False}
         head["object_store_memory"] = MEMORY_BYTES
-        self._cluster = Cluster(initialize_head=True, head_node_args=head)
+        self._cluster = start_again(
+            lambda: Cluster(initialize_head=True, head_node_args=head)
+        )
         self._ray = ray
         self.machines = [self.add_machine() for _ in range(machines)]
         os.environ["RAY_ADDRESS"] = self._cluster.address
@@ -32,7 +44,7 @@ class RayCluster:
     def add_machine(self) -> Any:
         """One with room for a simulator."""
         settings = {"num_cpus": 1, "object_store_memory": MEMORY_BYTES}
-        return self._cluster.add_node(**settings)
+        return start_again(lambda: self._cluster.add_node(**settings))
 
     def remove_machine_of(self, pid: int) -> None:
         """End the machine whose actor this is, as if its power had failed."""
@@ -53,6 +65,11 @@ class RayCluster:
     def living_actors(self) -> list[str]:
         """Of simulators: those that run, and those that wait for room."""
         return [one for one, it in self.actors().items() if it["State"] != "DEAD"]
+
+    def actor_processes(self) -> list[int]:
+        """Those that exist, whatever Ray knows of them."""
+        pids = [int(one["Pid"]) for one in self.actors().values()]
+        return [pid for pid in pids if pid and Path(f"/proc/{pid}").exists()]
 
     def requested(self) -> int:
         """Simulators without room, as Ray's autoscaler sees them."""
