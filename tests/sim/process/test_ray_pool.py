@@ -123,14 +123,18 @@ def test_who_waits_gets_what_is_returned() -> None:
     with_pool(scenario, room=1)
 
 
-def test_who_stops_waiting_leaves_nothing_lent() -> None:
+@pytest.mark.parametrize("leaves_first", [True, False])
+def test_who_stops_waiting_leaves_nothing_lent(leaves_first: bool) -> None:
+    """In the moment in which it is handed what another caller returned."""
+
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         first = await pool.acquire(WORLD)
         waiting = asyncio.create_task(pool.acquire(WORLD))
         await wait_until(lambda: launcher.requested == 1)
-        waiting.cancel()
-        # Lent in the same moment in which the caller left.
+        if leaves_first:
+            waiting.cancel()
         await first.release()
+        waiting.cancel()
         with pytest.raises(asyncio.CancelledError):
             await waiting
         assert (pool.busy, pool.idle) == (0, 1)
