@@ -17,7 +17,7 @@ class MachineCheck(msgspec.Struct, frozen=True):
     """What a machine has to have before it may simulate.
 
     software: as `software()` on the server. folder, marker: where recordings are
-    written, and the content of a file in it; empty if nothing is recorded.
+    written, and the name of a file in it; empty if nothing is recorded.
     """
 
     software: dict[str, str]

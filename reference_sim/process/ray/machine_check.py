@@ -13,8 +13,6 @@ import reference_sim
 from reference_sim.engine import engine_fingerprint
 from reference_sim.process.ray.launcher_messages import MachineCheck
 
-_MARKER = ".simulators"
-
 
 @cache
 def software() -> dict[str, str]:
@@ -29,16 +27,22 @@ def software() -> dict[str, str]:
 def make_check(recordings: Path | None) -> MachineCheck:
     """What machines are compared with.
 
-    recordings: the folder that simulators write recordings to; a small file is left in
-    it, which they have to see. Raises OSError.
+    recordings: the folder that simulators write recordings to; an empty file is made in
+    it, which they have to see, until `remove_marker`. Raises OSError.
     """
     if recordings is None:
         return MachineCheck(software())
     folder = recordings.absolute()
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    marker = secrets.token_hex(16)
-    (folder / _MARKER).write_text(marker, encoding="utf-8")
+    # A name of its own: an earlier one may have been copied to other machines.
+    marker = f".seen-by-simulators-{secrets.token_hex(8)}"
+    (folder / marker).touch(mode=0o600)
     return MachineCheck(software(), str(folder), marker)
+
+
+def remove_marker(check: MachineCheck) -> None:
+    if check.folder:
+        (Path(check.folder) / check.marker).unlink(missing_ok=True)
 
 
 def mismatch(check: MachineCheck) -> str | None:
@@ -56,11 +60,7 @@ def mismatch(check: MachineCheck) -> str | None:
 
 
 def _sees(folder: Path, marker: str) -> bool:
-    try:
-        found = (folder / _MARKER).read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError):
-        return False
-    return found == marker and os.access(folder, os.W_OK | os.X_OK)
+    return (folder / marker).exists() and os.access(folder, os.W_OK | os.X_OK)
 
 
 def _source_digest(folder: Path) -> str:

@@ -20,8 +20,8 @@ from reference_sim.process.ray.actor_process import (
     CannotUseRay,
     LauncherClient,
 )
-from reference_sim.process.ray.launcher_messages import Connect
-from reference_sim.process.ray.machine_check import make_check
+from reference_sim.process.ray.launcher_messages import Connect, MachineCheck
+from reference_sim.process.ray.machine_check import make_check, remove_marker
 from reference_sim.process.simulator_process import (
     ResourceShortage,
     SimulatorFault,
@@ -67,6 +67,7 @@ async def check_cluster(address: str, resources: str, recordings: Path | None) -
         return await launcher.open()
     finally:
         await launcher.close()
+        remove_marker(found.machine)
 
 
 class RayPool(SimulatorPool):
@@ -93,6 +94,7 @@ class RayPool(SimulatorPool):
         self._plan = address, resources, recordings
         self._place_s, self._idle_s = place_s, idle_s
         self._launcher: LauncherClient | None = None
+        self._machine: MachineCheck | None = None
         self._starting: dict[asyncio.Task[None], None] = {}  # oldest first
         self._idle_since: dict[SimulatorProcess, float] = {}
         self._waiting: deque[asyncio.Future[SimulatorProcess]] = deque()
@@ -109,6 +111,7 @@ class RayPool(SimulatorPool):
         """Join the cluster. Raises SimulatorFault."""
         address, resources, recordings = self._plan
         connect = _connect(address, resources, recordings, checks_machines=False)
+        self._machine = connect.machine
         await self.start_with(LauncherClient(connect))
 
     async def start_with(self, launcher: LauncherClient) -> None:
@@ -131,6 +134,8 @@ class RayPool(SimulatorPool):
         await super().close()
         if self._launcher is not None:
             await self._launcher.close()
+        if self._machine is not None:
+            remove_marker(self._machine)
 
     async def check_start(self) -> None:
         """Raises SimulatorFault while there is no cluster, which is joined again."""

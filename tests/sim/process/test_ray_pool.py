@@ -28,7 +28,11 @@ from reference_sim.process.pool import (
 )
 from reference_sim.process.ray import ray_pool
 from reference_sim.process.ray.actor_process import CannotUseRay, LauncherClient
-from reference_sim.process.ray.machine_check import make_check, mismatch
+from reference_sim.process.ray.machine_check import (
+    make_check,
+    mismatch,
+    remove_marker,
+)
 from reference_sim.process.ray.ray_pool import RayPool, check_cluster, parse_resources
 from reference_sim.process.ray.simulator_actor import SimulatorActor
 from tests.support.sim.actors_without_ray import LauncherWithoutRay
@@ -292,11 +296,14 @@ def test_a_machine_with_other_software_is_refused() -> None:
 
 
 def test_a_machine_without_the_folder_of_recordings_is_refused(tmp_path: Path) -> None:
-    check = make_check(tmp_path / "records")
-    assert mismatch(check) is None
+    check, other = (make_check(tmp_path / "records") for _ in range(2))
+    assert mismatch(check) is mismatch(other) is None
     for unlike in ({"folder": str(tmp_path)}, {"marker": "of another folder"}):
         why = mismatch(msgspec.structs.replace(check, **unlike))
         assert "does not share" in str(why)
+    for one in (check, other):
+        remove_marker(one)
+    assert list((tmp_path / "records").iterdir()) == []
 
 
 def test_without_ray_one_sentence_says_what_to_install() -> None:
