@@ -28,7 +28,7 @@ from reference_sim.process.simulator_process import (
     SimulatorProcess,
 )
 
-PLACE_S = 10.0  # for a machine that starts a simulator slowly
+PLACE_S = 15.0  # for a machine that starts a simulator slowly
 PLACE_IN_FULL_CLUSTER_S = 1.0
 REQUEST_S = 120.0  # how long a request outlives the last caller that waited for it
 IDLE_S = 30.0
@@ -75,7 +75,7 @@ class RayPool(SimulatorPool):
 
     address: `ray`, or `ray://HOST:PORT` of Ray's own server for clients. resources: of
     one simulator. recordings: the folder that they are written to, if they are.
-    place_s: how long a caller waits for room.
+    place_s: how long a caller waits while the cluster places none.
     """
 
     def __init__(
@@ -99,7 +99,7 @@ class RayPool(SimulatorPool):
         self._idle_since: dict[SimulatorProcess, float] = {}
         self._waiting: deque[asyncio.Future[SimulatorProcess]] = deque()
         self._cluster_is_full = False
-        self._waited_at = 0.0
+        self._waited_at = self._placed_at = 0.0
         self._tidying: asyncio.Task[None] | None = None
         self._joining: asyncio.Task[None] | None = None
 
@@ -169,28 +169,37 @@ class RayPool(SimulatorPool):
         mine: asyncio.Future[SimulatorProcess] = loop.create_future()
         self._waiting.append(mine)
         self._request_missing()
-        wait_s = self._place_s
-        if self._cluster_is_full:
-            wait_s = min(wait_s, PLACE_IN_FULL_CLUSTER_S)
         try:
-            async with asyncio.timeout(wait_s):
-                return await mine
-        except TimeoutError:
-            self._withdraw(mine)
-            self._cluster_is_full = True
-            text = "the Ray cluster has no room for another simulator now"
-            raise ResourceShortage(text) from None
-        except asyncio.CancelledError:
+            return await self._wait_for(mine)
+        except BaseException:
             self._withdraw(mine)
             raise
         finally:
             self._waited_at = loop.time()
 
+    async def _wait_for(
+        self, mine: asyncio.Future[SimulatorProcess]
+    ) -> SimulatorProcess:
+        loop = asyncio.get_running_loop()
+        wait_s, waited_from = self._place_s, loop.time()
+        if self._cluster_is_full:
+            wait_s = min(wait_s, PLACE_IN_FULL_CLUSTER_S)
+        while not mine.done():
+            # Many at once start slowly: as long as one after the other is placed, the
+            # cluster has room.
+            left_s = max(waited_from, self._placed_at) + wait_s - loop.time()
+            if left_s <= 0:
+                self._cluster_is_full = True
+                text = "the Ray cluster has no room for another simulator now"
+                raise ResourceShortage(text)
+            await asyncio.wait([mine], timeout=left_s)
+        return mine.result()
+
     def _withdraw(self, mine: asyncio.Future[SimulatorProcess]) -> None:
         """What this caller got in the last moment is for the next one."""
         if mine in self._waiting:
             self._waiting.remove(mine)
-        elif not mine.cancelled() and mine.exception() is None:
+        elif mine.exception() is None:
             self._hand_out(mine.result())
 
     def _request_missing(self) -> None:
@@ -219,6 +228,7 @@ class RayPool(SimulatorPool):
             return
         self._count_out(asyncio.current_task())
         self._cluster_is_full = False
+        self._placed_at = asyncio.get_running_loop().time()
         self._hand_out(process)
 
     async def _start_somewhere(self) -> SimulatorProcess:

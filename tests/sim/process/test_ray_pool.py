@@ -116,6 +116,18 @@ def test_a_full_cluster_refuses_and_the_request_stays() -> None:
     with_pool(scenario, room=1, place_s=3.0)
 
 
+def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        waiting = asyncio.create_task(pool.acquire(WORLD))
+        await wait_until(lambda: launcher.requested == 1)
+        pool._placed_at = asyncio.get_running_loop().time() + DEADLINE_S
+        assert not (await asyncio.wait([waiting], timeout=0.5))[0]
+        launcher.add_room()
+        await waiting
+
+    with_pool(scenario, room=0, place_s=0.2)
+
+
 def test_who_waits_gets_what_is_returned() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         first = await pool.acquire(WORLD)
