@@ -31,7 +31,7 @@ from reference_sim.process.simulator_process import (
 PLACE_S = 15.0  # for a machine that starts a simulator slowly
 PLACE_IN_FULL_CLUSTER_S = 1.0
 REQUEST_S = 120.0  # how long a request outlives the last caller that waited for it
-IDLE_S = 30.0
+IDLE_S = 10.0  # less than another server waits for room
 START_TRIES, START_AGAIN_S = 4, 1.0
 _log = logging.getLogger(__name__)
 
