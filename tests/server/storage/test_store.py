@@ -437,6 +437,34 @@ def test_slow_reads_leave_connections_for_writes(
     run_scenarios(database, scenario)
 
 
+def test_closing_waits_for_a_write_whose_caller_was_cancelled(tmp_path: Path) -> None:
+    """Else the process may end, or the file be copied, in the middle of it."""
+    begun, go_on = threading.Event(), threading.Event()
+
+    def write(connection: sa.Connection) -> None:
+        begun.set()
+        assert go_on.wait(TIMEOUT_S)
+        connection.exec_driver_sql("UPDATE runs SET reason = 'stored'")
+
+    async def scenario(_parts: ServerParts) -> None:
+        database = UsedDatabase.of_file(tmp_path / "other.sqlite")
+        store = Store(database.url)
+        await store.open()
+        await store.insert(calibration_run(), None, "")
+        leaving = asyncio.create_task(store._write_at_once(write))
+        await asyncio.to_thread(begun.wait, TIMEOUT_S)
+        leaving.cancel()
+        await asyncio.wait([leaving])
+        closing = asyncio.create_task(store.close())
+        await asyncio.wait([closing], timeout=0.2)
+        assert not closing.done()
+        go_on.set()
+        await closing
+        assert database.execute("SELECT reason FROM runs") == [("stored",)]
+
+    run_scenarios(tmp_path, scenario)
+
+
 def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:
     """It has one connection for all: a reader's end may not commit a writer's half."""
 
