@@ -72,6 +72,11 @@ class Settings:
         """All base URLs of the service."""
         return [self.url, *self.other_urls]
 
+    def assume_all_offered(self) -> None:
+        """List the checks of every selected profile; there is no server."""
+        self.service = {"profiles": self.profiles}
+        self.other_urls = ["http://another-base-url.invalid"]
+
     def is_offered(self, profile: str) -> bool:
         """Whether the server announces a profile, or is judged by it unannounced."""
         if profile == CLUSTER:

@@ -120,7 +120,7 @@ def _dry_run(settings: Settings) -> int:
     from conformance.runner.execution import list_checks
 
     rows = settings.selected_rules
-    settings.service = {"profiles": settings.profiles}
+    settings.assume_all_offered()
     checks = list_checks(settings) if rows else []
     names = {requirement_id: name for requirement_id, name, _ in checks}
     for row in rows:
