@@ -46,7 +46,7 @@ def put_pass_on(
 ) -> None:
     """Replace how the requests for other nodes that `change` chooses are answered.
 
-    wrong: is called with what sends the right answer to where it is told.
+    wrong: is called with what sends the right answer to where it is given.
     """
     right = NodeConnections.pass_on
 
@@ -63,7 +63,7 @@ def put_pass_on(
 
 @mutant("CLU-001", "CLU-002", "CLU-006")
 def shows_a_run_of_another_node_as_it_was() -> None:
-    """Who asks a node that does not play the run is told of a state long past."""
+    """Who asks a node that does not play the run sees a state long past."""
     seen: dict[str, list[Message]] = {}
 
     def is_plain_read(scope: Scope) -> bool:
