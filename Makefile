@@ -62,7 +62,7 @@ lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*c
 
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"
-test: setup programs .venv-site/ready lint generate-check ## The same with all tests; mutants by their own rows
+test: setup programs .venv-cluster/ready .venv-site/ready lint generate-check ## The same with all tests; mutants by their own rows
 	@$(pytest)
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .

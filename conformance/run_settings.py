@@ -12,6 +12,8 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from conformance.specification.ledger import (
+    CLUSTER,
+    NEVER_ANNOUNCED,
     POLICY,
     PROFILES,
     Requirement,
@@ -27,10 +29,12 @@ class Settings:
     """One run of the kit."""
 
     url: str = ""
+    other_urls: list[str] = field(default_factory=list)  # of the same service
     token: str | None = None
     token_2: str | None = None
     token_read: str | None = None
     start_cmd: str | None = None
+    nodes: int = 1  # how often start_cmd is started
     restart_cmd: str | None = None
     seed: int = 0
     quick: bool = False
@@ -62,6 +66,22 @@ class Settings:
             and (self.stage is None or stage_of(row) <= self.stage)
             and (not self.only or row.id.startswith(tuple(self.only)))
         ]
+
+    @property
+    def urls(self) -> list[str]:
+        """All base URLs of the service."""
+        return [self.url, *self.other_urls]
+
+    def assume_all_offered(self) -> None:
+        """List the checks of every selected profile; there is no server."""
+        self.service = {"profiles": self.profiles}
+        self.other_urls = ["http://another-base-url.invalid"]
+
+    def is_offered(self, profile: str) -> bool:
+        """Whether the server announces a profile, or is judged by it unannounced."""
+        if profile == CLUSTER:
+            return bool(self.other_urls)
+        return profile in NEVER_ANNOUNCED or profile in self.service.get("profiles", [])
 
     @property
     def is_partial(self) -> bool:

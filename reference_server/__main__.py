@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import asyncio
 import contextlib
+import gc
 import socket
 import sys
 from collections.abc import Callable, Mapping
@@ -38,6 +39,8 @@ from reference_server.system.log_output import log_config
 from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
+from reference_sim.process.ray.actor_process import CannotUseRay
+from reference_sim.process.ray.ray_pool import check_cluster
 
 
 class HelpFormatter(argparse.RawDescriptionHelpFormatter):
@@ -124,6 +127,7 @@ def _serve(
 ) -> int:
     try:
         _check_database_and_keys(settings)
+        _check_simulators(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
         TokenFile(settings.tokens_file_path, Tokens({})).read()
     except (_CannotUse, made_token.BadTokenFile, BadTokens, OSError) as error:
@@ -160,6 +164,9 @@ def _serve(
         settings.drain_s,
     )
     server = DrainingServer(config, message, drain)
+    # Modules stay for good. Long lists bring about full collections, and each would go
+    # through them for 70 ms in which nothing is answered.
+    gc.freeze()
     # uvicorn shuts down in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])
@@ -167,7 +174,7 @@ def _serve(
 
 
 class _CannotUse(Exception):
-    """The database or the key cannot be used; the text says what to do."""
+    """The database, the key or a cluster cannot be used; the text says what to do."""
 
 
 def _check_database_and_keys(settings: Settings) -> None:
@@ -197,6 +204,23 @@ def _check_database_and_keys(settings: Settings) -> None:
         _print_line(
             "the seeds of sealed splits last until this server stops, and so do runs "
             "that have them: name a file with --seed-secret"
+        )
+
+
+def _check_simulators(settings: Settings) -> None:
+    """Each machine of a Ray cluster is looked at before the server listens."""
+    if settings.simulators == "local":
+        return
+    recordings = None if settings.recordings == "off" else settings.records_path
+    checked = check_cluster(settings.simulators, settings.ray_resources, recordings)
+    try:
+        machines = asyncio.run(checked)
+    except (CannotUseRay, OSError) as error:
+        raise _CannotUse(f"cannot use Ray for simulators: {error}") from error
+    if not machines:
+        _print_line(
+            f"no machine of the Ray cluster has {settings.ray_resources} for a "
+            "simulator yet; turns are refused as no_capacity until one joins"
         )
 
 

@@ -78,6 +78,7 @@ from reference_server.system.log_output import (
 )
 from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.ray.ray_pool import RayPool
 
 log = logging.getLogger("proctor.app")
 access_log = logging.getLogger(ACCESS_LOG)
@@ -96,7 +97,7 @@ def build(
     limiter: of its connections. metrics_socket: bound, for metrics; None for none.
     """
     recordings, store, records, board_store = _storage_of(settings)
-    pool = _pool_of(settings)
+    pool, replay_pool = _pools_of(settings)
 
     # Called only while the server runs; by then both parts are there.
     def on_run_lost(run: Run) -> None:
@@ -123,7 +124,7 @@ def build(
     )
     retention = _retention_of(settings, service)
     board = _board_of(board_store, service)
-    imports = _imports_of(settings, store, pool, records)
+    imports = _imports_of(settings, store, replay_pool, records)
     streams = SharedStreams(settings.max_event_streams)
     handlers = Handlers(settings, service, streams, board, imports)
     driver = Driver(service, egress, key_encryption, settings.max_body_bytes)
@@ -148,7 +149,7 @@ def build(
             finally:
                 following.cancel()
                 await _close_all(metrics, retention, driver, imports, executor)
-                await _close_all(registry, node, records, pool, store)
+                await _close_all(registry, node, records, replay_pool, pool, store)
 
     readiness = _readiness_of(store, pool, registry)
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
@@ -268,10 +269,19 @@ def _node_of(
     )
 
 
-def _pool_of(settings: Settings) -> SimulatorPool:
-    return SimulatorPool(
-        settings.max_simulators, settings.spare_simulators, settings.turn_timeout_s
+def _pools_of(settings: Settings) -> tuple[SimulatorPool, SimulatorPool]:
+    """For sessions, and for replays of records: those are files of this machine."""
+    limits = settings.max_simulators, settings.spares, settings.turn_timeout_s
+    if settings.simulators == "local":
+        pool = SimulatorPool(*limits)
+        return pool, pool
+    pool = RayPool(
+        settings.simulators,
+        settings.ray_resources,
+        *limits,
+        recordings=None if settings.recordings == "off" else settings.records_path,
     )
+    return pool, SimulatorPool(1, 0, settings.turn_timeout_s)
 
 
 def _executor_of(

@@ -17,6 +17,7 @@ from pydantic_settings import BaseSettings, SettingsConfigDict
 from reference_server.allowed_networks import AllowedNetworks
 from reference_server.http.allowed_hosts import AllowedHosts, is_loopback
 from reference_server.profiles.flageval.mode_table import ModeTable
+from reference_sim.process.ray.ray_pool import parse_resources
 
 
 class Settings(BaseSettings):
@@ -72,6 +73,20 @@ class Settings(BaseSettings):
         le=600,
         description="Cluster: time after which the runs of a node that does not reach "
         "the database are taken over by the others.",
+    )
+    simulators: str = Field(
+        "local",
+        pattern=r"^(local|ray|ray://[^\s/:]+:\d{1,5})$",
+        description="Where simulators are executed. local: in processes of this "
+        "machine. ray: on the Ray cluster that this machine is in. ray://HOST:PORT: on "
+        "another one, by its server for Ray clients, usually port 10001. Ray needs "
+        "the same software on all machines and, for recordings, a folder records_dir "
+        "that they share.",
+    )
+    ray_resources: str = Field(
+        "CPU=1",
+        description="Ray: what one simulator takes of a machine, comma-separated, each "
+        "NAME=AMOUNT with Ray's names, for example CPU=0.5,GPU=0.25.",
     )
     benchmarks: str = Field(
         "",
@@ -278,7 +293,10 @@ class Settings(BaseSettings):
         64, ge=1, description="Maximum simulator processes, over all runs."
     )
     spare_simulators: int = Field(
-        2, ge=0, description="Idle simulator processes that are kept started."
+        2,
+        ge=0,
+        description="Idle simulator processes that are kept started. On Ray none "
+        "unless this is set: each holds its share of the cluster.",
     )
     turn_timeout_s: float = Field(
         60.0,
@@ -447,6 +465,24 @@ class Settings(BaseSettings):
             )
         return self
 
+    @field_validator("ray_resources")
+    @classmethod
+    def _check_resources(cls, text: str) -> str:
+        parse_resources(text)  # raises ValueError
+        return text
+
+    @model_validator(mode="after")
+    def _check_simulators(self) -> Self:
+        """Simulators write recordings where they are executed."""
+        if self.simulators == "local" or self.recordings == "off":
+            return self
+        if not Path(self.records_dir).is_absolute():
+            raise ValueError(
+                f"simulators {self.simulators} needs records_dir: the absolute path of "
+                "a folder that all machines of the Ray cluster share; or recordings off"
+            )
+        return self
+
     @field_validator("allow_private_policies")
     @classmethod
     def _check_networks(cls, text: str) -> str:
@@ -504,6 +540,12 @@ class Settings(BaseSettings):
         if "://" in self.database:
             return Path("var/records")
         return Path(f"{self.database}.records")
+
+    @property
+    def spares(self) -> int:
+        """`spare_simulators`, where they cost no other server its place."""
+        is_set = "spare_simulators" in self.model_fields_set
+        return self.spare_simulators if is_set or self.simulators == "local" else 0
 
     @property
     def imports_path(self) -> Path | None:

@@ -45,6 +45,11 @@ class SharedFrameBuffer:
         self._memory: NDArray[np.uint8] | None = None
         self._pending_mapping: SharedMemoryRegion | None = None
         self._unacknowledged: list[int] = []
+        self._can_share = _CAN_SHARE
+
+    def keep_private(self) -> None:
+        """Share nothing: the parent is on another machine, and pixels are sent."""
+        self._can_share = False
 
     def begin_episode(self) -> None:
         """Use new memory; views of the old memory stay valid."""
@@ -56,7 +61,7 @@ class SharedFrameBuffer:
         self._wanted_bytes = max(self._wanted_bytes, self._used_bytes)
         self._used_bytes = 0
         self._half = 1 - self._half
-        if self._wanted_bytes > self._half_bytes and _CAN_SHARE:
+        if self._wanted_bytes > self._half_bytes and self._can_share:
             self._share(2 * self._wanted_bytes)
             self._half_bytes = self._wanted_bytes
 

@@ -1,9 +1,9 @@
 #!/bin/sh
 # Resolves requirements/*.in into hashed locks for every platform: `make lock`. Versions
-# that are locked stay; ARGS=--upgrade takes the newest. `kit`, `client`, `server` and
-# `generate` take the versions of `dev`; `metaworld` needs another MuJoCo, `lerobot` has
-# torch and `bench` has the peers, so they are resolved alone. A lock names no index, no
-# path and no machine.
+# that are locked stay; ARGS=--upgrade takes the newest. `kit`, `client`, `server`,
+# `generate` and `cluster` take the versions of `dev`; `metaworld` needs another MuJoCo,
+# `lerobot` has torch and `bench` has the peers, so they are resolved alone. A lock names
+# no index, no path and no machine.
 set -eu
 uv=$PWD/.venv/bin/uv
 # A machine's own index or folder of wheels must not decide which hashes are locked.
@@ -26,6 +26,7 @@ lock kit --constraints dev.txt "$@"
 lock client --constraints dev.txt "$@"
 lock server --constraints dev.txt "$@"
 lock generate --constraints dev.txt "$@"
+lock cluster --constraints dev.txt "$@"
 lock metaworld --overrides metaworld-overrides.txt "$@"
 lock lerobot --excludes lerobot-excludes.txt "$@"
 lock bench "$@"

@@ -16,6 +16,11 @@ from conformance.specification.document import spec_name
 from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import STAGES
 
+_NODES_MAX = 9
+# Of a quick run. A check waits for its server or for a moment half of its time: three
+# keep two cores busy, and each more costs more to start than it saves.
+_QUICK_PROCESSES = 3
+
 
 class BadArguments(Exception):
     """The command line is invalid; the text gives the reason."""
@@ -38,13 +43,26 @@ def build_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=_version())
     server = parser.add_argument_group("server")
-    server.add_argument("--url", help="base URL of the server under test")
+    server.add_argument(
+        "--url",
+        metavar="URL[,URL…]",
+        help="base URL of the server under test; all of them, with commas, of a "
+        "service that has several: requests are spread over them",
+    )
     server.add_argument(
         "--start-cmd",
         metavar="CMD",
         help="start the server under test with this command; the kit sets "
         "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS and PROCTOR_DATABASE in its "
         "environment",
+    )
+    server.add_argument(
+        "--nodes",
+        metavar="N",
+        type=int,
+        default=1,
+        help="start --start-cmd so many times with one PROCTOR_DATABASE, each on a "
+        "port of its own; PROCTOR_PUBLIC_URL is the URL of the first",
     )
     server.add_argument(
         "--restart-cmd",
@@ -114,7 +132,8 @@ def _add_execution(parser: argparse.ArgumentParser) -> None:
         "-n",
         metavar="N",
         type=int,
-        help="number of parallel processes; 2 with --quick alone, otherwise 1",
+        help=f"number of parallel processes; {_QUICK_PROCESSES} with --quick alone, "
+        "otherwise 1",
     )
     execution.add_argument(
         "--fail-fast",
@@ -180,7 +199,8 @@ def read_processes(options: argparse.Namespace) -> int:
     """How many processes judge: one keeps the order that --only asks for."""
     if options.n is not None:
         return int(options.n)
-    return 2 if options.quick and not (options.only or options.fail_fast) else 1
+    is_ordered = bool(options.only or options.fail_fast)
+    return _QUICK_PROCESSES if options.quick and not is_ordered else 1
 
 
 def read_selection(options: argparse.Namespace) -> Settings:
@@ -228,14 +248,12 @@ def read_settings(options: argparse.Namespace) -> Settings:
         raise BadArguments("--url and --start-cmd exclude each other")
     if options.start_cmd is not None and options.restart_cmd is not None:
         raise BadArguments("--start-cmd and --restart-cmd exclude each other")
-    if options.url is not None and not options.url.startswith(("http://", "https://")):
-        raise BadArguments(f"--url {options.url}: not an http or https URL")
     if options.fail_fast and options.known_failures is not None:
         raise BadArguments("--fail-fast and --known-failures exclude each other")
     if options.max_time is not None and not options.max_time > 0:
         raise BadArguments(f"--max-time {options.max_time:g}: must be greater than 0")
     environment = os.environ
-    settings.url = (options.url or "").rstrip("/")
+    _read_nodes(options, settings)
     _read_attestation(options, settings)
     settings.token = options.token or environment.get("PROCTOR_TOKEN") or None
     settings.token_2 = options.token_2 or environment.get("PROCTOR_TOKEN_2") or None
@@ -254,6 +272,22 @@ def read_settings(options: argparse.Namespace) -> Settings:
         settings.max_time_s = options.max_time
         settings.deadline = time.monotonic() + options.max_time
     return settings
+
+
+def _read_nodes(options: argparse.Namespace, settings: Settings) -> None:
+    """Read where the service is reached, or how many servers of it are started."""
+    urls = [url.rstrip("/") for url in _split(options.url)]
+    for url in urls:
+        if not url.startswith(("http://", "https://")):
+            raise BadArguments(f"--url {url}: not an http or https URL")
+    if len(set(urls)) < len(urls):
+        raise BadArguments(f"--url {options.url}: a base URL stands twice")
+    if options.nodes > 1 and options.start_cmd is None:
+        raise BadArguments("--nodes needs --start-cmd")
+    if not 1 <= options.nodes <= _NODES_MAX:
+        raise BadArguments(f"--nodes {options.nodes}: must be 1 to {_NODES_MAX}")
+    settings.url, settings.other_urls = (urls or [""])[0], urls[1:]
+    settings.nodes = options.nodes
 
 
 def check_summary(path: str | None) -> None:

@@ -61,9 +61,9 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
     findings = inspect(settings)
     result.round_trip_p50_s = findings.round_trip_p50_s
     result.notes = findings.notes()
-    service = settings.service
+    service, urls = settings.service, ", ".join(settings.urls)
     terminal.say(
-        f"{service.get('name')} {service.get('version')} at {settings.url}, "
+        f"{service.get('name')} {service.get('version')} at {urls}, "
         f"Proctor {service['protocol']['min']} to {service['protocol']['max']}"
     )
     terminal.say(
@@ -95,14 +95,17 @@ def _server(settings: Settings) -> Iterator[None]:
     settings.token_read = tokens.reader
     log = Path(settings.report) / "server.log"
     log.unlink(missing_ok=True)
-    with open_directory() as directory:
-        process = ServerProcess(settings.start_cmd, tokens, directory, log)
-        try:
-            process.start()
-            settings.url = process.url
-            yield
-        finally:
-            process.stop()
+    with open_directory() as directory, contextlib.ExitStack() as ends:
+        urls: list[str] = []
+        for number in range(settings.nodes):
+            own = log if number == 0 else log.with_name(f"server-{number + 1}.log")
+            process = ServerProcess(settings.start_cmd, tokens, directory, own)
+            ends.callback(process.stop)
+            public_url = urls[0] if urls else ""
+            process.start(public_url if settings.nodes > 1 else None)
+            urls.append(process.url)
+        settings.url, settings.other_urls = urls[0], urls[1:]
+        yield
 
 
 def _list(settings: Settings) -> int:
@@ -117,7 +120,7 @@ def _dry_run(settings: Settings) -> int:
     from conformance.runner.execution import list_checks
 
     rows = settings.selected_rules
-    settings.service = {"profiles": settings.profiles}
+    settings.assume_all_offered()
     checks = list_checks(settings) if rows else []
     names = {requirement_id: name for requirement_id, name, _ in checks}
     for row in rows:

@@ -15,6 +15,7 @@ from typing import Any
 
 import httpx
 
+from conformance.client.base_urls import BaseUrls
 from conformance.client.connections.connection_faults import is_own_fault, is_repeatable
 from conformance.client.connections.connection_pool import (
     Connection,
@@ -102,20 +103,21 @@ _DEFAULT_HEADERS = {
 
 
 class HttpClient:
-    """Requests of one account to one server; safe for several threads."""
+    """Requests of one account to one service; safe for several threads."""
 
     def __init__(
         self,
         *,
         connections: ConnectionPool,
         spec: Spec,
-        base_url: str,
+        base_urls: BaseUrls,
         token: str | None,
         token_name: str,
         exchange_log: ExchangeLog,
         observe: Observer,
     ) -> None:
-        self.base_url = base_url.rstrip("/")
+        self.base_url = base_urls.first
+        self._base_urls = base_urls
         self.token = token
         self._token_name = token_name
         self._connections = connections
@@ -195,11 +197,12 @@ class HttpClient:
         timeout_s: float = 30.0,
         token: str | None = OWN_TOKEN,
     ) -> tuple[HttpRequest, Exchange]:
-        url = _parse_url(path if "://" in path else self.base_url + path)
-        if params is not None:
-            url = httpx.URL(url, params=params)
         number = self._exchange_log.next_number()
         correlation_id = f"{self._exchange_log.name}/{number}"
+        address = path if "://" in path else self.base_url + path
+        url = _parse_url(self._base_urls.choose(address, correlation_id))
+        if params is not None:
+            url = httpx.URL(url, params=params)
         sent = _DEFAULT_HEADERS | {
             "x-correlation-id": ("X-Correlation-Id", correlation_id)
         }
@@ -330,7 +333,7 @@ class HttpClient:
         return self._token_name if is_own else "WRONG_TOKEN"
 
     def _operation_of(self, method: str, url: str) -> Operation | None:
-        if not url.startswith(self.base_url):
+        path = self._base_urls.path_of(url)
+        if path is None:
             return None
-        path = url.removeprefix(self.base_url).partition("?")[0]
-        return self._spec.find(method, path)
+        return self._spec.find(method, path.partition("?")[0])

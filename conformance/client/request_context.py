@@ -5,6 +5,7 @@ CheckContext (check_context.py).
 """
 
 import contextlib
+import dataclasses
 import random
 import threading
 import time
@@ -19,6 +20,7 @@ import msgspec
 
 from conformance.client import calibration_actions
 from conformance.client.adaptive_timeouts import AdaptiveTimeouts
+from conformance.client.base_urls import BaseUrls
 from conformance.client.connections.connection_pool import ConnectionPool
 from conformance.client.exchange_log import ExchangeLog
 from conformance.client.http_client import HttpClient, NoAnswer
@@ -32,7 +34,7 @@ from conformance.specification.document import (
     load_policy_spec,
     load_spec,
 )
-from conformance.specification.ledger import NEVER_ANNOUNCED, POLICY
+from conformance.specification.ledger import POLICY
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
@@ -92,7 +94,9 @@ class RequestContext:
         self.tally: Tally = parent.tally if parent else Tally(shared.spec)
         # The same seed gives the same requests.
         self.random = random.Random(f"{shared.settings.seed}/{name}")
-        self._base_url = base_url or shared.settings.url
+        # Another server than the one that is judged is reached at this URL alone.
+        urls = (base_url,) if base_url else shared.settings.urls
+        self._base_urls = BaseUrls(tuple(urls), seed=shared.settings.seed)
         self._clean_ups: list[Callable[[], object]] = []
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
@@ -101,11 +105,12 @@ class RequestContext:
         token: str | None,
         name: str,
         connections: ConnectionPool | None = None,
+        pinned: int | None = None,
     ) -> HttpClient:
         return HttpClient(
             connections=connections or self.shared.connections,
             spec=self.spec,
-            base_url=self._base_url,
+            base_urls=dataclasses.replace(self._base_urls, pinned=pinned),
             token=token,
             token_name=name,
             exchange_log=self.exchange_log,
@@ -115,8 +120,15 @@ class RequestContext:
     @contextlib.contextmanager
     def own_connection(self) -> Iterator[HttpClient]:
         """Give a client that sends its requests one by one over one connection."""
-        with contextlib.closing(ConnectionPool(self._base_url)) as connections:
-            yield self._open_client(self.shared.settings.token, "TOKEN", connections)
+        url, token = self._base_urls.first, self.shared.settings.token
+        with contextlib.closing(ConnectionPool(url)) as connections:
+            yield self._open_client(token, "TOKEN", connections, pinned=0)
+
+    @property
+    def clients_by_url(self) -> list[HttpClient]:
+        """A client for each base URL of the service, which sends all requests to it."""
+        token, places = self.shared.settings.token, range(len(self._base_urls.urls))
+        return [self._open_client(token, "TOKEN", pinned=place) for place in places]
 
     @property
     def speaks_msgpack(self) -> bool:
@@ -125,7 +137,7 @@ class RequestContext:
 
     def offers(self, profile: str) -> bool:
         """Whether the server offers a profile."""
-        return profile in NEVER_ANNOUNCED or profile in self.service["profiles"]
+        return self.shared.settings.is_offered(profile)
 
     def client_with_token(self, token: str | None) -> HttpClient:
         """Give a client with any token, or without one."""
@@ -282,7 +294,7 @@ class RequestContext:
                 contextlib.suppress(httpx.TransportError),
                 self.shared.connections.borrow() as connections,
             ):
-                connections.get(f"{self._base_url}/v1", _ROUND_TRIP_TIMEOUT_S)
+                connections.get(f"{self._base_urls.first}/v1", _ROUND_TRIP_TIMEOUT_S)
             round_trips.append(time.monotonic() - began_at)
         round_trips.sort()
         longest_s = round_trips[-1]

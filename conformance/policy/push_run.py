@@ -20,6 +20,7 @@ END_TIMEOUT_S = 15.0
 ENDED = ("completed", "failed", "stopped")
 _FIRST_CALL_TIMEOUT_S = 5.0
 _POLL_S = 0.01
+_POLL_LONGEST_S = 0.1
 
 
 @contextlib.contextmanager
@@ -98,13 +99,15 @@ def require_permitted(answer: Answer, url: str) -> None:
 def expect_end(run: RunClient, state: str) -> dict[str, Any]:
     """Expect a run to end in a state, and give its body."""
     deadline = time.monotonic() + END_TIMEOUT_S
+    pause_s = _POLL_S
     while (body := run.get())["state"] not in ENDED:
         if time.monotonic() > deadline:
             raise Violation(
                 f"a run that becomes `{state}`",
                 f"`{body['state']}` after {END_TIMEOUT_S:g} s",
             )
-        time.sleep(_POLL_S)
+        time.sleep(pause_s)
+        pause_s = min(1.5 * pause_s, _POLL_LONGEST_S)
     if body["state"] != state:
         observed = f"a run that is `{body['state']}` ({body['reason']})"
         raise Violation(f"a run that becomes `{state}`", observed)
@@ -116,13 +119,15 @@ def expect_policy_fault(
 ) -> dict[str, Any]:
     """Expect `policy_fault` in the first episode, and give the episode."""
     deadline = time.monotonic() + within_s
+    pause_s = _POLL_S
     while "policy_fault" not in (episode := run.episodes()[0]):
         if time.monotonic() > deadline:
             raise Violation(
                 f"`policy_fault` of an episode within {within_s:g} s",
                 expect.format_value(dict(episode)),
             )
-        time.sleep(_POLL_S)
+        time.sleep(pause_s)
+        pause_s = min(1.5 * pause_s, _POLL_LONGEST_S)
     expect.true(episode["policy_fault"], "a text in `policy_fault`")
     return episode
 

@@ -103,7 +103,8 @@ def execute(
 def list_checks(chosen: Settings | None = None) -> list[list[str]]:
     """Give id, name and docstring of the checks (of all), without a server."""
     profiles = [*PROFILES, POLICY]
-    everything = Settings(profiles=profiles, service={"profiles": profiles})
+    everything = Settings(profiles=profiles)
+    everything.assume_all_offered()
     collector = _CheckCollector()
     code = _run_pytest(chosen or everything, collector, 0, "--collect-only")
     if code not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
@@ -134,6 +135,8 @@ def _run_pytest(
         "-pno:cacheprovider",
         "-pno:faulthandler",
         "-pno:terminal",
+        # Collects garbage again and again at the end of each process.
+        "-pno:unraisableexception",
         "-pno:warnings",
         *more,
     ]

@@ -10,8 +10,10 @@ import inspect
 import threading
 import time
 import traceback
+from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -203,6 +205,8 @@ def pytest_collection_modifyitems(
         if _waits(item):
             # One process starts them all, so that they wait together.
             item.add_marker(pytest.mark.xdist_group("background"))
+    if settings.quick and not settings.fail_fast:
+        items[:] = _interleave_files(items)
     items.sort(
         key=lambda item: (
             _is_crash(item),
@@ -210,6 +214,21 @@ def pytest_collection_modifyitems(
             _place(item, settings),
         )
     )
+
+
+def _interleave_files(items: list[pytest.Item]) -> list[pytest.Item]:
+    """Spread the checks of each file evenly over the run.
+
+    Checks of one file load the server alike. In the order of the files, all processes
+    would wait for timers at one time, and for the server at another.
+    """
+    counts = Counter(item.path for item in items)
+    seen = Counter[Path]()
+    places: dict[str, float] = {}
+    for item in items:
+        places[item.nodeid] = (seen[item.path] + 0.5) / counts[item.path]
+        seen[item.path] += 1
+    return sorted(items, key=lambda item: places[item.nodeid])
 
 
 def _is_crash(item: pytest.Item) -> bool:

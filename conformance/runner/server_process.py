@@ -87,8 +87,12 @@ class ServerProcess:
         self._is_closed = False
         self._lock = threading.Lock()
 
-    def start(self) -> None:
-        """Start it and wait until it responds; the port stays the same on a restart."""
+    def start(self, public_url: str | None = None) -> None:
+        """Start it and wait until it responds; the port stays the same on a restart.
+
+        public_url: that of the service it is a node of, "" for its own; None if it is
+        a service of itself.
+        """
         self._port = self._port or _free_port()
         self.url = f"http://127.0.0.1:{self._port}"
         self._log.parent.mkdir(parents=True, exist_ok=True)
@@ -101,6 +105,8 @@ class ServerProcess:
             # The address of the policy server of the kit, for the profile push.
             "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.1",
         }
+        if public_url is not None:
+            environment["PROCTOR_PUBLIC_URL"] = public_url or self.url
         with self._lock:
             if self._is_closed:
                 raise StartFailed("the kit ends")

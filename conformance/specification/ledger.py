@@ -28,11 +28,12 @@ _OF_VERIFIERS = "a rule of who reads a file, which the vectors in vectors/record
 PROFILES = (
     *("core", "msgpack", "compare", "events", "push", "limits", "record"),
     *("record_import", "attribution", "subsets", "sealed_seeds", "deletion"),
-    *("board", "public_board", "crash"),
+    *("board", "public_board", "crash", "cluster"),
     *("ebench", "flageval"),
 )
 POLICY = "policy"  # of policy servers, which are checked by a command of their own
 NEVER_ANNOUNCED = ("core", "crash")  # checked on every server
+CLUSTER = "cluster"  # checked on every service with several base URLs
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,6 @@ from conformance.exchanges.curl import script
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import (
-    NEVER_ANNOUNCED,
     Requirement,
     load_ledger,
 )
@@ -195,8 +194,7 @@ def _of_all(count: Counter[Outcome]) -> str:
 
 def is_offered(row: Requirement, settings: Settings) -> bool:
     """Say whether the server announces the profile of a rule."""
-    announced = settings.service.get("profiles", [])
-    return row.profile in NEVER_ANNOUNCED or row.profile in announced
+    return settings.is_offered(row.profile)
 
 
 def conclude(

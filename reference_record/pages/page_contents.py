@@ -30,7 +30,7 @@ from reference_record.pages.recorded_episode import (
     first_divergence,
     plot_data,
 )
-from reference_record.pages.run_page import Document, PolicyTimes
+from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
 from reference_record.recording import Turn
 
 LEVEL_REPORTED: Final = (
@@ -103,7 +103,7 @@ def run_html(
     links: Links,
     run: Document,
     score: Document,
-    episodes: Sequence[Document],
+    figures: RunFigures,
     window: Window,
     *,
     level: str = LEVEL_REPORTED,
@@ -118,15 +118,14 @@ def run_html(
 
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
     """
-    table = run_page.task_table(episodes)
     return render_page(
         "run",
         links,
         csrf=csrf,
         run=run,
         score=score,
-        table=table,
-        left_s=run_page.seconds_left(run, episodes),
+        table=figures.table,
+        left_s=run_page.seconds_left(run, figures.ordered),
         latest=(),
         live=live,
         level=level,
@@ -137,14 +136,14 @@ def run_html(
         is_whole=window.whole,
         filters={
             "outcome": run_page.ORDER,
-            "task": [task for task, _, _ in table.rows],
-            "split": table.splits,
+            "task": [task for task, _, _ in figures.table.rows],
+            "split": figures.table.splits,
         },
         selected={"outcome": "", "task": "", "split": "", **window.selected},
-        episode_times=run_page.think_seconds(episodes),
+        episode_times=figures.episode_times,
         turn_times=turn_times,
-        totals=run_page.totals(episodes),
-        players=run_page.players(episodes),
+        totals=figures.totals,
+        players=figures.players,
         facts=_run_facts(run),
         commands=run_page.commands(run),
         others=others,

@@ -60,6 +60,14 @@ def render_page(template: str, links: Links, *, csrf: str = "", **values: Any) -
 
 
 @cache
+def compile_templates() -> None:
+    """So that no page waits for it: a tenth of a second once, in any thread."""
+    environment = _environment()
+    for name in environment.list_templates(extensions=["j2"]):
+        environment.get_template(name)
+
+
+@cache
 def read_asset(name: str) -> bytes:
     """A script or a style that the pages load; a name of ASSETS."""
     assert name in ASSETS

@@ -79,6 +79,30 @@ class PolicyTimes:
         return quantiles(self.think_ms)
 
 
+@dataclass(frozen=True, slots=True)
+class RunFigures:
+    """What a page says of all episodes of a run, whichever of them it lists.
+
+    ordered: the episodes, failures first. episode_times: of those with a result.
+    """
+
+    ordered: Sequence[Document]
+    table: TaskTable
+    episode_times: Quantiles | None
+    totals: Mapping[str, int]
+    players: Sequence[str]
+
+    @classmethod
+    def of(cls, episodes: Sequence[Document]) -> RunFigures:
+        return cls(
+            failures_first(episodes),
+            task_table(episodes),
+            think_seconds(episodes),
+            totals(episodes),
+            players(episodes),
+        )
+
+
 def status_of(episode: Document) -> str:
     """Its outcome, or what it waits for."""
     result = episode.get("result")

@@ -16,7 +16,7 @@ from reference_record.pages.comparison_page import pair_episodes
 from reference_record.pages.page_contents import Side, Window, played_view
 from reference_record.pages.page_templates import ASSETS, read_asset, render_page
 from reference_record.pages.recorded_episode import RecordedEpisode
-from reference_record.pages.run_page import Document, PolicyTimes, failures_first
+from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
 
 ROWS_MAX = 1000
 VIDEO = "{index:05d}.mp4"
@@ -150,7 +150,8 @@ class StaticReport:
 
     def _write_run(self, one: ReportedRun) -> Iterator[str]:
         links, number = self._links("../../"), self._runs_by_id[one.run_id]
-        rows = failures_first(one.episodes)
+        figures = RunFigures.of(one.episodes)
+        rows = figures.ordered
         starts = range(0, max(1, len(rows)), ROWS_MAX)
         names = ["index.html", *(f"page-{n}.html" for n in range(2, len(starts) + 1))]
         pages = list(enumerate(names, start=1))
@@ -163,7 +164,7 @@ class StaticReport:
             part = rows[start : start + ROWS_MAX]
             window = Window(part, len(rows), page, pages, whole=True)
             text = page_contents.run_html(
-                links, one.run, one.score, one.episodes, window,
+                links, one.run, one.score, figures, window,
                 level=one.level, turn_times=one.times, others=compared,
             )  # fmt: skip
             yield self._save(f"runs/{number}/{name}", text)

@@ -214,7 +214,12 @@ class _Exchange:
 
 
 class RunForwarding:
-    """One path of runs: its requests are answered here, or passed on.
+    """One path of runs: its requests are answered here, or passed on (CLU-001).
+
+    All requests for a run are decided by its one owner: a repeat is known there,
+    wherever it arrived (CLU-003), requests at the same moment come one after the other
+    (CLU-004), a lease is extended (CLU-005), and long polls and event streams wait
+    where changes are made (CLU-006), with the client's Last-Event-ID (CLU-007).
 
     has_run: whether a run is in the memory of this node; most turns need no more.
     """

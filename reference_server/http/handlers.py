@@ -430,7 +430,10 @@ class Handlers:
         return Response(status_code=204)
 
     def base_url(self, call: OperationCall) -> str:
-        """RUN-016: where the caller reaches this server; without a slash at the end."""
+        """RUN-016: where the caller reaches this server; without a slash at the end.
+
+        CLU-002: of several nodes, the one address that clients are given.
+        """
         base = self.settings.public_url
         if not base:
             if host := call.request.headers.get("host"):

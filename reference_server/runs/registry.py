@@ -260,6 +260,33 @@ class RunRegistry:
         # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
         self._admit(run)  # before it is stored: one submit is one transaction
+        if await self.run_to_end(self._store_new(run, key, body_sha256, check)):
+            return run
+        assert key is not None
+        use = await self.find_by_key(run.account, key)
+        assert use is not None, "an insert is refused only for a used key"
+        conflict = key_conflict(use, body_sha256)
+        if conflict is not None:
+            raise Refused.from_verdict(conflict)
+        try:
+            return await self.get(use.run_id)
+        except OwnedElsewhere:
+            return await self._read_foreign(use.run_id)
+        except Refused as refused:
+            raise Refused(
+                "not_found",
+                "The run of this Idempotency-Key was deleted; use a new key.",
+                requirement="DEL-005",
+            ) from refused
+
+    async def _store_new(
+        self,
+        run: Run,
+        key: str | None,
+        body_sha256: str,
+        check: Callable[[Quota], None] | None,
+    ) -> bool:
+        """Whether a run that memory counts was stored; if not, it counts no more."""
         is_stored = False
         try:
             with timed(COUNTERS.database_writes):
@@ -279,23 +306,7 @@ class RunRegistry:
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
-            return run
-        assert key is not None
-        use = await self.find_by_key(run.account, key)
-        assert use is not None, "an insert is refused only for a used key"
-        conflict = key_conflict(use, body_sha256)
-        if conflict is not None:
-            raise Refused.from_verdict(conflict)
-        try:
-            return await self.get(use.run_id)
-        except OwnedElsewhere:
-            return await self._read_foreign(use.run_id)
-        except Refused as refused:
-            raise Refused(
-                "not_found",
-                "The run of this Idempotency-Key was deleted; use a new key.",
-                requirement="DEL-005",
-            ) from refused
+        return is_stored
 
     async def _read_foreign(self, run_id: str) -> Run:
         """A run of another node as it is stored, to be shown."""
@@ -622,6 +633,17 @@ class RunRegistry:
         # what has fired must not be taken for what will.
         self._admission_timer = None
         self._admit()
+
+    async def run_to_end(self, work: Awaitable[Rendered]) -> Rendered:
+        """What `work` returns. A caller that is cancelled does not take it with it.
+
+        For a write and what memory notes of it: both happen, or neither does.
+        """
+        task = asyncio.ensure_future(work)
+        self.run_in_background(task)
+        # What it raises is for its caller; one that is gone needs no traceback.
+        task.add_done_callback(lambda done: done.cancelled() or done.exception())
+        return await asyncio.shield(task)
 
     def run_in_background(self, work: Awaitable[object]) -> None:
         """Start work that no request waits for; it ends before the server does."""

@@ -252,11 +252,11 @@ class SessionExecutor:
                 self._ensure_live(resources)
                 await self._finish_recording(resources, played, now_wall, clipped)
         except _FAULTS as error:
+            # A first action that was not stored has taken the simulator away, too.
+            await self._ensure_stored_as_played(run)
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
-        # DEL-006: stored while the first turn was played, and before it is answered.
-        if run.played_number is None and not await self._registry.is_stored(run):
-            raise Refused("unavailable", "The run could not be stored.")
+        await self._ensure_stored_as_played(run)
         self._ensure_live(resources)
         ended = effects.end_turn(run, session, played, now_wall, clipped)
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
@@ -281,6 +281,11 @@ class SessionExecutor:
             spent=spent,
         )
         return self._answer(resources, turn, started)
+
+    async def _ensure_stored_as_played(self, run: Run) -> None:
+        """DEL-006: stored while the first turn was played, before it is answered."""
+        if run.played_number is None and not await self._registry.is_stored(run):
+            raise Refused("unavailable", "The run could not be stored.")
 
     async def _begin_turn(
         self, resources: SessionResources, started: float

@@ -116,13 +116,12 @@ class Database:
         return done
 
     async def close(self) -> None:
+        """Waits for a write that was begun, also if its caller was cancelled."""
         await self.engine.dispose()
-        for engine, threads in (
-            (self._file_reader, self._reader_threads),
-            (self._file_writer, self._writer_thread),
-        ):
+        await asyncio.to_thread(self._writer_thread.shutdown)
+        self._reader_threads.shutdown(wait=False)
+        for engine in (self._file_reader, self._file_writer):
             if engine is not None:
-                threads.shutdown(wait=False)
                 engine.dispose()
 
     @asynccontextmanager

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict
-from typing import Any
+from typing import Any, TypedDict
 
 import msgspec
 
@@ -44,6 +44,28 @@ _COPIED_COLUMNS = (
 )
 # Stored of a run beside its submission, and of an episode: its plan and its result.
 RUN_BYTES, EPISODE_BYTES = 1024, 512
+
+
+class _ListedSubmission(TypedDict, total=False):
+    """A submission without its options, which can be a thousand times the rest.
+
+    Members that are not named here are skipped and cost next to nothing.
+    """
+
+    benchmark_id: Any
+    policy: Any
+    mode: Any
+    images: Any
+    labels: Any
+    max_workers: Any
+    idle_timeout_s: Any
+    policy_server: Any
+    any_policy: Any
+    select: Any
+
+
+_SUBMISSION = msgspec.json.Decoder()
+_LISTED_SUBMISSION = msgspec.json.Decoder(_ListedSubmission)
 _RESULT = msgspec.json.Decoder(Result)
 _RECORDING = msgspec.json.Decoder(Recording)
 
@@ -154,11 +176,13 @@ def _apply_row(episode: Episode, row: EpisodeRow) -> None:
         episode.recording = _RECORDING.decode(recording)
 
 
-def _columns_of(row: Row, manifest: Manifest) -> dict[str, Any]:
+def _columns_of(
+    row: Row, manifest: Manifest, submission: msgspec.json.Decoder[Any] = _SUBMISSION
+) -> dict[str, Any]:
     """The members of a RunHead, but for its counts."""
     decoded = {
         "manifest": manifest,
-        "submission": msgspec.json.decode(row["submission"]),
+        "submission": submission.decode(row["submission"]),
         "images": msgspec.json.decode(row["images"]),
         "fence": row["fence"] or 0,
     }
@@ -167,8 +191,19 @@ def _columns_of(row: Row, manifest: Manifest) -> dict[str, Any]:
 
 def head_of(row: Row, manifest: Manifest) -> RunHead:
     """`row` has every column of the run; `manifest` is shared and never changed."""
+    return _head_of(row, manifest, _SUBMISSION)
+
+
+def listed_head_of(row: Row, manifest: Manifest) -> RunHead:
+    """The same without the options of its submission."""
+    return _head_of(row, manifest, _LISTED_SUBMISSION)
+
+
+def _head_of(
+    row: Row, manifest: Manifest, submission: msgspec.json.Decoder[Any]
+) -> RunHead:
     total = len(manifest["episodes"])
-    columns = _columns_of(row, manifest)
+    columns = _columns_of(row, manifest, submission)
     return RunHead(**columns, total=total, scored=row["scored"])
 
 

@@ -356,11 +356,12 @@ class Store:
         return await self.read(fetch)
 
     async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
-        """Those runs by id, without their episodes."""
+        """Those runs by id, without their episodes and without their options."""
 
         def fetch(connection: sa.Connection) -> dict[str, RunHead]:
-            found = (rows.head_of(*one) for one in self._heads(connection, run_ids))
-            return {head.run_id: head for head in found}
+            found = self._heads(connection, run_ids)
+            heads = [rows.listed_head_of(*one) for one in found]
+            return {head.run_id: head for head in heads}
 
         return await self.read(fetch)
 

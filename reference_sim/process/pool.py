@@ -29,6 +29,7 @@ from reference_sim.process.simulator_main import (
 from reference_sim.process.simulator_process import (
     ExecStarter,
     ForkStarter,
+    LocalProcess,
     NoRoomToRecord,
     ReplyT,
     ResourceShortage,
@@ -227,6 +228,9 @@ class SimulatorPool:
         """Raises NoCapacity, or SimulatorFault if the simulator cannot be built."""
         if self.is_full:
             raise NoCapacity(f"all {self._size_max} simulators are in use")
+        return await self._lend(world)
+
+    async def _lend(self, world: SimulatorConfig) -> SimulatorHandle:
         self._acquiring += 1
         try:
             # A process of its own: neither its fault (FAULT-004) nor a long turn
@@ -246,7 +250,7 @@ class SimulatorPool:
         `acquire`.
         """
         try:
-            process = await self._start_process()
+            process = await self._obtain_process()
             await process.build(world)
         except ResourceShortage as shortage:
             raise NoCapacity(str(shortage)) from shortage
@@ -259,9 +263,13 @@ class SimulatorPool:
             with contextlib.suppress(SimulatorFault):
                 await idle.build(world)
                 return idle
-        process = await self._start_process()
+        process = await self._obtain_process()
         await process.build(world)
         return process
+
+    async def _obtain_process(self) -> SimulatorProcess:
+        """One that no session uses, built or not. Raises SimulatorFault."""
+        return await self._start_process()
 
     def _pick_idle(self, world: SimulatorConfig) -> SimulatorProcess | None:
         """An idle process with this configuration, else a spare, else any."""
@@ -293,7 +301,7 @@ class SimulatorPool:
     async def _start_process(self) -> SimulatorProcess:
         if self._closed:
             raise SimulatorFault("the pool of simulators is closed")
-        process = SimulatorProcess(self._starter, self._turn_timeout_s, self._forget)
+        process = self._new_process()
         self._processes.add(process)
         try:
             await process.start()
@@ -303,6 +311,9 @@ class SimulatorPool:
         self._last_start_failed = False
         self.starts += 1
         return process
+
+    def _new_process(self) -> SimulatorProcess:
+        return LocalProcess(self._starter, self._turn_timeout_s, self._forget)
 
     def _fill_spares(self) -> None:
         if self._filler is None or self._filler.done():

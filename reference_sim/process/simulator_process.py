@@ -88,8 +88,11 @@ def _inherited_environment() -> dict[str, str]:
     }
 
 
-def _spawn(module: str, connection: socket.socket) -> subprocess.Popen[bytes]:
-    """Takes a third of a millisecond, so it may be called in the event loop."""
+def spawn(module: str, connection: socket.socket) -> subprocess.Popen[bytes]:
+    """Start `python -m module FD` with this end of a socket. Raises OSError.
+
+    Takes a third of a millisecond, so it may be called in the event loop.
+    """
     root = str(Path(simulator_main.__file__).parents[2])
     paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     descriptor = connection.fileno()
@@ -135,7 +138,7 @@ class ForkStarter:
     async def close(self) -> None:
         self._disconnect_fork_server()
         for fork_server in self._fork_servers:
-            await asyncio.to_thread(_wait_or_kill, fork_server)
+            await asyncio.to_thread(wait_or_kill, fork_server)
         self._fork_servers.clear()
 
     def _fork(self, child_end: socket.socket) -> None:
@@ -143,7 +146,7 @@ class ForkStarter:
             # SEQPACKET preserves messages and reports the peer's end as end-of-file.
             ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
             with theirs:
-                self._fork_servers.append(_spawn(_FORK_SERVER_MODULE, theirs))
+                self._fork_servers.append(spawn(_FORK_SERVER_MODULE, theirs))
             self._control = ours
         socket.send_fds(
             self._control, [b"fork"], [child_end.fileno()], socket.MSG_DONTWAIT
@@ -163,7 +166,7 @@ class ExecStarter:
         self._processes: dict[int, subprocess.Popen[bytes]] = {}
 
     def start(self, child_end: socket.socket) -> None:
-        process = _spawn(_SIMULATOR_MODULE, child_end)
+        process = spawn(_SIMULATOR_MODULE, child_end)
         self._processes[process.pid] = process
         for ended in [
             one for one in self._processes.values() if one.poll() is not None
@@ -179,11 +182,11 @@ class ExecStarter:
         for process in self._processes.values():
             process.kill()
         for process in self._processes.values():
-            await asyncio.to_thread(_wait_or_kill, process)
+            await asyncio.to_thread(wait_or_kill, process)
         self._processes.clear()
 
 
-def _wait_or_kill(process: subprocess.Popen[bytes]) -> None:
+def wait_or_kill(process: subprocess.Popen[bytes]) -> None:
     try:
         process.wait(_EXIT_TIMEOUT_S)
     except subprocess.TimeoutExpired:
@@ -195,18 +198,19 @@ def _wait_or_kill(process: subprocess.Popen[bytes]) -> None:
 
 
 class SimulatorProcess(asyncio.BufferedProtocol):
-    """Sends one command at a time; frames are received into their final buffer."""
+    """Sends one command at a time; frames are received into their final buffer.
+
+    Where and how the process is started is that of a subclass.
+    """
 
     def __init__(
         self,
-        starter: ProcessStarter,
         timeout_s: float,
         on_end: Callable[[SimulatorProcess], None],
     ) -> None:
         self.pid: int | None = None
         self.world: SimulatorConfig | None = None
         self.alive = True
-        self._starter = starter
         self._timeout_s = timeout_s
         self._on_end = on_end
         self._request_lock = asyncio.Lock()
@@ -224,20 +228,11 @@ class SimulatorProcess(asyncio.BufferedProtocol):
     async def start(self) -> None:
         """Start the process; returns when it is ready. Raises SimulatorFault."""
         try:
-            ours, theirs = socket.socketpair()
-        except OSError as error:
-            self.end("did not start")
-            raise _fault_of(error) from error
-        try:
-            with theirs:
-                self._starter.start(theirs)
-            await self._loop.create_unix_connection(lambda: self, sock=ours)
+            await self._open_transport(await self._connect())
             hello = await self._await_answer(_START_TIMEOUT_S)
         except OSError as error:
             raise _fault_of(error) from error
         finally:
-            if self._transport is None:
-                ours.close()
             if not self._answer.done() or self._answer.cancelled():
                 self.end("did not start")
         if isinstance(hello, simulator_main.Hello):
@@ -246,11 +241,35 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self.end("violated its protocol")
             raise SimulatorFault("the simulator process violated its protocol")
 
+    async def _connect(self) -> socket.socket:
+        """Start the process; returns our end of the socket that it serves on.
+
+        Raises OSError and SimulatorFault.
+        """
+        raise NotImplementedError
+
+    def _kill(self) -> None:
+        """Kill the process without waiting; harmless if it has ended or never began."""
+        raise NotImplementedError
+
+    def _late_environment(self) -> dict[str, str]:
+        """Variables that a simulator needs of this process."""
+        return {}
+
+    async def _open_transport(self, ours: socket.socket) -> None:
+        connect = (
+            self._loop.create_unix_connection
+            if ours.family == socket.AF_UNIX
+            else self._loop.create_connection
+        )
+        try:
+            await connect(lambda: self, sock=ours)
+        finally:
+            if self._transport is None:
+                ours.close()
+
     async def build(self, world: SimulatorConfig) -> None:
-        environment = {
-            name: os.environ[name] for name in _LATE_ENVIRONMENT if name in os.environ
-        }
-        settings = dict(world.settings)
+        environment, settings = self._late_environment(), dict(world.settings)
         self.world = None
         command = simulator_main.Build(world.benchmark_id, settings, environment)
         try:
@@ -294,8 +313,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if not self.alive:
             return
         self.alive = False
-        if self.pid is not None:
-            self._starter.kill(self.pid)
+        self._kill()
         if self._transport is not None:
             self._transport.abort()  # ends a process whose id is not yet known
         self._fail(SimulatorFault(f"the simulator process {why}"))
@@ -380,15 +398,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         return self._answer.set_result(reply)
 
     def _map_frame_memory(self, mapping: simulator_main.NewFrameMemory) -> None:
-        try:
-            assert self.pid is not None
-            self._frame_memory = map_memory(
-                self.pid, SharedMemoryRegion(mapping.descriptor, mapping.size)
-            )
-        except (OSError, ValueError) as error:
-            if isinstance(error, OSError) and error.errno in _SHORTAGE:
-                self._fail(_fault_of(error))
-            self.end("could not share memory")
+        """Read pictures from this memory; only a process of this machine shares any."""
+        self.end("violated its protocol")
 
     def _resolve_pixels(self, observation: EncodedObservation) -> None:
         """Replace the places of images in the frame buffer by views of it."""
@@ -398,6 +409,49 @@ class SimulatorProcess(asyncio.BufferedProtocol):
                 image["data"] = self._frame_memory[offset : offset + length]
                 if offset < 0 or len(image["data"]) != length:
                     raise ValueError("image offset outside the frame buffer")
+
+
+class LocalProcess(SimulatorProcess):
+    """A process of this machine, whose pictures are read from shared memory."""
+
+    def __init__(
+        self,
+        starter: ProcessStarter,
+        timeout_s: float,
+        on_end: Callable[[SimulatorProcess], None],
+    ) -> None:
+        super().__init__(timeout_s, on_end)
+        self._starter = starter
+
+    async def _connect(self) -> socket.socket:
+        ours, theirs = socket.socketpair()
+        with theirs:
+            try:
+                self._starter.start(theirs)
+            except BaseException:
+                ours.close()
+                raise
+        return ours
+
+    def _kill(self) -> None:
+        if self.pid is not None:
+            self._starter.kill(self.pid)
+
+    def _late_environment(self) -> dict[str, str]:
+        return {
+            name: os.environ[name] for name in _LATE_ENVIRONMENT if name in os.environ
+        }
+
+    def _map_frame_memory(self, mapping: simulator_main.NewFrameMemory) -> None:
+        try:
+            assert self.pid is not None
+            self._frame_memory = map_memory(
+                self.pid, SharedMemoryRegion(mapping.descriptor, mapping.size)
+            )
+        except (OSError, ValueError) as error:
+            if isinstance(error, OSError) and error.errno in _SHORTAGE:
+                self._fail(_fault_of(error))
+            self.end("could not share memory")
 
 
 def _fault_of(error: OSError) -> SimulatorFault:

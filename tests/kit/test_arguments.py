@@ -2,8 +2,10 @@
 failures that the implementer knows of.
 """
 
+import itertools
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -17,6 +19,7 @@ from conformance.cli.arguments import (
     build_parser,
     read_processes,
     read_selection,
+    read_settings,
 )
 from conformance.cli.main import main
 from conformance.run_settings import Settings
@@ -88,16 +91,36 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
     ("arguments", "processes"),
     [
         ([], 1),
-        (["--quick"], 2),
+        (["--quick"], 3),
         (["--quick", "-n", "1"], 1),
         (["--quick", "--only", "ATT"], 1),
         (["--quick", "--fail-fast"], 1),
-        (["-n", "3"], 3),
+        (["-n", "2"], 2),
     ],
 )
-def test_quick_takes_two_processes(arguments: list[str], processes: int) -> None:
+def test_quick_takes_three_processes(arguments: list[str], processes: int) -> None:
     """One keeps the order of --only, and the place where --fail-fast ends."""
     assert read_processes(build_parser().parse_args(arguments)) == processes
+
+
+@pytest.mark.parametrize(("quick", "are_apart"), [(True, True), (False, False)])
+def test_quick_mixes_the_checks_of_the_files(quick: bool, are_apart: bool) -> None:
+    """Those of one file wait alike, so all processes would wait at one time."""
+    code = (
+        "import json; from conformance.run_settings import Settings;"
+        "from conformance.runner.execution import list_checks;"
+        "names = ['core', 'push']; service = {'profiles': names};"
+        f"chosen = Settings(quick={quick}, profiles=names, service=service);"
+        "print(json.dumps([row[0] for row in list_checks(chosen)]))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=True
+    )
+    ids = json.loads(done.stdout.splitlines()[-1])
+    places = [n for n, name in enumerate(ids) if name.startswith("PUSH-")]
+    distances = [after - before for before, after in itertools.pairwise(places)]
+    assert len(places) > 5
+    assert (min(distances) > 1) == are_apart
 
 
 @pytest.mark.parametrize("processes", ["0", "2"])
@@ -166,6 +189,36 @@ def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
     code, output, _ = run_kit(tmp_path, "--url", "http://127.0.0.1:1", time)
     assert code == 2
     assert "must be greater than 0" in output
+
+
+# --- services of several base URLs ---
+
+
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        (["--url", "http://a,b"], "--url b: not an http or https URL"),
+        (["--url", "http://a,http://a/"], "a base URL stands twice"),
+        (["--url", "http://a", "--nodes", "2"], "--nodes needs --start-cmd"),
+        (["--start-cmd", "x", "--nodes", "0"], "--nodes 0: must be 1 to 9"),
+    ],
+)
+def test_base_urls_are_read(options: list[str], says: str) -> None:
+    with pytest.raises(BadArguments, match=re.escape(says)):
+        read_settings(build_parser().parse_args(options))
+    good = build_parser().parse_args(["--url", "http://a/, http://b"])
+    assert read_settings(good).urls == ["http://a", "http://b"]
+
+
+def test_nodes_are_started_and_judged_across(tmp_path: Path) -> None:
+    """Expect the rules of the profile `cluster` judged, and requests at both nodes."""
+    command = f"{SERVER_COMMAND} --cluster on --recordings off"
+    options = ("--nodes", "2", "--only", "CLU-001,CLU-002,SVC-001", "--exchanges")
+    code, output, written = run_kit(tmp_path, "--start-cmd", command, *options)
+    assert code == 0, output
+    assert set(outcomes(written).values()) == {"passed"}
+    logs = [tmp_path / "server.log", tmp_path / "server-2.log"]
+    assert all(log.stat().st_size for log in logs)
 
 
 # --- known failures ---

@@ -76,6 +76,7 @@ def load() -> dict[str, Mutant]:
         answers,
         board,
         chat,
+        cluster,
         compare,
         connections,
         control_plane,

@@ -49,6 +49,7 @@ SEPARATE_PROFILES = {
     *OPTIONAL_PROFILES,
     *(
         "board",
+        "cluster",
         "compare",
         "deletion",
         "events",
@@ -144,12 +145,15 @@ def run_once(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
             server += ["--profiles", ",".join(sorted(enabled_profiles))]
         if "public_board" in profiles:
             server += ["--public-board", "on"]
+        if is_cluster := "cluster" in profiles:
+            server += ["--cluster", "on", "--recordings", "off"]
         if "record_import" in profiles:
             server += ["--record-imports", "on"]
         selection = _own_rows if rows == "own" else _all_rows
         done = subprocess.run(
             [
                 *(*commands.kit, "--start-cmd", shlex.join(server)),
+                *("--nodes", "2" if is_cluster else "1"),
                 *selection(mutant, profiles),
                 *("--report", report, "--seed", str(seed)),
             ],

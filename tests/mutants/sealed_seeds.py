@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from reference_server.generated import models
 from reference_server.rules.run import Episode
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks
@@ -38,8 +37,15 @@ def shows_a_sealed_seed_in_the_last_turn() -> None:
 @mutant("SEAL-001", "SEAL-002")
 def shows_no_seed_at_all() -> None:
     """No user can replay an episode of a split that is open."""
-    put(models.EpisodeResult.model_fields["seed"], "exclude", True)
-    models.EpisodeResult.model_rebuild(force=True)
+    right = run_views.result_view
+
+    def wrong(episode: Episode) -> dict[str, Any]:
+        shown = right(episode)
+        shown.pop("seed", None)
+        return shown
+
+    for module in (run_views, turn_view):
+        put(module, "result_view", wrong)
 
 
 @mutant("SEAL-003")

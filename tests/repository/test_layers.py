@@ -180,6 +180,7 @@ def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
             "reference_sim/exports",
             ["lerobot_format.py", "parquet_tables.py"],
         ),
+        ("ray", "reference_sim/process/ray", ["launcher.py", "simulator_actor.py"]),
     ],
 )
 def test_a_big_dependency_has_one_owner(

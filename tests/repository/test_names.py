@@ -123,6 +123,7 @@ MORE_SIBLINGS = {
     "benchmarks": "programs that are run and their parts",
     "benchmarks/contenders": "a file for each contender",
     "benchmarks/libraries": "a file for each library compared",
+    "conformance/checks/profiles": "a file of checks for each profile",
     "docs/evaluate": "a page for each thing that a policy author does",
     "reference_client/command": "a file for each group of commands, and their output",
     "reference_sim": "what a simulator is, its process, and what is made of records",

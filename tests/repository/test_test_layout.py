@@ -19,7 +19,8 @@ FILES = sorted((ROOT / "tests").rglob("*.py"))
 def is_test_module(module: str) -> bool:
     last = module.rpartition(".")[2]
     return module.startswith("tests.") and (
-        last.startswith("test_") or last in ("conftest", "metaworld_checks")
+        last.startswith("test_")
+        or last in ("conftest", "metaworld_checks", "ray_checks")
     )
 
 

@@ -126,6 +126,8 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "pages": ("off", "off"),
         "metrics": ("on", "on"),
         "cluster": ("off", "off"),
+        "simulators": ("local", "local"),
+        "ray_resources": ("CPU=0.5", "CPU=1,GPU=0.25"),
         "node_url": ("http://10.0.0.1:8460", "http://b"),
         "recordings": ("off", "pictures"),
         "record_promise": ("exact", "exact"),
@@ -156,6 +158,13 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         ("max_active_runs", 0),
         ("max_simulators", 0),
         ("spare_simulators", -1),
+        ("simulators", "ray://head"),
+        ("simulators", "kubernetes"),
+        ("ray_resources", ""),
+        ("ray_resources", "CPU"),
+        ("ray_resources", "CPU=-1"),
+        ("ray_resources", "CPU=nan"),
+        ("ray_resources", "CPU=1.5"),
         ("turn_timeout_s", 0),
         ("turn_timeout_s", float("inf")),
         ("idle_timeout_s_max", 0.9),
@@ -188,6 +197,22 @@ def test_a_setting_has_bounds(name: str, bad: Any) -> None:
     with pytest.raises(ValidationError) as caught:
         Settings(**{name: bad})
     assert [fault["loc"] for fault in caught.value.errors()] == [(name,)]
+
+
+def test_on_ray_recordings_need_a_folder_that_was_chosen() -> None:
+    for folder in ("", "var/records"):
+        with pytest.raises(ValidationError, match="records_dir"):
+            Settings(simulators="ray", records_dir=folder)
+    assert Settings(simulators="ray", recordings="off").records_path
+    chosen = Settings(simulators="ray://head:10001", records_dir="/shared")
+    assert chosen.records_path == Path("/shared")
+
+
+def test_on_ray_there_are_spares_only_if_they_were_wanted() -> None:
+    assert settings().spares == 2
+    assert settings("--simulators", "ray", "--recordings", "off").spares == 0
+    wanted = settings("--simulators=ray", "--recordings=off", "--spare-simulators=2")
+    assert wanted.spares == 2
 
 
 @pytest.mark.parametrize(

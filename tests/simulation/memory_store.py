@@ -144,7 +144,9 @@ class MemoryStore:
     async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
         await self._read()
         found = {run_id: self._find(run_id) for run_id in run_ids}
-        return {i: rows.head_of(*one) for i, one in found.items() if one is not None}
+        return {
+            i: rows.listed_head_of(*one) for i, one in found.items() if one is not None
+        }
 
     def _find(self, run_id: str) -> tuple[dict[str, Any], Any] | None:
         number = self._database.number_of(run_id)

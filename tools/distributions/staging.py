@@ -65,6 +65,7 @@ DISTRIBUTIONS = (
             "kit": ("proctor-conformance",),
             "parquet": ("parquet.in",),
             "postgresql": ("postgresql.in",),
+            "ray": ("ray.in",),
             "server": ("proctor-server",),
             "video": ("video.in",),
         },
@@ -74,7 +75,7 @@ DISTRIBUTIONS = (
         {"reference_server": "reference_server"},
         "server.txt",
         ("server.in", "proctor-eval"),
-        {"postgresql": ("postgresql.in",)},
+        {"postgresql": ("postgresql.in",), "ray": ("ray.in",)},
     ),
 )
 

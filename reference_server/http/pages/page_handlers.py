@@ -11,6 +11,7 @@ import io
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from contextlib import aclosing
+from functools import cached_property
 from typing import Any
 from urllib.parse import urlencode
 
@@ -25,18 +26,30 @@ from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     read_recorded_episode,
 )
-from reference_record.pages.run_page import Document, failures_first, status_of
+from reference_record.pages.run_page import Document, RunFigures, status_of
 from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.board_pages import find_entry, has_leaderboard
 from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import LINKS, PageCall
 
 ROWS = 100
-EPISODES_PER_CALL = 250
+EPISODES_PER_CALL = 1000  # the most that the API gives at once
 RUNS_SEARCHED_MAX = 1000
 LATEST_RUNS = 20
 LISTS_KEPT = 4
 RECORDINGS_KEPT = 4
+
+
+class _EpisodeList:
+    """All episodes of a run, in the order of the manifest."""
+
+    def __init__(self, episodes: list[Document]) -> None:
+        self.all = episodes
+
+    @cached_property
+    def figures(self) -> RunFigures:
+        """Computed once: pages of a long run differ in the rows that they list."""
+        return RunFigures.of(self.all)
 
 
 class PageHandlers:
@@ -44,7 +57,7 @@ class PageHandlers:
 
     def __init__(self) -> None:
         self._live = LiveRuns(LINKS)
-        self._lists: OrderedDict[tuple[str, str, str], list[Document]] = OrderedDict()
+        self._lists: OrderedDict[tuple[str, str, str], _EpisodeList] = OrderedDict()
         self._recordings: OrderedDict[tuple[str, str, str], RecordedEpisode] = (
             OrderedDict()
         )
@@ -90,11 +103,11 @@ class PageHandlers:
         run_id = call.path("run_id")
         run = await call.api.get("runs", run_id)
         score = await call.api.get("runs", run_id, "score")
-        episodes = await self._episodes(call, run)
+        figures = (await self._episodes(call, run)).figures
         selected = {name: call.query(name) for name in ("outcome", "task", "split")}
         fitting = [
             one
-            for one in failures_first(episodes)
+            for one in figures.ordered
             if selected["outcome"] in ("", status_of(one))
             and selected["task"] in ("", one["task"])
             and selected["split"] in ("", one["split"])
@@ -111,7 +124,7 @@ class PageHandlers:
         ]
         may_publish, entry = await find_entry(call.api, run)
         return page_contents.run_html(
-            LINKS, run, score, episodes, window, csrf=call.csrf, others=others,
+            LINKS, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=LINKS.live(run_id) if can_change else "",
         )  # fmt: skip
@@ -149,7 +162,7 @@ class PageHandlers:
     async def show_episode(self, call: PageCall) -> str:
         run_id = call.path("run_id")
         run = await call.api.get("runs", run_id)
-        episodes = await self._episodes(call, run)
+        episodes = (await self._episodes(call, run)).all
         place = _place(episodes, call.path("episode_id"))
         episode = episodes[place]
         recorded, problem = await self._recorded(call, run_id, episode)
@@ -182,7 +195,8 @@ class PageHandlers:
         numbers = await call.api.get("comparisons", baseline=ids[0], runs=ids[1])
         baseline, run = [await call.api.get("runs", one) for one in ids]
         pairs = pair_episodes(
-            await self._episodes(call, baseline), await self._episodes(call, run)
+            (await self._episodes(call, baseline)).all,
+            (await self._episodes(call, run)).all,
         )
         kind = call.query("kind")
         shown = [p for p in pairs if kind in ("", p.kind)] if kind in KINDS else pairs
@@ -196,7 +210,7 @@ class PageHandlers:
         sides, problems = [], []
         for name in ("baseline", "run"):
             run = await call.api.get("runs", call.query_id(name))
-            episodes = await self._episodes(call, run)
+            episodes = (await self._episodes(call, run)).all
             episode = episodes[_place(episodes, call.query_id("episode"))]
             recorded, problem = await self._recorded(call, run["run_id"], episode)
             recorded = recorded or RecordedEpisode()
@@ -216,7 +230,7 @@ class PageHandlers:
         ]
         return played_view(recorded, addresses)
 
-    async def _episodes(self, call: PageCall, run: Document) -> list[Document]:
+    async def _episodes(self, call: PageCall, run: Document) -> _EpisodeList:
         """All episodes of a run. Those of a completed run are kept for a while.
 
         The run was just read with the same token, so it may be shown.
@@ -233,9 +247,10 @@ class PageHandlers:
             found += page["episodes"]
             cursor = page["next_cursor"]
             await asyncio.sleep(0)  # turns are played between two parts
+        listed = _EpisodeList(found)
         if run["state"] == "completed":
-            _keep(self._lists, key, found, LISTS_KEPT)
-        return found
+            _keep(self._lists, key, listed, LISTS_KEPT)
+        return listed
 
     async def _recorded(
         self, call: PageCall, run_id: str, episode: Mapping[str, Any]

@@ -14,6 +14,7 @@ from http import HTTPStatus
 from typing import Final
 from urllib.parse import parse_qsl, urlencode
 
+from starlette.background import BackgroundTask
 from starlette.datastructures import Headers
 from starlette.requests import Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
@@ -24,6 +25,7 @@ from reference_record.pages.page_templates import (
     ASSETS,
     CONTENT_SECURITY_POLICY,
     asset_version,
+    compile_templates,
     read_asset,
     render_page,
 )
@@ -242,7 +244,10 @@ class Pages:
         return Response(read_asset(name), headers=headers)
 
     async def _show_login(self, request: Request) -> Response:
-        return self._login_page(request, request.query_params.get("next", ""))
+        response = self._login_page(request, request.query_params.get("next", ""))
+        # While a person types: the first page after it has its template.
+        response.background = BackgroundTask(compile_templates)
+        return response
 
     def _login_page(self, request: Request, target: str, problem: str = "") -> Response:
         secret = login_secret(request) or secrets.token_urlsafe(32)

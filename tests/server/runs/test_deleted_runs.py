@@ -20,8 +20,10 @@ from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.store import StoreFailed
 from reference_server.system import hourly_work
 from reference_server.system.hourly_work import HourlyWork
+from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (
+    BlockedCall,
     ServerParts,
     calibration_run,
     count_rows,
@@ -69,12 +71,32 @@ def test_the_first_action_is_on_disk_before_it_is_answered(tmp_path: Path) -> No
     run_scenarios(tmp_path, play, after_a_restart)
 
 
-def test_a_first_action_that_is_not_stored_is_not_answered(tmp_path: Path) -> None:
+@pytest.mark.parametrize("fails_first", [True, False])
+def test_a_first_action_that_is_not_stored_is_not_answered(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fails_first: bool
+) -> None:
+    """Whichever is known first: that the write has failed, or how the turn went."""
+
     async def scenario(parts: ServerParts) -> None:
         run = await submit(parts)
         turn = await parts.executor.attach(run, Attach("w", "key"))
+        play = BlockedCall(monkeypatch, SimulatorHandle, "play", after=not fails_first)
+        save = BlockedCall(monkeypatch, parts.store, "save")
+        change = parts.registry.change_event(run.run_id)
         with parts.reject_writes(), expect_refusal("unavailable"):
-            await parts.executor.predict(run, predict_command(turn))
+            predicting = asyncio.create_task(
+                parts.executor.predict(run, predict_command(turn))
+            )
+            await play.wait_until_reached()
+            await save.wait_until_reached()
+            if fails_first:
+                save.open()
+                assert await parts.registry.wait_for_change(change, TIMEOUT_S)
+                play.open()
+            else:
+                play.open()
+                save.open()
+            await predicting
 
     run_scenarios(tmp_path, scenario)
 

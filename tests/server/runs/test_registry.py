@@ -19,6 +19,7 @@ from reference_server.system.log_output import REQUEST_ID
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
+    assert_no_error_logged,
     calibration_run,
     count_rows,
     expect_refusal,
@@ -454,6 +455,40 @@ def test_a_cancelled_caller_does_not_cancel_the_write(
         assert stored.scored == 1
 
     run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize("is_stored", [True, False])
+def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    is_stored: bool,
+) -> None:
+    """It was stored, and counted as if it were not: it waited for ever in the queue."""
+
+    async def scenario(parts: ServerParts) -> None:
+        if not is_stored:
+            monkeypatch.setattr(parts.store, "_write_at_once", fail)
+        blocked = BlockedCall(monkeypatch, parts.store, "insert", after=is_stored)
+        adding = parts.registry.add(calibration_run(), "key", "body")
+        leaving = asyncio.create_task(adding)
+        await blocked.wait_until_reached()
+        leaving.cancel()
+        await asyncio.wait([leaving])
+        assert leaving.cancelled()
+        blocked.open()
+        await parts.registry.close()
+        assert (await parts.store.find_key("alice", "key") is not None) is is_stored
+        assert parts.registry.usage.count_open() == int(is_stored)
+        assert parts.registry.has("run_1") is is_stored
+        assert ("run_1" in parts.registry._places) is is_stored
+
+    async def fail(_: object) -> None:
+        raise StoreFailed("full")
+
+    run_scenarios(tmp_path, scenario)
+    gc.collect()
+    assert_no_error_logged(caplog)
 
 
 def test_closing_waits_for_tasks_of_the_last_writes(

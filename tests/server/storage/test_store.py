@@ -16,6 +16,7 @@ import pytest
 import sqlalchemy as sa
 
 from reference_server.rules.imported_record import RecordImport
+from reference_server.rules.manifest import Submission
 from reference_server.rules.run import Result, Run, RunHead
 from reference_server.storage import postgresql as postgresql_module
 from reference_server.storage import store as store_module
@@ -200,6 +201,26 @@ def test_a_window_is_a_part_of_the_run(database: UsedDatabase) -> None:
         assert heads["run_1"].manifest is run.manifest, "it is decoded once for all"
         assert await parts.store.read_window("run_3", 0, None) is None
         assert await parts.store.heads([]) == {}
+
+    run_scenarios(database, scenario)
+
+
+def test_a_list_of_runs_has_all_of_their_submissions_but_the_options(
+    database: UsedDatabase,
+) -> None:
+    """Every member of a submission. Expect that those of one run have the options."""
+    all_of_it = dict.fromkeys(Submission.__annotations__, "x")
+    options = {"options": {"tasks": ["score"] * 3}}
+
+    async def scenario(parts: ServerParts) -> None:
+        run = calibration_run(submission=all_of_it | options)
+        await parts.store.insert(run, None, "")
+        listed = (await parts.store.heads(["run_1"]))["run_1"]
+        assert listed.submission | options == all_of_it | options
+        assert "options" not in listed.submission
+        found = await parts.store.read_window("run_1", 0, 0)
+        assert found is not None
+        assert found[0].submission == all_of_it | options
 
     run_scenarios(database, scenario)
 
@@ -414,6 +435,34 @@ def test_slow_reads_leave_connections_for_writes(
         assert await parts.store.find_statement("run_1") is None
 
     run_scenarios(database, scenario)
+
+
+def test_closing_waits_for_a_write_whose_caller_was_cancelled(tmp_path: Path) -> None:
+    """Else the process may end, or the file be copied, in the middle of it."""
+    begun, go_on = threading.Event(), threading.Event()
+
+    def write(connection: sa.Connection) -> None:
+        begun.set()
+        assert go_on.wait(TIMEOUT_S)
+        connection.exec_driver_sql("UPDATE runs SET reason = 'stored'")
+
+    async def scenario(_parts: ServerParts) -> None:
+        database = UsedDatabase.of_file(tmp_path / "other.sqlite")
+        store = Store(database.url)
+        await store.open()
+        await store.insert(calibration_run(), None, "")
+        leaving = asyncio.create_task(store._write_at_once(write))
+        await asyncio.to_thread(begun.wait, TIMEOUT_S)
+        leaving.cancel()
+        await asyncio.wait([leaving])
+        closing = asyncio.create_task(store.close())
+        await asyncio.wait([closing], timeout=0.2)
+        assert not closing.done()
+        go_on.set()
+        await closing
+        assert database.execute("SELECT reason FROM runs") == [("stored",)]
+
+    run_scenarios(tmp_path, scenario)
 
 
 def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:

@@ -21,7 +21,7 @@ from reference_server.http.codec import (
 from reference_sim import benchmark_registry
 from reference_sim.process.encoding import EncodedObservation, encode_image
 from reference_sim.process.pool import SimulatorPool
-from reference_sim.process.simulator_process import SimulatorProcess
+from reference_sim.process.simulator_process import LocalProcess
 from reference_sim.shared_frame_buffer import (
     SharedFrameBuffer,
     SharedMemoryRegion,
@@ -162,7 +162,7 @@ def test_images_come_out_of_the_process_bit_for_bit() -> None:
 
 
 def test_an_offset_outside_the_memory_is_an_error() -> None:
-    process = SimulatorProcess.__new__(SimulatorProcess)
+    process = LocalProcess.__new__(LocalProcess)
     process._frame_memory = memoryview(bytes(10))
     for place in ((5, 6), (-2, 1), (11, 1)):
         image = encode_image(np.zeros((1, 1, 1), np.uint8), "raw")

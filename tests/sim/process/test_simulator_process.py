@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 import pytest
 
 from reference_sim.process import simulator_main
-from reference_sim.process.simulator_process import SimulatorProcess
+from reference_sim.process.simulator_process import LocalProcess
 
 SMALL = simulator_main.FailureReply("x", unplayable=True)
 LARGE = simulator_main.FailureReply("y" * 200_000, unplayable=True)
@@ -59,7 +59,7 @@ def test_frames_come_in_any_pieces(
 ) -> None:
     async def play() -> None:
         loop = asyncio.get_running_loop()
-        process = SimulatorProcess(process_starter, 20.0, lambda _: None)
+        process = LocalProcess(process_starter, 20.0, lambda _: None)
         starting = asyncio.create_task(process.start())
         await asyncio.sleep(0)
         await loop.sock_sendall(

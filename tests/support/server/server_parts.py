@@ -112,7 +112,9 @@ async def open_server_parts(
     where: Path | UsedDatabase,
     active_max: int = 10,
     recordings: Recordings | None = None,
+    pool: SimulatorPool | None = None,
 ) -> AsyncIterator[ServerParts]:
+    """pool: started; it is closed with the rest. A local one without it."""
     database = where if isinstance(where, UsedDatabase) else UsedDatabase.of_file(where)
     url = database.url
     if recordings is None:
@@ -127,7 +129,7 @@ async def open_server_parts(
         parts.on_change(run)
 
     registry = RunRegistry(store, active_max, on_run_lost, on_change)
-    pool = SimulatorPool(4, 0, TIMEOUT_S)
+    pool = pool or SimulatorPool(4, 0, TIMEOUT_S)
     seed_secret = SeedSecret()
     executor = SessionExecutor(registry, pool, seed_secret, recordings=recordings)
     service = make_service(registry, executor, seed_secret)

@@ -1,0 +1,1 @@
+"""Simulators on a Ray cluster: one actor each, used as if it were a local process."""

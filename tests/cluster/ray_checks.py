@@ -1,0 +1,208 @@
+"""Simulators on a real Ray cluster of three machines, all on this one.
+
+Run by tests/cluster/test_ray.py in .venv-cluster, where Ray is installed. What needs no
+cluster is in tests/sim/process/test_ray_pool.py.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Awaitable, Callable, Iterator
+from functools import partial
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from reference_server.records.recordings import Recordings
+from reference_server.rules.lifecycle import Attach
+from reference_sim import benchmark_registry
+from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.ray.ray_pool import RayPool, check_cluster
+from tests.support.server.server_parts import (
+    ServerParts,
+    calibration_run,
+    expect_refusal,
+    open_server_parts,
+    predict_command,
+    start_task,
+)
+from tests.support.servers import ReferenceServer
+from tests.support.sim.calibration_action import calibration_action as action
+from tests.support.sim.ray_cluster import RayCluster
+
+pytestmark = pytest.mark.slow("starts a Ray cluster")
+
+DEADLINE_S = 60.0
+WORLD = benchmark_registry.resolve("calibration").world
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[RayCluster]:
+    cluster = RayCluster(2)
+    yield cluster
+    cluster.close()
+
+
+@pytest.fixture(autouse=True)
+def _leaves_nothing(cluster: RayCluster) -> Iterator[None]:
+    yield
+    left = (cluster.living_actors, cluster.actor_processes, launchers)
+    wait_until(lambda: not any(found() for found in left))
+
+
+async def until(holds: Callable[[], bool]) -> None:
+    await asyncio.to_thread(wait_until, holds)
+
+
+def wait_until(holds: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + DEADLINE_S
+    while not holds():
+        assert time.monotonic() < deadline, "did not come true in time"
+        time.sleep(0.02)
+
+
+def launchers() -> list[str]:
+    """What is connected to Ray for a server of this environment."""
+    listed = subprocess.run(
+        ["ps", "-eo", "args"], capture_output=True, text=True, check=True
+    )
+    start = f"{sys.executable} -P -m reference_sim.process.ray.launcher"
+    return [line for line in listed.stdout.splitlines() if line.startswith(start)]
+
+
+def with_parts(
+    tmp_path: Path,
+    scenario: Callable[[ServerParts], Awaitable[None]],
+    folder: Path | None = None,
+    place_s: float = DEADLINE_S,
+) -> None:
+    """A story with a server whose simulators are on the cluster.
+
+    folder: of recordings, if there are any.
+    """
+
+    async def run() -> None:
+        pool = RayPool("ray", "CPU=1", recordings=folder, place_s=place_s)
+        await pool.start()
+        recordings = None if folder is None else Recordings(folder)
+        if recordings is not None:
+            recordings.open()
+        database = tmp_path / "proctor.sqlite"
+        async with open_server_parts(database, 10, recordings, pool) as parts:
+            await asyncio.wait_for(scenario(parts), DEADLINE_S)
+
+    asyncio.run(run())
+
+
+async def episode(pool: SimulatorPool) -> list[bytes]:
+    """All that one shows, turn for turn, but for the time that it took."""
+    handle = await pool.acquire(WORLD)
+    start = await handle.begin("echo", 7, max_steps=6, success_rule="any_step")
+    shown = [msgspec.msgpack.encode(start.observation)]
+    for number in range(3):
+        chunk = [action(vector=number / 10, clipped=0.5)] * 2
+        played = await handle.play(chunk, observe_all=number == 1)
+        nothing = played.timing.__class__(0, 0, 0)
+        untimed = msgspec.structs.replace(played, timing=nothing)
+        shown.append(msgspec.msgpack.encode(untimed))
+    assert played.ended
+    await handle.release()
+    return shown
+
+
+def test_an_episode_is_that_of_a_local_process(cluster: RayCluster) -> None:
+    async def play() -> tuple[list[bytes], list[bytes]]:
+        assert await check_cluster("ray", "CPU=1", None) == len(cluster.machines)
+        pools = RayPool("ray", "CPU=1"), SimulatorPool(spares=0)
+        for pool in pools:
+            await pool.start()
+        try:
+            return await episode(pools[0]), await episode(pools[1])
+        finally:
+            for pool in pools:
+                await pool.close()
+
+    there, here = asyncio.run(play())
+    assert there == here
+    assert b"pattern" in there[0]
+
+
+class ServerOnRay(ReferenceServer):
+    command = (sys.executable, "-m", "reference_server")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL])
+def test_a_server_leaves_nothing_behind(
+    cluster: RayCluster, tmp_path: Path, number: signal.Signals
+) -> None:
+    settings = {"PROCTOR_SIMULATORS": "ray", "PROCTOR_RECORDINGS": "off"}
+    with ServerOnRay(tmp_path, **settings) as server, server.client() as client:
+        body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+        run_id = client.post("/v1/runs", json=body).json()["run_id"]
+        where = f"/v1/runs/{run_id}/workers/w"
+        client.put(where, json={"attach_key": "key"}).raise_for_status()
+        assert len(launchers()) == len(cluster.actor_processes()) == 1
+        server.end(number)
+        assert server.log() == ""
+
+
+def test_a_full_cluster_refuses_and_is_asked_for_more(
+    cluster: RayCluster, tmp_path: Path
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(), None, "")
+        for worker in ("a", "b"):
+            await parts.executor.attach(run, Attach(worker, "key"))
+        run = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
+        with expect_refusal("no_capacity"):
+            await parts.executor.attach(run, Attach("c", "key"))
+        await until(lambda: cluster.requested() == 1)
+        cluster.machines.append(cluster.add_machine())
+        await until(lambda: parts.pool.idle == 1)
+        await parts.executor.attach(run, Attach("c", "key"))
+
+    with_parts(tmp_path, scenario, place_s=4.0)
+
+
+def test_recordings_are_in_the_folder_that_machines_share(tmp_path: Path) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        assert run.episodes[0].recording is not None
+
+    with_parts(tmp_path, scenario, folder=tmp_path / "records")
+
+
+def test_what_is_lost_is_a_fault_that_costs_no_attempt(
+    cluster: RayCluster, tmp_path: Path
+) -> None:
+    """First the actor's process is killed in a turn, then its machine is removed."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("delay"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        for faults in (1, 2):
+            command = predict_command(turn, delay_s=5)
+            playing = start_task(parts.executor.predict(run, command))
+            (process,) = parts.pool._lent
+            await until(partial(getattr, process, "is_busy"))
+            assert process.pid is not None
+            if faults == 1:
+                os.kill(process.pid, signal.SIGKILL)
+            else:
+                await asyncio.to_thread(cluster.remove_machine_of, process.pid)
+            turn = await playing
+            assert turn["fault"]["faults"] == faults
+            assert turn["episode"]["step"] == 0
+            assert run.episodes[0].attempt == 1
+        turn = await parts.executor.predict(run, predict_command(turn))
+        assert turn["episode"]["step"] == 1
+
+    with_parts(tmp_path, scenario)

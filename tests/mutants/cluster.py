@@ -1,0 +1,194 @@
+"""Mutants of services of several nodes: what one does, and another does not see."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+from collections.abc import Awaitable, Callable
+from contextvars import ContextVar
+from typing import Any
+
+from starlette.types import Message, Receive, Scope, Send
+
+from reference_server.cluster import forwarding
+from reference_server.cluster.forwarding import NodeConnections
+from reference_server.cluster.membership import Membership
+from reference_server.http.dispatch import OperationCall
+from reference_server.http.handlers import Handlers
+from reference_server.rules.lifecycle import GUARDS, Attach, Verdict
+from reference_server.rules.run import Run, Session
+from reference_server.runs.session_executor import SessionExecutor
+from reference_server.storage.node_store import Node
+from reference_server.storage.store import Store
+from tests.mutants import mutant, put
+
+# Longer than the kit waits for a change, shorter than its long polls.
+LATE_S = 3.0
+Answer = Callable[[Send], Awaitable[None]]
+IS_PASSED_ON: ContextVar[bool] = ContextVar("IS_PASSED_ON", default=False)
+
+
+def note_what_is_passed_on() -> None:
+    """Let `IS_PASSED_ON` say whether another node passed the current request on."""
+    right = forwarding.is_from_node
+
+    def noting(scope: Scope, membership: Membership) -> bool:
+        is_passed_on = right(scope, membership)
+        IS_PASSED_ON.set(is_passed_on)
+        return is_passed_on
+
+    put(forwarding, "is_from_node", noting)
+
+
+def put_pass_on(
+    change: Callable[[Scope], bool],
+    wrong: Callable[[Answer, Scope, Send], Awaitable[None]],
+) -> None:
+    """Replace how the requests for other nodes that `change` chooses are answered.
+
+    wrong: is called with what sends the right answer to where it is given.
+    """
+    right = NodeConnections.pass_on
+
+    async def pass_on(
+        self: NodeConnections, node: Node, scope: Scope, receive: Receive, send: Send
+    ) -> None:
+        def answer(send: Send) -> Awaitable[None]:
+            return right(self, node, scope, receive, send)
+
+        await (wrong(answer, scope, send) if change(scope) else answer(send))
+
+    put(NodeConnections, "pass_on", pass_on)
+
+
+@mutant("CLU-001", "CLU-002", "CLU-006")
+def shows_a_run_of_another_node_as_it_was() -> None:
+    """Who asks a node that does not play the run sees a state long past."""
+    seen: dict[str, list[Message]] = {}
+
+    def is_plain_read(scope: Scope) -> bool:
+        is_run = scope["path"].removeprefix("/v1/runs/").count("/") == 0
+        names = {name for name, _ in scope["headers"]}
+        return is_run and scope["method"] == "GET" and b"prefer" not in names
+
+    async def wrong(answer: Answer, scope: Scope, send: Send) -> None:
+        kept = seen.get(scope["path"])
+        if kept is None:
+            kept = []
+
+            async def keep(message: Message) -> None:
+                kept.append(message)
+
+            await answer(keep)
+            if b'"state":"queued"' not in b"".join(m.get("body", b"") for m in kept):
+                seen[scope["path"]] = kept
+        for message in kept:
+            await send(message)
+
+    put_pass_on(is_plain_read, wrong)
+
+
+@mutant("CLU-002")
+def shows_the_address_of_each_node() -> None:
+    """A policy plays at the node that it asked last; caches keep a run twice."""
+
+    def wrong(_self: Handlers, call: OperationCall) -> str:
+        return f"http://{call.request.headers['host']}"
+
+    put(Handlers, "base_url", wrong)
+
+
+@mutant("CLU-003")
+def keeps_the_keys_of_submissions_on_each_node() -> None:
+    """A submission whose answer was lost, repeated over a balancer, runs twice."""
+    insert, find_key = Store.insert, Store.find_key
+
+    def own(key: str) -> str:
+        return f"{key[:100]}.{os.getpid()}"
+
+    async def wrong_insert(
+        self: Store, run: Run, key: str | None, body_sha256: str, check: Any = None
+    ) -> bool:
+        return await insert(self, run, key and own(key), body_sha256, check)
+
+    async def wrong_find(self: Store, account: str, key: str) -> tuple[str, str] | None:
+        return await find_key(self, account, own(key))
+
+    put(Store, "insert", wrong_insert)
+    put(Store, "find_key", wrong_find)
+
+
+@mutant("CLU-003")
+def opens_another_session_for_an_attach_that_was_passed_on() -> None:
+    """A worker whose answer was lost attaches over a balancer, and ends itself."""
+    note_what_is_passed_on()
+    right = SessionExecutor.attach
+
+    async def wrong(self: SessionExecutor, run: Run, command: Attach) -> dict[str, Any]:
+        if IS_PASSED_ON.get():
+            is_takeover = command.worker_id in run.workers
+            command = Attach(
+                command.worker_id, f"{command.attach_key} here", takeover=is_takeover
+            )
+        return await right(self, run, command)
+
+    put(SessionExecutor, "attach", wrong)
+
+
+@mutant("CLU-004")
+def counts_the_workers_of_each_node() -> None:
+    """A run with a limit of its workers gets as many as there are nodes."""
+    note_what_is_passed_on()
+    right = GUARDS[Attach]
+
+    def unless_passed_on(guard: Any) -> Any:
+        def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+            is_limit = guard.__name__ == "_below_worker_limit"
+            if is_limit and IS_PASSED_ON.get():
+                return None
+            found: Verdict | None = guard(run, command, now)
+            return found
+
+        return wrong
+
+    GUARDS[Attach] = tuple(unless_passed_on(guard) for guard in right)
+
+
+@mutant("CLU-005")
+def hears_heartbeats_of_its_own_clients_alone() -> None:
+    """A slow policy behind a balancer loses its session, and its episode."""
+    note_what_is_passed_on()
+    right = SessionExecutor._extend_lease
+
+    def wrong(self: SessionExecutor, session: Session) -> None:
+        if not IS_PASSED_ON.get():
+            right(self, session)
+
+    put(SessionExecutor, "_extend_lease", wrong)
+
+
+@mutant("CLU-006")
+def answers_late_who_waits_at_another_node() -> None:
+    """A script that waits for its run to begin begins later than it could."""
+
+    async def wrong(answer: Answer, _scope: Scope, send: Send) -> None:
+        async def send_late(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                await asyncio.sleep(LATE_S)
+            await send(message)
+
+        await answer(send_late)
+
+    put_pass_on(lambda scope: b"prefer" in dict(scope["headers"]), wrong)
+
+
+@mutant("CLU-007")
+def loses_the_place_of_a_reader_of_another_node() -> None:
+    """A dashboard that reconnects over a balancer shows episodes twice."""
+    right = forwarding._request_headers
+
+    def wrong(scope: Scope, node: Node) -> tuple[list[tuple[bytes, bytes]], bool]:
+        headers, has_body = right(scope, node)
+        return [pair for pair in headers if pair[0] != b"last-event-id"], has_body
+
+    put(forwarding, "_request_headers", wrong)

@@ -1,0 +1,95 @@
+"""Stands for a Ray cluster: actors are processes of this machine, room is a number."""
+
+from __future__ import annotations
+
+import asyncio
+import secrets
+import subprocess
+import sys
+from collections.abc import Callable
+
+from reference_sim.process.ray.actor_process import CannotUseRay
+from reference_sim.process.ray.launcher_messages import ActorReady
+from reference_sim.process.ray.simulator_actor import SECRET_BYTES
+from reference_sim.process.simulator_process import ResourceShortage
+from tests.support.paths import ROOT
+
+_PROGRAM = """
+import sys
+from reference_sim.process.ray.machine_check import make_check
+from reference_sim.process.ray.simulator_actor import SimulatorActor
+
+actor = SimulatorActor(make_check(None), "127.0.0.1")
+print(actor.open()[1], flush=True)
+actor.serve(bytes.fromhex(sys.stdin.readline()))
+"""
+
+
+class LauncherWithoutRay:
+    """What a LauncherClient does. room: how many more actors the cluster can hold.
+
+    is_joined: whether there is a cluster. requested: how many actors wait for room.
+    bad_starts: how many of the next ones end before they are ready.
+    """
+
+    def __init__(self, room: int) -> None:
+        self.room, self.requested = room, 0
+        self.actors: dict[int, subprocess.Popen[str]] = {}
+        self.is_joined, self.is_open, self.bad_starts = True, True, 0
+        self._more_room = asyncio.Event()
+        self._last_number = 0
+
+    def add_room(self, more: int = 1) -> None:
+        self.room += more
+        self._more_room.set()
+
+    async def open(self) -> int:
+        self.is_open = self.is_joined
+        if not self.is_joined:
+            raise CannotUseRay("there is no cluster")
+        return 1
+
+    async def start_actor(self, on_end: Callable[[], None]) -> tuple[int, ActorReady]:
+        await self.open()
+        self.requested += 1
+        try:
+            while self.room < 1:
+                self._more_room.clear()
+                await self._more_room.wait()
+        finally:
+            self.requested -= 1
+        self.room -= 1
+        if self.bad_starts:
+            self.bad_starts -= 1
+            self.room += 1
+            raise ResourceShortage("its machine is gone")
+        self._last_number += 1
+        number = self._last_number
+        actor = subprocess.Popen(  # noqa: ASYNC220 - a millisecond
+            [sys.executable, "-c", _PROGRAM],
+            cwd=ROOT,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        self.actors[number] = actor
+        assert actor.stdin is not None
+        assert actor.stdout is not None
+        port = int(await asyncio.to_thread(actor.stdout.readline))
+        secret = secrets.token_bytes(SECRET_BYTES)
+        actor.stdin.write(secret.hex() + "\n")
+        actor.stdin.close()
+        return number, ActorReady(number, "127.0.0.1", port, secret)
+
+    def kill(self, number: int) -> None:
+        actor = self.actors.pop(number, None)
+        if actor is not None:
+            actor.kill()
+            actor.wait()
+            assert actor.stdout is not None
+            actor.stdout.close()
+            self.add_room()
+
+    async def close(self) -> None:
+        for number in list(self.actors):
+            self.kill(number)
