@@ -132,9 +132,9 @@ def test_rules_after_the_time_limit_are_not_verified(
     assert code == 2
     assert "time limit reached (--max-time 0.1)" in output.splitlines()[-1]
     found_outcomes, ledger = outcomes(written), load_ledger()
-    off_unless_asked_for = ("ebench", "flageval", "public_board", "record_import")
+    off = ("ebench", "flageval", "public_board", "record_import", "cluster")
     disabled_profiles_rows = {
-        id_ for id_ in found_outcomes if ledger[id_].profile in off_unless_asked_for
+        id_ for id_ in found_outcomes if ledger[id_].profile in off
     }
     assert {
         id_ for id_, outcome in found_outcomes.items() if outcome != "not_verified"

@@ -183,11 +183,11 @@ def test_the_runs_of_the_first_version_are_there(database: UsedDatabase) -> None
 
 
 async def use_new_columns(parts: ServerParts, head: RunHead) -> None:
-    run = await parts.store.load(head.run_id)
-    assert run is not None
+    # What the registry has begun to write of it would be written after this otherwise.
+    run = await parts.registry.get(head.run_id)
     run.episodes[2].policy_fault = "it hung up"
     record_score(run, 2)
-    await parts.store.save(run)
+    await parts.registry.commit(run)
     again = await parts.store.read_window(head.run_id, 2, 3)
     assert again is not None
     assert (again[0].scored, again[1][0].policy_fault) == (2, "it hung up")
