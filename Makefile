@@ -73,7 +73,7 @@ generate-check: .venv-generate/ready ## Fail if generated files differ from spec
 	@.venv-generate/bin/python tools/generate.py --check
 programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tests
 .venv/proxies/ready: .venv/ready tools/browser.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
-client: .venv-generate/ready ## Write a client in LANGUAGE=kotlin or any other
+client: .venv-generate/ready ## Write a client in LANGUAGE=csharp or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pages that follow from spec/ and the code
 site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html
