@@ -343,7 +343,7 @@ def forgets_the_result_of_an_episode() -> None:
     change_turn(lambda body, _: body.pop("episode_result", None))
 
 
-@mutant("ATT-012", "PRED-009", "STOP-004")
+@mutant("ATT-012", "PRED-009", "STOP-004", "SUB-001")
 def never_says_done() -> None:
     """A client waits for an observation that never comes."""
     change_turn(lambda body, _: body.update(done=False))
