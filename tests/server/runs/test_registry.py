@@ -528,7 +528,8 @@ def test_a_timer_that_fires_early_is_set_again(tmp_path: Path) -> None:
     """By the resolution of the loop's clock. Expect the next one, and an admission."""
 
     async def scenario(parts: ServerParts) -> None:
-        until = time.time() + 0.05
+        # Longer than storing it may take: no timer would be left after that.
+        until = time.time() + 2.0
         held = calibration_run(run_id="run_3", queue_until_wall=until)
         await parts.registry.add(held, None, "")
         parts.registry._admit_in_time()
