@@ -15,12 +15,14 @@ from reference_server.cluster.forwarding import NodeConnections
 from reference_server.cluster.membership import Membership
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.rules.lifecycle import GUARDS, Attach, Verdict
+from reference_server.rules import lifecycle
+from reference_server.rules.lifecycle import Attach, Verdict
 from reference_server.rules.run import Run, Session
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import Store
 from tests.mutants import mutant, put
+from tests.mutants.turns import replace_guard
 
 # Longer than the kit waits for a change, shorter than its long polls.
 LATE_S = 3.0
@@ -139,19 +141,12 @@ def opens_another_session_for_an_attach_that_was_passed_on() -> None:
 def counts_the_workers_of_each_node() -> None:
     """A run with a limit of its workers gets as many as there are nodes."""
     note_what_is_passed_on()
-    right = GUARDS[Attach]
+    right = lifecycle._below_worker_limit
 
-    def unless_passed_on(guard: Any) -> Any:
-        def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
-            is_limit = guard.__name__ == "_below_worker_limit"
-            if is_limit and IS_PASSED_ON.get():
-                return None
-            found: Verdict | None = guard(run, command, now)
-            return found
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        return None if IS_PASSED_ON.get() else right(run, command, now)
 
-        return wrong
-
-    GUARDS[Attach] = tuple(unless_passed_on(guard) for guard in right)
+    replace_guard(right, wrong)
 
 
 @mutant("CLU-005")
