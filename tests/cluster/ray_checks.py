@@ -9,7 +9,6 @@ from __future__ import annotations
 import asyncio
 import os
 import signal
-import subprocess
 import sys
 import time
 from collections.abc import Awaitable, Callable, Iterator
@@ -24,6 +23,7 @@ from reference_server.rules.lifecycle import Attach
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool, check_cluster
+from tests.support.processes import process_commands
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
@@ -69,11 +69,8 @@ def wait_until(holds: Callable[[], bool]) -> None:
 
 def launchers() -> list[str]:
     """What is connected to Ray for a server of this environment."""
-    listed = subprocess.run(
-        ["ps", "-eo", "args"], capture_output=True, text=True, check=True
-    )
-    start = f"{sys.executable} -P -m reference_sim.process.ray.launcher"
-    return [line for line in listed.stdout.splitlines() if line.startswith(start)]
+    command = f"{sys.executable} -P -m reference_sim.process.ray.launcher "
+    return [line for line in process_commands() if line.startswith(command)]
 
 
 def with_parts(

@@ -1,6 +1,7 @@
 """Which processes a test has started, and whether they have ended."""
 
 import contextlib
+import os
 import subprocess
 from pathlib import Path
 
@@ -17,6 +18,16 @@ def descendants(pid: int) -> set[int]:
     while more := {p for p, q in parents.items() if q in found} - found:
         found |= more
     return found - {pid}
+
+
+def process_commands() -> list[str]:
+    """Of all processes, whole; `ps` may cut them after 80 columns."""
+    found = []
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            words = (process / "cmdline").read_bytes().split(b"\0")
+            found.append(" ".join(map(os.fsdecode, words)).strip())
+    return found
 
 
 def wait_until_ended(pids: set[int]) -> None:
