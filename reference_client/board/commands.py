@@ -29,6 +29,7 @@ from reference_client.command.text_tables import TextTable, fact_table
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 from reference_client.printable_text import printable
+from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
 from reference_record.formats.checkpoint import Checkpoint
 
@@ -36,6 +37,7 @@ REWRITTEN = 1
 VERIFY = "verify"
 FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
 NAME_CHARS, LETTERS_SHOWN = 28, 4  # so that a row fits in 80 columns
+MANIFESTS_SHOWN = 5
 TRIES = 3  # entries may be published while they are compared
 CSV_COLUMNS = (
     *("rank_low", "rank_high", "letters", "model_name", "organisation", "score"),
@@ -77,12 +79,36 @@ def board(args: argparse.Namespace, printer: Printer) -> int:
             path = Path(args.state) if args.state else None
             path = path or history_check.state_file(connection.url)
             return _verify(client, keys, path, printer)
-        ranking = client.ranking(args.benchmark, args.manifest)
+        try:
+            ranking = client.ranking(args.benchmark, args.manifest)
+        except ProctorError as error:
+            if error.code == "not_found":  # named better, if it is the benchmark
+                ControlClient(connection.control, retry_policy).benchmark(
+                    args.benchmark
+                )
+            raise
+        is_read = args.manifest is None and not (args.csv or args.json)
+        others = _other_manifests(client, ranking) if is_read else []
     if args.csv:
         sys.stdout.write(csv_of(ranking))
     else:
-        printer.answer(ranking.to_dict(), *ranking_tables(ranking))
+        printer.answer(ranking.to_dict(), *ranking_tables(ranking), *others)
     return DONE
+
+
+def _other_manifests(client: BoardClient, ranking: Ranking) -> list[str]:
+    """What else of the benchmark can be ranked, as after a new version of it."""
+    counted = client.manifests(ranking.benchmark_id)
+    counted.pop(ranking.manifest_sha256, None)
+    if not counted:
+        return []
+    lines = ["Other manifests, as of other versions or options, have rankings, too:"]
+    for manifest, many in counted.most_common(MANIFESTS_SHOWN):
+        noun = "entry" if many == 1 else "entries"
+        lines.append(f"  --manifest {manifest}  {many} {noun}")
+    if len(counted) > MANIFESTS_SHOWN:
+        lines.append(f"  and {len(counted) - MANIFESTS_SHOWN} more")
+    return ["\n".join(lines)]
 
 
 def _run_of(args: argparse.Namespace) -> str:

@@ -22,7 +22,7 @@ from reference_client.command.records import BROKEN, NOT_SHOWN
 from reference_client.command.text_tables import TextTable, fact_table
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
-from reference_client.protocol.connection import Connection
+from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.record_client import read_import, send_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
@@ -48,6 +48,7 @@ def upload(args: argparse.Namespace, printer: Printer) -> int:
         policy = control.retry_policy_of(connection, args, printer)
         try:
             with _archive_of(Path(args.file)) as path:
+                _check_taken_in(connection, policy, args.file)
                 taken = send_record(connection, policy, path)
         except ProctorError as error:
             if error.code != "record_broken":
@@ -60,6 +61,19 @@ def upload(args: argparse.Namespace, printer: Printer) -> int:
         printer.say(f"proctor: still {taken.state} after {args.timeout:g} s")
         return NOT_COMPLETE
     return BROKEN if taken.level == "diverged" else DONE
+
+
+def _check_taken_in(connection: Connection, policy: RetryPolicy, file: str) -> None:
+    """Before the record is sent: a long one would be sent for nothing."""
+    service = policy.call(
+        lambda: connection.control.describe_service(_request_timeout=TIMEOUTS_S)
+    )
+    if "record_import" not in service.profiles:
+        raise UsageError(
+            f"{connection.url} takes no records in; if it is a server of Proctor, its "
+            "host turns that on with record_imports=on, which needs recordings. "
+            f"`proctor verify {file}` checks the record here"
+        )
 
 
 @contextmanager

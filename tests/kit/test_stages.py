@@ -63,6 +63,11 @@ def test_profiles_belong_to_the_last_stage() -> None:
     assert stage_of(load_ledger()["CRASH-001"]) == LAST
 
 
+def test_a_rule_about_the_score_belongs_to_the_stage_that_serves_it() -> None:
+    assert "`get_score`" in STAGES[LAST - 1].adds
+    assert stage_of(load_ledger()["RES-003"]) == LAST
+
+
 def test_advice_names_what_comes_next() -> None:
     assert "--stage 2" in advice(1, is_done=True, first=None, skips=False)
     said = advice(3, is_done=False, first="RUN-004", skips=False)

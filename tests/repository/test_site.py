@@ -13,6 +13,7 @@ from urllib.parse import unquote
 import pytest
 
 from conformance.specification.ledger import load_ledger
+from tools import npm_package
 from tools.site import __main__ as site
 from tools.site import exchanges
 from tools.site.markdown import convert
@@ -128,3 +129,14 @@ def test_a_dead_link_fails_the_build(tmp_path: Path, link: str) -> None:
     )
     assert done.returncode == 1
     assert "xref_missing" in done.stderr
+
+
+def test_a_package_that_cannot_be_fetched_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As without a network: npm says why, and no traceback follows."""
+    monkeypatch.setattr(npm_package, "NODE", "false")
+    target = tmp_path / "library.js"
+    with pytest.raises(SystemExit, match=r"mermaid@\S+ could not be fetched"):
+        npm_package.provide_file("site-npm.txt", "dist/mermaid.min.js", target)
+    assert not target.exists()

@@ -20,7 +20,8 @@ static void evaluate(std::string const& url, std::string const& token, std::stri
     auto const run = run_id.empty() ? ask([&] { return control.submitRun(submit, key, version); })
                                     : ask([&] { return control.resumeRun(run_id, version); });
     run_id = run.run_id;
-    std::cout << "run " << run_id << ": " << run.progress.episodes_total << " episodes" << std::endl;
+    std::cout << "run " << run_id << ": " << run.progress.episodes_total
+              << " episodes; its id, as RUN_ID, goes on with it" << std::endl;
     auto policy = [](Turn const& turn) { return std::vector<Action>(5, act(turn.episode->index % 5 / 4.0)); };
     auto report = [](EpisodeResult const& r) {
         std::ostringstream line;
@@ -42,6 +43,6 @@ int main(int count, char** arguments) try {
     }
     evaluate(arguments[1], arguments[2], count > 3 ? arguments[3] : "");
 } catch (std::exception const& error) {
-    std::cerr << error.what() << "\nA run is kept: call again with its id to go on.\n";
+    std::cerr << error.what() << "\n";
     return 1;
 }

@@ -26,7 +26,7 @@ func evaluate(server *Server, runID string) error {
 	if err != nil {
 		return err
 	}
-	fmt.Printf("run %s: %d episodes\n", run.RunId, run.Progress.EpisodesTotal)
+	fmt.Printf("run %s: %d episodes; its id, as RUN_ID, goes on with it\n", run.RunId, run.Progress.EpisodesTotal)
 	policy := func(turn *proctor.Turn) []proctor.Action {
 		action := Act(float64(turn.Episode.Index%5) / 4)
 		return []proctor.Action{action, action, action, action}
@@ -63,7 +63,7 @@ func main() {
 	}
 	arguments := append(os.Args[1:], "")
 	if err := evaluate(At(arguments[0], arguments[1]), arguments[2]); err != nil {
-		fmt.Fprintf(os.Stderr, "%v\nA run is kept: call again with its id to go on.\n", err)
+		fmt.Fprintf(os.Stderr, "%v\n", err)
 		os.Exit(1)
 	}
 }

@@ -16,7 +16,7 @@ public final class Main {
         Run run = runId == null
                 ? Worker.ask(() -> server.control.submitRun(submit, key, null))
                 : Worker.ask(() -> server.control.resumeRun(runId, null));
-        System.out.printf("run %s: %d episodes%n", run.getRunId(), run.getProgress().getEpisodesTotal());
+        System.out.printf("run %s: %d episodes; its id, as RUN_ID, goes on with it%n", run.getRunId(), run.getProgress().getEpisodesTotal());
         ExecutorService team = Executors.newFixedThreadPool(2);
         List<Future<?>> results = new ArrayList<>();
         for (String worker : List.of("worker-0", "worker-1")) {
@@ -43,7 +43,7 @@ public final class Main {
             evaluate(new Worker(arguments[0], arguments[1]), arguments.length > 2 ? arguments[2] : null);
         } catch (Exception error) {
             Throwable cause = error.getCause() == null ? error : error.getCause();
-            System.err.println(cause.getMessage() + "\nA run is kept: call again with its id to go on.");
+            System.err.println(cause.getMessage());
             System.exit(1);
         }
         System.exit(0); // the HTTP client's threads are no reason to stay

@@ -10,7 +10,7 @@ private fun evaluate(server: Worker, runId: String?) {
     val submit = SubmitRun(benchmarkId = "calibration", policy = PolicyInfo(name = "scripted"), options = options)
     val key = UUID.randomUUID().toString()
     val run = ask { if (runId == null) server.control.submitRun(submit, key) else server.control.resumeRun(runId) }
-    println("run ${run.runId}: ${run.progress.episodesTotal} episodes")
+    println("run ${run.runId}: ${run.progress.episodesTotal} episodes; its id, as RUN_ID, goes on with it")
     val policy = { turn: Turn -> List(5) { act(turn.episode!!.index % 5 / 4.0) } }
     val report = { result: EpisodeResult ->
         println("  episode ${result.index} (${result.task}): ${result.outcome.name.lowercase()}, score ${result.score}")
@@ -31,7 +31,7 @@ fun main(arguments: Array<String>) {
         evaluate(Worker(arguments[0], arguments[1]), arguments.getOrNull(2))
     } catch (error: Exception) {
         val cause = if (error is ExecutionException) error.cause else error
-        System.err.println("${cause?.message}\nA run is kept: call again with its id to go on.")
+        System.err.println(cause?.message)
         exitProcess(1)
     }
 }

@@ -127,7 +127,7 @@ def main(url: str, token: str, run_id: str | None = None) -> None:
         run = server.ask(lambda: server.control.submit_run(submit, idempotency_key=key))
     else:
         run = server.ask(lambda: server.control.resume_run(run_id))
-    print(f"run {run.run_id}: {run.progress.episodes_total} episodes")
+    print(f"run {run.run_id}: {run.progress.episodes_total} episodes; its id, as RUN_ID, goes on with it")
 
     def report(result: EpisodeResult) -> None:
         print(f"  episode {result.index} ({result.task}): {result.outcome.value}, score {result.score}")
@@ -147,4 +147,4 @@ if __name__ == "__main__":
     try:
         main(*sys.argv[1:])
     except Refused as error:
-        sys.exit(f"{error}\nA run is kept: call again with its id to go on.")
+        sys.exit(str(error))

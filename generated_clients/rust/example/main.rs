@@ -21,7 +21,7 @@ async fn evaluate(url: &str, token: &str, run_id: Option<&String>) -> Result<(),
         Some(id) => ask(|| control_api::resume_run(&control, id, None)).await?,
         None => ask(|| control_api::submit_run(&control, submit.clone(), Some(&key), None)).await?,
     };
-    println!("run {}: {} episodes", run.run_id, run.progress.episodes_total);
+    println!("run {}: {} episodes; its id, as RUN_ID, goes on with it", run.run_id, run.progress.episodes_total);
     let policy = |turn: Turn| async move {
         let index = turn.episode.map_or(0, |episode| episode.index);
         vec![act(f64::from(index % 5) / 4.0); 5]
@@ -44,7 +44,7 @@ async fn main() {
         std::process::exit(1);
     }
     if let Err(failure) = evaluate(&arguments[1], &arguments[2], arguments.get(3)).await {
-        eprintln!("{failure}\nA run is kept: call again with its id to go on.");
+        eprintln!("{failure}");
         std::process::exit(1);
     }
 }

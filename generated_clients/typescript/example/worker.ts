@@ -128,7 +128,7 @@ async function main(url: string, token: string, runId?: string): Promise<void> {
   const run = runId
     ? await server.ask(() => server.control.resumeRun({ runId }))
     : await server.ask(() => server.control.submitRun({ submitRun, idempotencyKey }));
-  console.log(`run ${run.run_id}: ${run.progress.episodes_total} episodes`);
+  console.log(`run ${run.run_id}: ${run.progress.episodes_total} episodes; its id, as RUN_ID, goes on with it`);
   const report = (r: EpisodeResult) => console.log(`  episode ${r.index} (${r.task}): ${r.outcome}, score ${r.score}`);
   const policy = async (turn: Turn) => Array(5).fill(act((turn.episode!.index % 5) / 4));
   await Promise.all([0, 1].map((i) => server.play(run.run_id, `worker-${i}`, policy, report)));
@@ -143,7 +143,7 @@ if (require.main === module) {
     process.exit(1);
   }
   main(url, token, runId).catch((error) => {
-    console.error(`${error.message}\nA run is kept: call again with its id to go on.`);
+    console.error(error.message);
     process.exit(1);
   });
 }

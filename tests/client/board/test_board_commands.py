@@ -98,6 +98,22 @@ def test_an_entry_is_private_public_and_withdrawn(proctor: ProctorCommand) -> No
     assert "entry_withdrawn" in proctor.err
 
 
+def test_other_manifests_of_a_benchmark_are_named(proctor: ProctorCommand) -> None:
+    """That of the server has no entry, that of a run with options has one."""
+    entry = publish(proctor, play(proctor, 6, 23))
+    hidden = publish(proctor, play(proctor, 6, 24), "--private")
+    assert proctor("board", "calibration") == 0
+    row = f"  --manifest {entry['manifest_sha256']}  1 entry"
+    assert row in proctor.out.splitlines()
+    assert hidden["manifest_sha256"] not in proctor.out
+    assert proctor("board", "calibration", "--csv") == 0
+    assert "--manifest" not in proctor.out
+    assert proctor("board", "calibration", *row.split()[:2]) == 0
+    assert "Other manifests" not in proctor.out
+    assert proctor("board", "calibratoin") == 2
+    assert "did you mean calibration?" in proctor.err
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

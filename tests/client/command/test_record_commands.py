@@ -14,6 +14,7 @@ from reference_record.statement import EpisodeLine
 from tests.support.client.command import ProctorCommand, options
 from tests.support.paths import ROOT
 from tests.support.record.sample_records import Sample, contents_of, make_archive
+from tests.support.servers import TOKENS, ReferenceServer
 
 VECTORS = ROOT / "spec" / "vectors" / "record"
 KEYS = json.loads((VECTORS / "records.json").read_text())["keys"]
@@ -131,3 +132,19 @@ def test_a_line_has_the_player_of_its_result() -> None:
         *[None] * 3,
     ]
     assert lines.count(b'"player"') == 1
+
+
+@pytest.mark.slow("starts a server")
+def test_a_server_that_takes_no_records_in_says_so(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As servers are, unless their host says otherwise. Expect who can change it and
+    what can be done without, and no word of ids."""
+    monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
+    with ReferenceServer(tmp_path) as server:
+        proctor = ProctorCommand(server.url, capsys)
+        assert proctor("upload", GOOD) == 2
+    assert "takes no records in" in proctor.err
+    assert "record_imports=on" in proctor.err
+    assert f"proctor verify {GOOD}" in proctor.err
+    assert "Check the id" not in proctor.err
