@@ -10,7 +10,7 @@ import asyncio
 import secrets
 import time
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,7 +23,7 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage.board_store import BoardStore, RunDeleted
+from reference_server.storage.board_store import BoardStore, Changed, RunDeleted
 from reference_server.views import board_views
 
 CACHED_RANKINGS_MAX = 64
@@ -77,12 +77,11 @@ class BoardService:
             return _accepted(rules.publish(fresh, stored, description))
 
         try:
-            changed = await self._store.change(
+            changed = await self._change(
                 run_id, decide, needs_run=True, check=self._registry.usage.check_kept
             )
         except RunDeleted as error:
             raise Refused("not_found", f"There is no run {run_id}.") from error
-        self._registry.usage.note_kept(changed.entry.account, changed.kept_bytes)
         return await self._view(changed.entry), changed.is_new
 
     async def withdraw(self, account: str, run_id: str) -> Json:
@@ -95,8 +94,7 @@ class BoardService:
                 raise Refused("not_found", "The run has no entry.")
             return rules.withdraw(stored, time.time())
 
-        changed = await self._store.change(run_id, decide)
-        self._registry.usage.note_kept(changed.entry.account, changed.kept_bytes)
+        changed = await self._change(run_id, decide)
         return await self._view(changed.entry)
 
     async def flag(self, entry_id: str, *, flagged: bool, reason: str) -> Json:
@@ -109,8 +107,24 @@ class BoardService:
             verdict = rules.flag(stored, flagged=flagged, reason=reason, at_wall=at)
             return _accepted(verdict)
 
-        changed = await self._store.change(found.run_id, decide)
+        changed = await self._change(found.run_id, decide)
         return await self._view(changed.entry)
+
+    async def _change(
+        self, run_id: str, decide: Callable[[BoardEntry | None], Change], **how: Any
+    ) -> Changed:
+        """What `BoardStore.change` stores, counted for the account.
+
+        A caller that is cancelled takes neither with it: what is kept is counted.
+        """
+
+        async def store() -> Changed:
+            changed = await self._store.change(run_id, decide, **how)
+            usage = self._registry.usage
+            usage.note_kept(changed.entry.account, changed.kept_bytes)
+            return changed
+
+        return await self._registry.run_to_end(store())
 
     async def get(self, account: str | None, entry_id: str) -> Json:
         """Schema BoardEntry of one that the account may see."""

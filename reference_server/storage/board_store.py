@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 
 import msgspec
 import sqlalchemy as sa
-from sqlalchemy.ext.asyncio import AsyncConnection
 
 from reference_server.rules.board.entry_changes import (
     BoardEntry,
@@ -67,40 +66,39 @@ class BoardStore:
 
         needs_run: raises RunDeleted if there is no such run any more. check: is called
         with what the account has, if a leaf is added. What one of them raises ends the
-        transaction, and nothing is stored.
+        transaction, and nothing is stored. Both run in the thread that writes.
         """
-        query = _NUMBERED.where(_entries.c.run_id == run_id)
-        async with self._store.write() as connection:
-            if needs_run and await self._store.is_deleted(connection, run_id):
+
+        def store(connection: sa.Connection) -> Changed:
+            if needs_run and self._store.is_deleted(connection, run_id):
                 raise RunDeleted(run_id)
-            row = (await connection.execute(query)).first()
-            before = None if row is None else _entry_of(*row)
+            before = _entry_of_run(connection, run_id)
             change = decide(before)
             if change.entry == before:
                 return Changed(before, is_new=False)
-            number = await _store_entry(connection, change.entry)
+            number = _store_entry(connection, change.entry)
             kept = 0
             if change.leaf is not None:
                 if check is not None:
                     account = change.entry.account
-                    check(await self._store.usage_in(connection, account))
-                size = await self._append(connection, change.leaf)
+                    check(self._store.usage_in(connection, account))
+                size = self._append(connection, change.leaf)
                 if is_of_account(change.leaf):
                     kept = size
-                    await self._store.count_kept(connection, run_id, kept)
-        entry = replace(change.entry, number=number)
-        return Changed(entry, before is None, kept)
+                    self._store.count_kept(connection, run_id, kept)
+            entry = replace(change.entry, number=number)
+            return Changed(entry, before is None, kept)
 
-    async def _append(
-        self, connection: AsyncConnection, members: Mapping[str, Any]
-    ) -> int:
+        return await self._store.write_in_turn(store)
+
+    def _append(self, connection: sa.Connection, members: Mapping[str, Any]) -> int:
         """Returns the bytes of the leaf."""
         leaf = msgspec.json.encode(members, order="deterministic")
         # Two servers that share the database cannot take the same index.
-        index = await connection.scalar(_SIZE)
+        index = connection.scalar(_SIZE)
         hashed = self._leaf_hash(leaf)
         row = {"index": index, "leaf": leaf.decode(), "leaf_sha256": hashed}
-        await connection.execute(_leaves.insert().values(row))
+        connection.execute(_leaves.insert().values(row))
         return len(leaf)
 
     async def find(self, entry_id: str) -> BoardEntry | None:
@@ -116,20 +114,18 @@ class BoardStore:
         entry = await self.find_of_run(run_id)
         return entry is not None and _keeps_run(entry, by_host)
 
-    async def _release_run(
-        self, connection: AsyncConnection, run_id: str, by_host: bool
+    def _release_run(
+        self, connection: sa.Connection, run_id: str, by_host: bool
     ) -> None:
         """Withdraw the entry that goes with a run that is deleted."""
-        query = _NUMBERED.where(_entries.c.run_id == run_id)
-        row = (await connection.execute(query)).first()
-        if row is None:
+        entry = _entry_of_run(connection, run_id)
+        if entry is None:
             return
-        entry = _entry_of(*row)
         if _keeps_run(entry, by_host):
             raise RunIsKept(run_id)
         withdrawn = withdraw(entry, time.time()).entry
         if withdrawn != entry:  # a private one: the history has no leaf of that
-            await _store_entry(connection, withdrawn)
+            _store_entry(connection, withdrawn)
 
     async def page(
         self,
@@ -201,7 +197,12 @@ def _keeps_run(entry: BoardEntry, by_host: bool) -> bool:
     return entry.state == "published" and (entry.is_public or not by_host)
 
 
-async def _store_entry(connection: AsyncConnection, entry: BoardEntry) -> int:
+def _entry_of_run(connection: sa.Connection, run_id: str) -> BoardEntry | None:
+    row = connection.execute(_NUMBERED.where(_entries.c.run_id == run_id)).first()
+    return None if row is None else _entry_of(*row)
+
+
+def _store_entry(connection: sa.Connection, entry: BoardEntry) -> int:
     """Insert or replace it; returns its number."""
     row = {
         "entry_id": entry.entry_id,
@@ -215,9 +216,9 @@ async def _store_entry(connection: AsyncConnection, entry: BoardEntry) -> int:
     }
     if entry.number:
         same = _entries.c.number == entry.number
-        await connection.execute(_entries.update().where(same).values(row))
+        connection.execute(_entries.update().where(same).values(row))
         return entry.number
-    inserted = await connection.execute(
+    inserted = connection.execute(
         _entries.insert().values(row).returning(_entries.c.number)
     )
     return int(inserted.scalar_one())

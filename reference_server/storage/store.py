@@ -111,10 +111,10 @@ class RunIsKept(Exception):
 
 # Is called in the transaction that deletes a run, with its id and whether the host
 # deletes it; deletes what goes with it, or raises RunIsKept.
-BeforeDelete = Callable[[AsyncConnection, str, bool], Awaitable[None]]
+BeforeDelete = Callable[[sa.Connection, str, bool], None]
 
 
-async def _delete_nothing_else(_: AsyncConnection, _run_id: str, _host: bool) -> None:
+def _delete_nothing_else(_: sa.Connection, _run_id: str, _host: bool) -> None:
     """What precedes a deletion, unless something else is named."""
 
 
@@ -177,6 +177,14 @@ class Store:
         """A transaction after all writes before it. Raises StoreFailed."""
         async with self._write_lock, self._transaction() as connection:
             yield connection
+
+    async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
+        """What `store` returns, once all that it wrote is stored; as `write` does it.
+
+        store: runs in another thread. What it raises ends the transaction.
+        """
+        async with self._write_lock:
+            return await self._write_at_once(store)
 
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """What `fetch` finds, all of it as it was at one moment."""
@@ -280,20 +288,23 @@ class Store:
         the next one names. Raises RunIsKept.
         """
         emptied = _statements.update().where(_statements.c.run_id == run.run_id)
-        async with self._write_lock, self._transaction() as connection:
-            await self._before_delete(connection, run.run_id, by_host)
-            await connection.execute(
+        size = rows.stored_bytes(run)
+        row = rows.deleted_run_row(now_wall)
+        # What it has in the history of the leaderboard is kept, and counted.
+        counted = sa.func.coalesce(_runs.c.stored_bytes, size)
+        kept = counted - size + row.pop("stored_bytes")
+        of_run = _runs.update().where(_runs.c.number == run.number)
+
+        def store(connection: sa.Connection) -> None:
+            self._before_delete(connection, run.run_id, by_host)
+            connection.execute(
                 _episodes.delete().where(_episodes.c.number == run.number)
             )
-            await connection.execute(emptied.values(statement=b""))
-            size = rows.stored_bytes(run)
-            counted = sa.func.coalesce(_runs.c.stored_bytes, size)
-            row = rows.deleted_run_row(now_wall)
-            # What it has in the history of the leaderboard is kept, and counted.
-            kept = counted - size + row.pop("stored_bytes")
-            await connection.run_sync(partial(_update_owned, run=run, row=row))
-            of_run = _runs.update().where(_runs.c.number == run.number)
-            await connection.execute(of_run.values(stored_bytes=kept))
+            connection.execute(emptied.values(statement=b""))
+            _update_owned(connection, run, row)
+            connection.execute(of_run.values(stored_bytes=kept))
+
+        await self.write_in_turn(store)
 
     async def deleted_ids(self, run_ids: Sequence[str]) -> set[str]:
         """Which of these runs were deleted."""
@@ -301,10 +312,11 @@ class Store:
         async with self._database.transaction_that_reads() as connection:
             return set(await connection.scalars(query))
 
-    async def is_deleted(self, connection: AsyncConnection, run_id: str) -> bool:
-        """Whether the run was deleted, as a transaction of `write` sees it."""
+    @staticmethod
+    def is_deleted(connection: sa.Connection, run_id: str) -> bool:
+        """Whether the run was deleted, as a transaction of a write sees it."""
         query = sa.select(_runs.c.run_id).where(~_IS_THERE, _runs.c.run_id == run_id)
-        return await connection.scalar(query) is not None
+        return connection.scalar(query) is not None
 
     async def in_states_since(
         self, states: Sequence[str], before: float, after: int, limit: int
@@ -429,16 +441,16 @@ class Store:
         """What an account has of what its quota bounds."""
         return await self.read(partial(_usage_of, account=account))
 
-    async def usage_in(self, connection: AsyncConnection, account: str) -> Quota:
-        """`usage_of`, as a transaction of `write` sees it."""
-        return await connection.run_sync(partial(_usage_of, account=account))
+    @staticmethod
+    def usage_in(connection: sa.Connection, account: str) -> Quota:
+        """`usage_of`, as a transaction of a write sees it."""
+        return _usage_of(connection, account)
 
-    async def count_kept(
-        self, connection: AsyncConnection, run_id: str, size: int
-    ) -> None:
+    @staticmethod
+    def count_kept(connection: sa.Connection, run_id: str, size: int) -> None:
         """Count bytes that are kept for good because of a run."""
         row = _runs.update().where(_runs.c.run_id == run_id)
-        await connection.execute(row.values(stored_bytes=_STORED_BYTES + size))
+        connection.execute(row.values(stored_bytes=_STORED_BYTES + size))
 
     # --- records ---
 

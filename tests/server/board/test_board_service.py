@@ -6,6 +6,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import sqlite3
+import threading
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 from types import SimpleNamespace
@@ -30,6 +31,7 @@ from reference_server.storage.store import StoreFailed
 from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (
     RESULT,
+    BlockedCall,
     ServerParts,
     calibration_run,
     count_rows,
@@ -235,6 +237,51 @@ def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> None:
         await parts.registry.add(calibration_run(run_id="run_3"), None, "")
 
     run_stories(tmp_path, complete_two, story)
+
+
+@pytest.mark.parametrize("is_stored", [True, False])
+def test_a_publish_whose_caller_is_cancelled_is_counted_as_it_is_stored(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_stored: bool
+) -> None:
+    """The leaf is kept for good, and counts for its account from then on."""
+
+    async def story(parts: ServerParts, board: BoardService) -> None:
+        if not is_stored:
+            monkeypatch.setattr(parts.store, "_write_at_once", fail)
+        usage = parts.registry.usage
+        before = usage._bytes.get("alice", 0)
+        blocked = BlockedCall(monkeypatch, board._store, "change", after=is_stored)
+        leaving = asyncio.create_task(board.publish("alice", "run_1", PUBLIC))
+        await blocked.wait_until_reached()
+        leaving.cancel()
+        await asyncio.wait([leaving])
+        assert leaving.cancelled()
+        blocked.open()
+        await parts.registry.close()
+        kept = sum(len(one["leaf"]) for one in await board.leaves(0, 10))
+        assert bool(kept) is is_stored
+        assert usage._bytes.get("alice", 0) - before == kept
+
+    async def fail(_: object) -> None:
+        raise StoreFailed("full")
+
+    run_stories(tmp_path, complete_two, story)
+
+
+def test_entries_are_stored_in_the_thread_of_all_writes(tmp_path: Path) -> None:
+    """One whose caller is gone ends before the next one: none finds a locked file."""
+    threads: list[str] = []
+
+    def note(_: BoardEntry | None) -> Change:
+        threads.append(threading.current_thread().name)
+        raise LookupError
+
+    async def story(_: ServerParts, board: BoardService) -> None:
+        with pytest.raises(LookupError):
+            await board._store.change("run_1", note)
+        assert threads[0].startswith("store-writer")
+
+    run_stories(tmp_path, story)
 
 
 def test_a_ranking_is_computed_once_for_its_entries(
