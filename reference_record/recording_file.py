@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import os
 import struct
+import threading
 import zlib
 from collections.abc import Sequence
 from pathlib import Path
@@ -46,7 +47,8 @@ from reference_record.recording import (
 
 DRAFT_SUFFIX = ".draft"
 CHUNK_BYTES = 1 << 20
-_LEVEL = 3
+# The files of level 3 are not smaller, and its tables do not fit into the caches.
+_LEVEL = 1
 
 
 class Latency(msgspec.Struct, frozen=True):
@@ -80,6 +82,14 @@ class _TurnFigures(msgspec.Struct):
     think_ms: float
 
 
+class _Compressors(threading.local):
+    """One for each thread: its memory is what a short episode costs most with."""
+
+    def __init__(self) -> None:
+        self.mine = zstandard.ZstdCompressor(level=_LEVEL)
+
+
+_COMPRESSORS = _Compressors()
 _TURN = msgspec.json.Decoder(_TurnFigures)
 _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
 
@@ -193,7 +203,6 @@ class _RecordingWriter:
         self._file = file
         self._hash = hashlib.sha256()
         self._at = 0  # bytes written
-        self._compressor = zstandard.ZstdCompressor(level=_LEVEL)
         self._topics = {topic: number for number, topic in enumerate(CHANNELS, 1)}
         self._counts: dict[int, int] = {}
         self._chunk_indexes: list[bytes] = []
@@ -257,7 +266,7 @@ class _RecordingWriter:
     def _end_chunk(self) -> None:
         if not self._chunk:
             return
-        packed = self._compressor.compress(self._chunk)
+        packed = _COMPRESSORS.mine.compress(self._chunk)
         times = [at for entries in self._places.values() for at in entries[::2]]
         span, size = (min(times), max(times)), len(self._chunk)
         self._spans.append(span)
