@@ -47,8 +47,7 @@ from reference_record.recording import (
 
 DRAFT_SUFFIX = ".draft"
 CHUNK_BYTES = 1 << 20
-# The files of level 3 are not smaller, and its tables do not fit into the caches.
-_LEVEL = 1
+_LEVEL = 3
 
 
 class Latency(msgspec.Struct, frozen=True):
