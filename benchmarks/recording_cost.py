@@ -2,15 +2,16 @@
 
 `python -m benchmarks.recording_cost`. Two servers, one that records and one that does
 not, play blocks of turns in turn, so that a busy machine slows both. CPU time is that
-of the server and all its children, from /proc; Linux only.
+of the server and all its children, by the clocks of their processes; Linux only.
+The difference is the median over pairs of blocks, one played after the other.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
 import statistics
 import tempfile
+import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,7 +20,8 @@ import httpx
 from tests.support.server.http_runs import predict_body
 from tests.support.servers import ReferenceServer
 
-TURNS_A_BLOCK = 100
+TURNS_AN_EPISODE = 200
+TURNS_A_BLOCK = TURNS_AN_EPISODE  # each block has the end of one episode
 
 
 class Spent(NamedTuple):
@@ -32,13 +34,13 @@ class Spent(NamedTuple):
 class PlayedServer:
     """A server, and a run in which blocks of turns are played."""
 
-    def __init__(self, server: ReferenceServer, task: str) -> None:
+    def __init__(self, server: ReferenceServer, task: str, episodes: int = 64) -> None:
         self._pid = server.process.pid
         self._client = server.client()
         body = {
             "benchmark_id": "calibration",
             "policy": {"name": "p"},
-            "options": {"tasks": [task] * 64, "max_steps": 200},
+            "options": {"tasks": [task] * episodes, "max_steps": TURNS_AN_EPISODE},
         }
         self._run = self._client.post("/v1/runs", json=body).json()["run_id"]
         worker = f"/v1/runs/{self._run}/workers/w"
@@ -58,9 +60,8 @@ class PlayedServer:
 
 
 def cpu_seconds(pid: int) -> Spent:
-    """So far; with those that ended."""
+    """So far; of those that have not ended."""
     children: dict[int, list[int]] = {}
-    spent: dict[int, float] = {}
     for entry in Path("/proc").iterdir():
         if not entry.name.isdigit():
             continue
@@ -69,14 +70,17 @@ def cpu_seconds(pid: int) -> Spent:
         except OSError:  # it has ended meanwhile
             continue
         children.setdefault(int(fields[1]), []).append(int(entry.name))
-        spent[int(entry.name)] = sum(map(int, fields[11:15]))
-    ticks, left = 0.0, list(children.get(pid, []))
+    others, left = 0.0, list(children.get(pid, []))
     while left:
         one = left.pop()
-        ticks += spent.get(one, 0.0)
+        others += _process_clock(one)
         left += children.get(one, [])
-    second = os.sysconf("SC_CLK_TCK")
-    return Spent(spent.get(pid, 0.0) / second, ticks / second)
+    return Spent(_process_clock(pid), others)
+
+
+def _process_clock(pid: int) -> float:
+    """Seconds; clock_getcpuclockid(3), which Python has for threads only."""
+    return time.clock_gettime(~pid << 3 | 2)
 
 
 def main() -> None:
@@ -93,24 +97,23 @@ def main() -> None:
             ReferenceServer(folders["actions"]) as recording,
         ):
             played = {
-                "off": PlayedServer(plain, "count"),
-                "actions": PlayedServer(recording, "count"),
+                "off": PlayedServer(plain, "count", blocks + 1),
+                "actions": PlayedServer(recording, "count", blocks + 1),
             }
             for number in range(blocks):
                 for ways in sorted(spent, reverse=bool(number % 2)):
                     spent[ways].append(played[ways].cpu_of_block())
-    whole = {}
     for ways, seconds in spent.items():
         server, others = (
-            statistics.mean(part) / TURNS_A_BLOCK * 1e6
+            statistics.median(part) / TURNS_A_BLOCK * 1e6
             for part in zip(*seconds[2:], strict=True)
         )
-        whole[ways] = server + others
         print(
-            f"recordings={ways:8} {whole[ways]:6.0f} µs of CPU for a turn: "
+            f"recordings={ways:8} {server + others:6.0f} µs of CPU for a turn: "
             f"{server:.0f} in the server, {others:.0f} in its simulator"
         )
-    share = whole["actions"] / whole["off"] - 1
+    pairs = list(zip(spent["actions"], spent["off"], strict=True))[2:]
+    share = statistics.median(sum(one) / sum(other) - 1 for one, other in pairs)
     print(f"difference {share:+.1%}, {blocks} blocks of {TURNS_A_BLOCK} turns")
 
 

@@ -11,6 +11,7 @@ and a part that was cut anywhere is read up to the last whole message.
 
 from __future__ import annotations
 
+import hashlib
 import struct
 import time
 import zlib
@@ -191,34 +192,37 @@ MESSAGE_INDEX, CHUNK_INDEX, STATISTICS, SUMMARY_OFFSET, DATA_END = 7, 8, 11, 14,
 RECORD_HEAD = struct.Struct("<BQ")
 # channel id, sequence, log time, publish time
 MESSAGE_HEAD = struct.Struct("<HIQQ")
-_WHOLE_HEAD = struct.Struct("<BQHIQQ")
+# Of a message with that of its record.
+WHOLE_HEAD = struct.Struct("<BQHIQQ")
 
-_encode = msgspec.json.Encoder().encode
+encode_message = msgspec.json.Encoder().encode
+
+DIGEST_CHARS = 32
+
+
+def digest_state(state: bytes) -> str:
+    """REC-111: equal for equal states; 128 bits of SHA-256, in hexadecimal."""
+    return hashlib.sha256(state).hexdigest()[:DIGEST_CHARS]
 
 
 def record(kind: int, content: bytes) -> bytes:
     return RECORD_HEAD.pack(kind, len(content)) + content
 
 
-def message_record(channel: int, at_ns: int, message: Message) -> bytes:
-    """Its sequence number is the checksum of its data, until it is in a file."""
-    data = _encode(message)
+def checked_record(kind: int, channel: int, at_ns: int, data: bytes) -> bytes:
+    """A message; its sequence number is the checksum of its data."""
     length, checksum = MESSAGE_HEAD.size + len(data), zlib.crc32(data)
-    return _WHOLE_HEAD.pack(MESSAGE, length, channel, checksum, at_ns, at_ns) + data
+    return WHOLE_HEAD.pack(kind, length, channel, checksum, at_ns, at_ns) + data
 
 
-def is_whole(content: bytes) -> bool:
-    """Whether the content of a message record is what was written."""
-    checksum = MESSAGE_HEAD.unpack_from(content)[1]
-    return bool(checksum == zlib.crc32(memoryview(content)[MESSAGE_HEAD.size :]))
-
-
+@lru_cache(maxsize=64)
 def schema_record(topic: str, number: int) -> bytes:
     name, schema = CHANNELS.get(topic, CAMERA_SCHEMA)
     head = struct.pack("<H", number)
     return record(SCHEMA, head + text(name) + text("jsonschema") + _sized(schema))
 
 
+@lru_cache(maxsize=64)
 def channel_record(topic: str, number: int) -> bytes:
     """Its schema has the same number."""
     head = struct.pack("<HH", number, number)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import os
 import struct
+import threading
 import zlib
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,7 +18,7 @@ from typing import BinaryIO
 import msgspec
 import zstandard
 
-from reference_record.formats.recording_parts import parts_of, read_part
+from reference_record.formats.recording_parts import json_of, parts_of, read_part
 from reference_record.recording import (
     CHANNEL,
     CHANNELS,
@@ -30,14 +31,15 @@ from reference_record.recording import (
     MESSAGE,
     MESSAGE_HEAD,
     MESSAGE_INDEX,
-    RECORD_HEAD,
     SCHEMA,
     STATISTICS,
     SUMMARY_OFFSET,
+    WHOLE_HEAD,
     AttemptEvent,
     Message,
+    Turn,
     channel_record,
-    message_record,
+    encode_message,
     record,
     schema_record,
     text,
@@ -79,6 +81,14 @@ class _TurnFigures(msgspec.Struct):
     think_ms: float
 
 
+class _Compressors(threading.local):
+    """One for each thread: its memory is what a short episode costs most with."""
+
+    def __init__(self) -> None:
+        self.mine = zstandard.ZstdCompressor(level=_LEVEL)
+
+
+_COMPRESSORS = _Compressors()
 _TURN = msgspec.json.Decoder(_TurnFigures)
 _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
 
@@ -120,17 +130,16 @@ def _write_all(
 ) -> RecordingSummary:
     writer, figures = _RecordingWriter(file), _Figures()
     for part in parts_of(folder):
-        for topic, message in read_part(part):
-            try:
+        try:
+            for topic, at_ns, message in read_part(part):
                 figures.add(topic, message)
-            except msgspec.MsgspecError as error:
-                raise OSError(f"{part.name} has been damaged") from error
-            writer.add(topic, message)
+                writer.add(topic, at_ns, json_of(message))
+        except msgspec.MsgspecError as error:
+            raise OSError(f"{part.name} has been damaged") from error
     if steps is not None and figures.steps != steps:
         raise OSError("its parts do not have the turns of the result")
     for topic, at_ns, said in last:
-        content = memoryview(message_record(0, at_ns, said))
-        writer.add(topic, content[RECORD_HEAD.size :])
+        writer.add(topic, at_ns, encode_message(said))
     writer.finish()
     return figures.summary(writer.digest, writer.size)
 
@@ -154,15 +163,16 @@ class _Figures:
         self._simulate: list[float] = []
         self.steps: int | None = None  # of the attempt in play, None before its turns
 
-    def add(self, topic: str, message: memoryview) -> None:
+    def add(self, topic: str, message: Turn | bytes) -> None:
         if topic == "/turn":
-            turn = _TURN.decode(message[MESSAGE_HEAD.size :])
+            turn: Turn | _TurnFigures
+            turn = message if isinstance(message, Turn) else _TURN.decode(message)
             self._last = turn.state_digest
             self.steps = (self.steps or 0) + turn.steps
             self._think.append(turn.think_ms)
             self._simulate.append(turn.simulate_ms)
         elif topic == "/attempt":
-            event = _ATTEMPT.decode(message[MESSAGE_HEAD.size :])
+            event = _ATTEMPT.decode(json_of(message))
             if event.event == "started":
                 self._first = self._first or event.state_digest
                 self.steps = None
@@ -192,11 +202,10 @@ class _RecordingWriter:
         self._file = file
         self._hash = hashlib.sha256()
         self._at = 0  # bytes written
-        self._compressor = zstandard.ZstdCompressor(level=_LEVEL)
         self._topics = {topic: number for number, topic in enumerate(CHANNELS, 1)}
         self._counts: dict[int, int] = {}
         self._chunk_indexes: list[bytes] = []
-        self._span = _Span()
+        self._spans: list[tuple[int, int]] = []  # of the chunks
         self._begin_chunk()
         self._write(MAGIC)
         self._write(record(HEADER, text("") + text("proctor")))
@@ -211,22 +220,19 @@ class _RecordingWriter:
     def digest(self) -> str:
         return self._hash.hexdigest()
 
-    def add(self, topic: str, message: memoryview) -> None:
-        """message: the content of a message record; its numbers are set here."""
+    def add(self, topic: str, at_ns: int, message: bytes) -> None:
+        """message: its JSON."""
         channel = self._topics.get(topic)
         if channel is None:
             channel = self._topics[topic] = len(self._topics) + 1
             self._end_chunk()
             self._declare(topic, channel)
-        _, _, at_ns, _ = MESSAGE_HEAD.unpack_from(message)
         count = self._counts.get(channel, 0)
         self._counts[channel] = count + 1
-        self._offsets.setdefault(channel, []).append((at_ns, len(self._chunk)))
-        self._chunk += RECORD_HEAD.pack(MESSAGE, len(message))
-        self._chunk += MESSAGE_HEAD.pack(channel, count, at_ns, at_ns)
-        self._chunk += message[MESSAGE_HEAD.size :]
-        self._chunk_span.add(at_ns)
-        self._span.add(at_ns)
+        self._places.setdefault(channel, []).extend((at_ns, len(self._chunk)))
+        length = MESSAGE_HEAD.size + len(message)
+        self._chunk += WHOLE_HEAD.pack(MESSAGE, length, channel, count, at_ns, at_ns)
+        self._chunk += message
         if len(self._chunk) >= CHUNK_BYTES:
             self._end_chunk()
 
@@ -253,36 +259,36 @@ class _RecordingWriter:
 
     def _begin_chunk(self) -> None:
         self._chunk = bytearray()
-        self._chunk_span = _Span()
-        self._offsets: dict[int, list[tuple[int, int]]] = {}
+        # For each channel the time and the offset of each message, in turn.
+        self._places: dict[int, list[int]] = {}
 
     def _end_chunk(self) -> None:
         if not self._chunk:
             return
-        packed = self._compressor.compress(self._chunk)
-        span, size = self._chunk_span, len(self._chunk)
+        packed = _COMPRESSORS.mine.compress(self._chunk)
+        times = [at for entries in self._places.values() for at in entries[::2]]
+        span, size = (min(times), max(times)), len(self._chunk)
+        self._spans.append(span)
         start = self._at
         self._write(
             record(
                 CHUNK,
-                struct.pack(
-                    "<QQQI", span.first, span.last, size, zlib.crc32(self._chunk)
-                )
+                struct.pack("<QQQI", *span, size, zlib.crc32(self._chunk))
                 + text("zstd")
                 + struct.pack("<Q", len(packed))
                 + packed,
             )
         )
         length, places = self._at - start, b""
-        for channel, entries in self._offsets.items():
+        for channel, entries in self._places.items():
             places += struct.pack("<HQ", channel, self._at)
-            pairs = b"".join(struct.pack("<QQ", *entry) for entry in entries)
+            pairs = struct.pack(f"<{len(entries)}Q", *entries)
             content = struct.pack("<HI", channel, len(pairs)) + pairs
             self._write(record(MESSAGE_INDEX, content))
         self._chunk_indexes.append(
             record(
                 CHUNK_INDEX,
-                struct.pack("<QQQQ", span.first, span.last, start, length)
+                struct.pack("<QQQQ", *span, start, length)
                 + struct.pack("<I", len(places))
                 + places
                 + struct.pack("<Q", self._at - start - length)
@@ -298,10 +304,12 @@ class _RecordingWriter:
     def _statistics(self) -> bytes:
         channels, chunks = len(self._topics), len(self._chunk_indexes)
         counts = b"".join(struct.pack("<HQ", *one) for one in self._counts.items())
+        first = min((first for first, _ in self._spans), default=0)
+        last = max((last for _, last in self._spans), default=0)
         content = struct.pack(
             "<QHIIIIQQI",
             *(sum(self._counts.values()), channels, channels, 0, 0, chunks),
-            *(self._span.first, self._span.last, len(counts)),
+            *(first, last, len(counts)),
         )
         return record(STATISTICS, content + counts)
 
@@ -309,14 +317,3 @@ class _RecordingWriter:
         self._file.write(content)
         self._hash.update(content)
         self._at += len(content)
-
-
-class _Span:
-    """The earliest and the latest time; a wall clock may be set back."""
-
-    def __init__(self) -> None:
-        self.first = self.last = 0
-
-    def add(self, at_ns: int) -> None:
-        self.first = min(self.first or at_ns, at_ns)
-        self.last = max(self.last, at_ns)

@@ -104,6 +104,14 @@ class RecordManifest(Struct):
     benchmark_id: Text
     version: Text
     episodes: list[BenchmarkEpisode]
+    sealed_splits: object = None  # no rule of a record is about its form
+
+    @property
+    def sealed(self) -> int:
+        """How many episodes are of splits whose seeds the host keeps secret."""
+        named = self.sealed_splits if isinstance(self.sealed_splits, list) else []
+        splits = {one for one in named if isinstance(one, str)}
+        return sum(one.split in splits for one in self.episodes)
 
 
 class RecordingFacts(Struct):

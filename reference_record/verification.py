@@ -47,7 +47,8 @@ class Report:
     """What is known of a record in which nothing is wrong.
 
     signer: whose key signed it, None for a key that was not named. replayed_by: (who,
-    verdict) of each verdict, who None for a key that was not named.
+    verdict) of each verdict, who None for a key that was not named. sealed: how many
+    episodes are of splits whose seeds the host keeps secret until it opens them.
     """
 
     evaluation: Evaluation
@@ -58,6 +59,7 @@ class Report:
     episodes: int
     recordings: int
     turns: int
+    sealed: int
 
     @property
     def levels(self) -> list[str]:
@@ -107,6 +109,7 @@ def verify(bundle: Bundle, trusted: Mapping[str, str] | None = None) -> Report:
         episodes=len(lines),
         recordings=sum(map(is_recording, bundle.sizes)),
         turns=turns,
+        sealed=manifest.sealed,
     )
 
 

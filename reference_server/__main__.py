@@ -20,6 +20,8 @@ import uvicorn
 from pydantic import ValidationError
 from pydantic_settings import CliSettingsSource, SettingsError
 
+from reference_record.broken import UnusableRecord
+from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
@@ -200,6 +202,14 @@ def _check_database_and_keys(settings: Settings) -> None:
             f"cannot use the secret of sealed seeds in {settings.seed_secret_path} "
             f"({error}); choose another with --seed-secret"
         ) from error
+    for path in settings.opened_seeds_paths:
+        try:
+            load_opened_seeds(path)
+        except (OSError, UnusableRecord) as error:
+            raise _CannotUse(
+                f"cannot use the opened seeds in {path} ({error}); choose another with "
+                "--opened-seeds"
+            ) from error
     if settings.seed_secret_path is None and ":memory:" not in settings.database:
         _print_line(
             "the seeds of sealed splits last until this server stops, and so do runs "

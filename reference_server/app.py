@@ -21,6 +21,7 @@ from starlette.routing import BaseRoute, Route, Router
 from starlette.types import ASGIApp, Lifespan, Message, Receive, Scope, Send
 
 from reference_record.formats.merkle_tree import leaf_hash
+from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.cluster.server_node import ServerNode
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.allowed_hosts import AllowedHosts
@@ -426,6 +427,7 @@ def _imports_of(
         most,
         settings.max_record_bytes,
         settings.import_replay_s_max,
+        [load_opened_seeds(path) for path in settings.opened_seeds_paths],
     )
     return RecordImports(ImportStore(store), pool, records, imports)
 

@@ -230,6 +230,12 @@ class Settings(BaseSettings):
         allow_inf_nan=False,
         description="Maximum time for the replay of one record that was handed in.",
     )
+    opened_seeds: str = Field(
+        "",
+        description="Files with the seeds of sealed splits that hosts have opened, "
+        "comma-separated: a record that is handed in is replayed with those to which "
+        "it commits its host. Read at the start.",
+    )
     runs_keep_days: float = Field(
         0,
         ge=0,
@@ -563,6 +569,11 @@ class Settings(BaseSettings):
         """`known_keys`: keyid → whose key it is."""
         pairs = (text.partition("=") for text in self.known_keys.split(",") if text)
         return {keyid: name for name, _, keyid in pairs}
+
+    @property
+    def opened_seeds_paths(self) -> list[Path]:
+        """`opened_seeds`: of records that are handed in."""
+        return [Path(one.strip()) for one in self.opened_seeds.split(",") if one]
 
     @property
     def signing_key_path(self) -> Path | None:

@@ -181,6 +181,7 @@ def _facts(path: Path, report: Report) -> TextTable:
             "finished": said.finished_at,
             "checked": f"signature, {report.episodes} episodes, "
             f"{report.recordings} recordings with {report.turns} turns, the score",
+            "sealed": _sealed_text(report),
             "replays": "; ".join(map(_verdict_text, report.replayed_by)) or "none",
             "not shown": NOT_SHOWN,
         }
@@ -193,6 +194,15 @@ def _part_text(select: object) -> str | None:
         return None
     text = msgspec.json.encode(select).decode()
     return f"{text[:200]}, and nothing else"
+
+
+def _sealed_text(report: Report) -> str | None:
+    if not report.sealed:
+        return None
+    return (
+        f"{report.sealed} of {report.episodes} episodes: their seeds are the secret of "
+        "the host; with the file in which it opens them, see proctor replay --seeds"
+    )
 
 
 def _level_text(report: Report) -> str:
@@ -233,6 +243,7 @@ def _as_json(report: Report) -> dict[str, Any]:
         "episodes": report.episodes,
         "recordings": report.recordings,
         "turns": report.turns,
+        "sealed_episodes": report.sealed,
         "replays": [
             {"by": who, "keyid": one.keyid, **msgspec.to_builtins(one.replay)}
             for who, one in report.replayed_by

@@ -10,7 +10,7 @@ import asyncio
 import contextlib
 import logging
 import time
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Awaitable, Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
@@ -20,6 +20,7 @@ import msgspec
 from pydantic import ValidationError
 
 from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.formats.opened_seeds import OpenedBenchmark
 from reference_record.replay_verdict import (
     Divergence,
     ReplaySummary,
@@ -43,14 +44,16 @@ from reference_sim.process.pool import (
 )
 from reference_sim.replay.foreign_manifest import BenchmarkChoice
 from reference_sim.replay.record_replay import (
-    NO_SEEDS,
+    NONE_SIMULATED,
     ReplayedBenchmark,
+    add_opened_seeds,
     resolve_choice,
 )
 
 log = logging.getLogger("proctor.imports")
 
 RETRY_S = 5.0
+NO_SEEDS = f"{NONE_SIMULATED}, and this server has no file in which it has opened them"
 Sign = Callable[[ReplaySummary, str], Awaitable[bytes]]
 
 
@@ -62,7 +65,8 @@ class ImportReplays:
     """The replays of one server.
 
     path_of: import id → its archive. sign: makes this server's verdict on a statement.
-    replay_s_max: longest time for one record.
+    replay_s_max: longest time for one record. opened: seeds of sealed splits that
+    their hosts have opened.
     """
 
     def __init__(
@@ -74,10 +78,11 @@ class ImportReplays:
         path_of: Callable[[str], Path],
         sign: Sign,
         replay_s_max: float,
+        opened: Sequence[OpenedBenchmark] = (),
     ) -> None:
         self._store, self._pool, self._verifier = store, pool, verifier
         self._path_of, self._sign = path_of, sign
-        self._replay_s_max = replay_s_max
+        self._replay_s_max, self._opened = replay_s_max, opened
         self._wake = asyncio.Event()
         self._worker: asyncio.Task[None] | None = None
         self._current: tuple[str, asyncio.Task[None]] | None = None
@@ -196,12 +201,15 @@ class ImportReplays:
         """The benchmark as this server has it, and the results to be simulated."""
         recorded = await self._verifier.read_for_replay(path)
         check_choice(recorded.choice)
-        benchmark = await asyncio.to_thread(resolve_choice, recorded.choice)
+        benchmark = await asyncio.to_thread(self._resolve, recorded.choice)
         found = (one for one in recorded.results() if benchmark.can_simulate(one.index))
         first = next(found, None)
         if first is None:
             raise UnusableRecord(NO_SEEDS)
         return benchmark, chain([first], found)
+
+    def _resolve(self, choice: BenchmarkChoice) -> ReplayedBenchmark:
+        return add_opened_seeds(resolve_choice(choice), choice, self._opened)
 
     async def _start(self, benchmark: ReplayedBenchmark) -> SimulatorHandle:
         try:

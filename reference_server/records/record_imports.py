@@ -10,7 +10,7 @@ import asyncio
 import secrets
 import time
 from collections import Counter
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,6 +22,7 @@ from reference_record.broken import BrokenRecord
 from reference_record.export import Record, with_verdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_name
+from reference_record.formats.opened_seeds import OpenedBenchmark
 from reference_record.replay_verdict import ReplaySummary
 from reference_server.records.examination_turns import NoTurn
 from reference_server.records.import_files import Draft, ImportFiles
@@ -57,12 +58,16 @@ class HostKeys(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class ImportSettings:
-    """folder: None for one that is removed at the end. most: of one account."""
+    """folder: None for one that is removed at the end. most: of one account.
+
+    opened: seeds of sealed splits that their hosts have opened.
+    """
 
     folder: Path | None
     most: ImportUsage
     record_bytes_max: int
     replay_s_max: float
+    opened: Sequence[OpenedBenchmark] = ()
 
 
 class RecordImports:
@@ -85,6 +90,7 @@ class RecordImports:
             path_of=self._files.path,
             sign=keys.sign_verdict,
             replay_s_max=settings.replay_s_max,
+            opened=settings.opened,
         )
         self._receiving = Counter[str]()  # of each account
         # What is counted and what is stored of an account does not change in between.

@@ -28,7 +28,12 @@ from weakref import WeakValueDictionary
 
 import msgspec
 
-from reference_record.formats.recording_parts import NO_ROOM, append_part, parts_of
+from reference_record.formats.recording_parts import (
+    NO_ROOM,
+    append_part,
+    parts_of,
+    remove_parts,
+)
 from reference_record.recording import (
     AttemptEvent,
     EpisodeResult,
@@ -179,7 +184,7 @@ class Recordings:
         for index in stored:
             if run.episodes[index].recording is not None:
                 folder = self._parts(run.run_id, index)
-                self._threads_of((run.run_id, index)).submit(_remove_folder, folder)
+                self._threads_of((run.run_id, index)).submit(remove_parts, folder)
 
     def path(self, run_id: str, index: int) -> Path:
         """The file of an episode that has its result."""

@@ -7,7 +7,6 @@ error of the simulator, unless the disk is full.
 
 from __future__ import annotations
 
-import hashlib
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -16,20 +15,21 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_record.formats.recording_parts import NO_ROOM, PartWriter
+from reference_record.formats.recording_parts import NO_ROOM, ExecutedTurn, PartWriter
 from reference_record.recording import (
     CAMERA,
     AttemptEvent,
     Message,
     Picture,
-    Turn,
+    digest_state,
     timestamp,
 )
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator
 from reference_sim.process.encoding import encode_image
 
-DIGEST_CHARS = 32
+# Of a state up to so many bytes the digest is computed when the turns are read.
+STATE_BYTES_MAX = 512
 
 
 class RecordingPlan(msgspec.Struct, frozen=True):
@@ -50,8 +50,7 @@ class UnwritableRecording(Exception):
 
 
 def state_digest(simulator: Simulator) -> str:
-    """REC-111: equal for equal states; 128 bits of SHA-256, in hexadecimal."""
-    return hashlib.sha256(simulator.state_bytes()).hexdigest()[:DIGEST_CHARS]
+    return digest_state(simulator.state_bytes())
 
 
 class EpisodeRecorder:
@@ -74,31 +73,34 @@ class EpisodeRecorder:
 
     def add_turn(
         self,
-        *,
-        seq: int,
-        think_ms: float,
-        actions: Sequence[Mapping[str, Sequence[float]]],
+        command: bytes,
         rewards: Sequence[float],
         episode: Episode,
         simulate_s: float,
     ) -> None:
-        """REC-104: once, as it was executed. actions: those that were."""
-        now = time.time_ns()
-        turn = Turn(
-            attempt=self._plan.attempt,
-            seq=seq,
-            actions=actions,
-            rewards=rewards,
-            steps=len(rewards),
-            score=episode.score,
-            success=episode.success,
-            ended=episode.ended,
-            state_digest=state_digest(self._simulator),
-            simulate_ms=round(simulate_s * 1e3, 4),
-            think_ms=round(think_ms, 4),
-            at=timestamp(now),
+        """REC-104: once, as it was executed; each reward is of an executed action.
+
+        command: MessagePack that has the members of TurnCommand.
+        """
+        state = self._simulator.state_bytes()
+        digest = None
+        if len(state) > STATE_BYTES_MAX:
+            state, digest = b"", digest_state(state)
+        turn = ExecutedTurn(
+            self._plan.attempt,
+            rewards,
+            episode.score,
+            episode.success,
+            episode.ended,
+            state,
+            digest,
+            simulate_s,
+            msgspec.Raw(command),
         )
-        self._write("/turn", turn, now)
+        try:
+            self._part.write_turn(turn)
+        except OSError as error:
+            raise UnwritableRecording(error) from error
 
     def add_pictures(self, images: Mapping[str, NDArray[np.uint8]]) -> None:
         """What the cameras show, if that was wanted."""

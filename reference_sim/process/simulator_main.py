@@ -71,7 +71,7 @@ class Begin(msgspec.Struct, tag="begin"):
 
 
 class Play(msgspec.Struct, tag="play"):
-    """seq, think_ms: of the turn, for its recording."""
+    """seq, think_ms: of the turn, for its recording, which has the command as it is."""
 
     actions: Sequence[Mapping[str, Sequence[float]]]
     observe_all: bool
@@ -224,10 +224,12 @@ class _EpisodeHost:
         self._recorder: EpisodeRecorder | None = None
         self._is_sealed = False
 
-    def answer(self, command: SimulatorCommand) -> SimulatorReply:
+    def answer(self, received: bytes) -> SimulatorReply:
+        """received: a command, as MessagePack."""
+        command = _commands.decode(received)
         FRAME_BUFFER.acknowledge()
         try:
-            return self._execute(command)
+            return self._execute(command, received)
         except TaskUnplayable as unplayable:
             return FailureReply(str(unplayable), unplayable=True)
         except UnwritableRecording as failed:
@@ -241,14 +243,14 @@ class _EpisodeHost:
                 _log.error("simulator failed", exc_info=True)
             return FailureReply(f"{type(error).__name__}: {error}", unplayable=False)
 
-    def _execute(self, command: SimulatorCommand) -> SimulatorReply:
+    def _execute(self, command: SimulatorCommand, received: bytes) -> SimulatorReply:
         match command:
             case Build():
                 return self._build(command)
             case Begin():
                 return self._begin(command)
             case Play():
-                return self._play(command)
+                return self._play(command, received)
             case Observe():
                 # Shown before, and so recorded before.
                 return ObservationReply(self._observe(_Clock(), record=False))
@@ -288,7 +290,7 @@ class _EpisodeHost:
         observation = self._observe(clock)
         return EpisodeStart(self._episode.instruction, observation, clock.timing())
 
-    def _play(self, command: Play) -> ChunkReply:
+    def _play(self, command: Play, received: bytes) -> ChunkReply:
         episode = self._require_episode()
         clock = _Clock()
         rewards: list[float] = []
@@ -309,14 +311,7 @@ class _EpisodeHost:
         )
         timing = clock.timing()
         if self._recorder is not None:
-            self._recorder.add_turn(
-                seq=command.seq,
-                think_ms=command.think_ms,
-                actions=command.actions[: len(rewards)],
-                rewards=rewards,
-                episode=episode,
-                simulate_s=timing.simulate_s,
-            )
+            self._recorder.add_turn(received, rewards, episode, timing.simulate_s)
         return ChunkReply(
             executed=len(rewards),
             rewards=rewards,
@@ -406,8 +401,7 @@ def serve(connection: socket.socket) -> Never:
     _send(connection, Hello(os.getpid()))
     while True:
         (length,) = HEADER.unpack(_receive(commands, HEADER.size))
-        command = _commands.decode(_receive(commands, length))
-        _send(connection, host.answer(command))
+        _send(connection, host.answer(_receive(commands, length)))
 
 
 def _receive(commands: BinaryIO, length: int) -> bytes:

@@ -30,7 +30,7 @@ from reference_record.verification import Report, verify
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.replay.episode_replay import EpisodeReplay
-from reference_sim.replay.record_replay import replay_record, resolve
+from reference_sim.replay.record_replay import ReplayedBenchmark, replay_record, resolve
 
 SAME, DIVERGED, IMPOSSIBLE = 0, 1, 2
 REPORT_EVERY_S = 10.0
@@ -109,7 +109,12 @@ def _replay(args: argparse.Namespace) -> int:
     )
     if not args.no_verdict:
         _add_verdict(args, report, replay)
-    _print(replay, report, as_json=args.json)
+    if args.json:
+        sealed = {"sealed_episodes": report.sealed, "secret_seeds": benchmark.secret}
+        said = msgspec.to_builtins(replay) | sealed
+        sys.stdout.write(json.dumps(said, indent=2) + "\n")
+    else:
+        _print(replay, report, _name_seeds(args, report, benchmark))
     return DIVERGED if replay.result == "diverged" else SAME
 
 
@@ -147,10 +152,19 @@ class _Progress:
             _say(f"{self._done} of {self._total} episodes")
 
 
-def _print(replay: ReplaySummary, report: Report, *, as_json: bool) -> None:
-    if as_json:
-        sys.stdout.write(json.dumps(msgspec.to_builtins(replay), indent=2) + "\n")
-        return
+def _name_seeds(
+    args: argparse.Namespace, report: Report, benchmark: ReplayedBenchmark
+) -> str | None:
+    """What was done about the episodes of sealed splits, if there are any."""
+    if not (args.seeds or benchmark.secret):
+        return None
+    count = f"{report.sealed} of {report.episodes} episodes are of sealed splits: "
+    if benchmark.secret:
+        return f"{count}left out, for their seeds are the secret of the host (--seeds)"
+    return f"{count}their seeds are those opened in {args.seeds}"
+
+
+def _print(replay: ReplaySummary, report: Report, seeds: str | None) -> None:
     packages = ", ".join(f"{k} {v}" for k, v in replay.engine["packages"].items())
     counts = f"{replay.exact} of {replay.episodes} episodes exact, "
     counts += f"{replay.outcome} with the same outcome, {replay.diverged} diverged"
@@ -159,6 +173,8 @@ def _print(replay: ReplaySummary, report: Report, *, as_json: bool) -> None:
         f"promised on the same engine: {report.evaluation.promise}; here: {packages}",
         "A replay does not show whether the actions came from the policy.",
     ]
+    if seeds is not None:
+        lines.insert(1, seeds)
     if where := replay.first_divergence:
         lines.insert(
             1,

@@ -7,6 +7,7 @@ what comes out is small, and is compared with what the machine itself offers.
 from __future__ import annotations
 
 import hashlib
+import re
 from typing import Annotated, Any, Final
 
 import msgspec
@@ -44,6 +45,7 @@ class BenchmarkChoice(msgspec.Struct, frozen=True):
     """What a record says of its benchmark, of which the manifest is only a digest.
 
     open_sha256: of the manifest without what a host of sealed splits keeps secret.
+    seeds_sha256: by which the host is committed to it.
     """
 
     benchmark_id: str
@@ -53,12 +55,14 @@ class BenchmarkChoice(msgspec.Struct, frozen=True):
     manifest_sha256: str
     open_sha256: str
     select: Part | None = None
+    seeds_sha256: str | None = None
 
 
 def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
     """Reads the whole manifest, which may be large. Raises BrokenRecord."""
     read = read_json(MANIFEST, manifest, _ForeignManifest)
-    open_part = without_sealed_seeds(msgspec.json.decode(manifest))
+    whole = msgspec.json.decode(manifest)
+    open_part, commitment = without_sealed_seeds(whole), whole.get("seeds_sha256")
     return BenchmarkChoice(
         evaluation.benchmark.benchmark_id,
         evaluation.run.options,
@@ -67,6 +71,7 @@ def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
         evaluation.manifest_sha256,
         sha256_of(open_part),
         _part_of(evaluation.score.get("select")),
+        commitment if _is_sha256(commitment) else None,
     )
 
 
@@ -89,6 +94,10 @@ def selected(manifest: dict[str, Any], part: Part | None) -> dict[str, Any]:
         and (part.splits is None or one["split"] in part.splits)
     ]
     return {**manifest, "episodes": episodes, "episodes_total": len(episodes)}
+
+
+def _is_sha256(text: object) -> bool:
+    return isinstance(text, str) and re.fullmatch("[0-9a-f]{64}", text) is not None
 
 
 def sha256_of(manifest: dict[str, Any]) -> str:

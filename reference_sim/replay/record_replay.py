@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import multiprocessing
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass
 from functools import partial
@@ -34,10 +34,10 @@ from reference_sim.replay.foreign_manifest import (
     without_sealed_seeds,
 )
 
-NO_SEEDS: Final = (
-    "no episode can be simulated: their seeds are the secret of the host; if it has "
-    "opened them, name its file with --seeds"
+NONE_SIMULATED: Final = (
+    "no episode can be simulated: their seeds are the secret of the host"
 )
+NO_SEEDS: Final = f"{NONE_SIMULATED}; if it has opened them, name its file with --seeds"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +63,11 @@ class ReplayedBenchmark:
     def can_simulate(self, index: int) -> bool:
         """False where the seed of the episode is the secret of its host."""
         return "seed" in self.manifest["episodes"][index]
+
+    @property
+    def secret(self) -> int:
+        """How many episodes cannot be simulated for their seeds."""
+        return sum("seed" not in one for one in self.manifest["episodes"])
 
     def with_seeds(self, seeds: Mapping[int, int]) -> ReplayedBenchmark:
         """Also the episodes whose seeds a host has opened. seeds: by index."""
@@ -116,6 +121,24 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
             "Install the version of the record: proctor verify shows it"
         )
     return ReplayedBenchmark(open_part, found.world)
+
+
+def add_opened_seeds(
+    found: ReplayedBenchmark, choice: BenchmarkChoice, files: Iterable[OpenedBenchmark]
+) -> ReplayedBenchmark:
+    """Also the episodes of sealed splits, where one of the files has their seeds.
+
+    Raises UnusableRecord where these are not what the file says.
+    """
+    commitment = choice.seeds_sha256
+    for opened in files:
+        if opened.benchmark_id == choice.benchmark_id and any(
+            part.seeds_sha256 == commitment for part in opened.opened
+        ):
+            # Its own manifest, not that of the record: it is the same but for seeds.
+            manifest = {**found.manifest, "seeds_sha256": commitment}
+            return found.with_seeds(seeds_for(opened, manifest))
+    return found
 
 
 def replay_record(

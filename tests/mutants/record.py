@@ -15,7 +15,7 @@ from starlette.responses import Response
 
 from reference_record import export, recording_file
 from reference_record.formats import recording_parts
-from reference_record.recording import MESSAGE_HEAD
+from reference_record.formats.recording_parts import PartMessage
 from reference_record.statement import EpisodeLine, Evaluation
 from reference_server.http import handlers
 from reference_server.http.dispatch import OperationCall
@@ -30,14 +30,13 @@ from reference_server.views import run_views
 from tests.mutants import mutant, put
 
 Json = dict[str, Any]
-Entry = tuple[str, memoryview]
 
 
-def change_parts(change: Callable[[list[Entry]], list[Entry]]) -> None:
+def change_parts(change: Callable[[list[PartMessage]], list[PartMessage]]) -> None:
     """Let `change` spoil what is read of each part of a recording."""
     right = recording_parts.read_part
 
-    def wrong(path: Path) -> Iterator[Entry]:
+    def wrong(path: Path) -> Iterator[PartMessage]:
         return iter(change(list(right(path))))
 
     put(recording_file, "read_part", wrong)
@@ -46,13 +45,12 @@ def change_parts(change: Callable[[list[Entry]], list[Entry]]) -> None:
 def change_messages(topic: str, change: Callable[[Json], None]) -> None:
     """Let `change(message)` spoil each message of a topic."""
 
-    def change_one(entry: Entry) -> Entry:
+    def change_one(entry: PartMessage) -> PartMessage:
         if entry[0] != topic:
             return entry
-        head, data = entry[1][: MESSAGE_HEAD.size], entry[1][MESSAGE_HEAD.size :]
-        message = msgspec.json.decode(data)
+        message = msgspec.json.decode(recording_parts.json_of(entry[2]))
         change(message)
-        return topic, memoryview(bytes(head) + msgspec.json.encode(message))
+        return topic, entry[1], msgspec.json.encode(message)
 
     change_parts(lambda entries: [change_one(entry) for entry in entries])
 
@@ -118,8 +116,8 @@ def does_not_refuse_records_of_runs_in_play() -> None:
 def loses_the_first_turn_of_each_part() -> None:
     """A recording shows an episode that began later than it did."""
 
-    def wrong(entries: list[Entry]) -> list[Entry]:
-        turns = [n for n, (topic, _) in enumerate(entries) if topic == "/turn"]
+    def wrong(entries: list[PartMessage]) -> list[PartMessage]:
+        turns = [n for n, (topic, *_) in enumerate(entries) if topic == "/turn"]
         left_out = turns[0] if len(turns) > 1 else None
         return [entry for n, entry in enumerate(entries) if n != left_out]
 

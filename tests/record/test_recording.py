@@ -8,14 +8,18 @@ import os
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 from mcap.reader import make_reader
 
 from reference_record.formats.recording_parts import (
+    ExecutedTurn,
     PartWriter,
+    TurnCommand,
     append_part,
     parts_of,
     read_part,
@@ -27,6 +31,8 @@ from reference_record.recording import (
     Message,
     Picture,
     Turn,
+    digest_state,
+    timestamp,
 )
 from reference_record.recording_file import join_parts
 from tests.support.paths import ROOT
@@ -41,6 +47,21 @@ def write_part(folder: Path, *messages: tuple[str, Message]) -> None:
     for number, (topic, message) in enumerate(messages, 1):
         part.write(topic, message, at_ns=1_000 * number)
     part.close()
+
+
+def write_executed(folder: Path, *turns: ExecutedTurn[msgspec.Raw]) -> None:
+    part = PartWriter(folder)
+    part.write("/attempt", STARTED)
+    for turn in turns:
+        part.write_turn(turn)
+    part.close()
+
+
+def make_executed(seq: int, state: bytes = b"s") -> ExecutedTurn[msgspec.Raw]:
+    """Of a command of two actions, of which one was executed."""
+    command = TurnCommand([{"arm": [1, 0.5]}, {"arm": [9.0, 9.0]}], seq, 1.23456)
+    coded = msgspec.Raw(msgspec.msgpack.encode(command))
+    return ExecutedTurn(1, [0.5], 0.25, False, True, state, None, 0.00123456, coded)
 
 
 def read_file(path: Path) -> list[tuple[str, dict[str, Any]]]:
@@ -104,6 +125,52 @@ def test_a_part_that_is_cut_anywhere_is_read_up_to_there(tmp_path: Path) -> None
         assert len(list(read_part(part))) == sum(end <= size for end in ends) - 1
 
 
+def test_an_executed_turn_is_read_as_the_message_that_it_is(tmp_path: Path) -> None:
+    """Times are rounded; actions that were not executed are left out."""
+    long = msgspec.structs.replace(make_executed(2), state=b"", digest="d" * 32)
+    before = timestamp(time.time_ns())
+    write_executed(tmp_path, make_executed(1, b"state"), long)
+    join_parts(tmp_path, tmp_path / "e.mcap", [], steps=2)
+    _, (topic, first), (_, second) = read_file(tmp_path / "e.mcap")
+    assert before <= first.pop("at") <= timestamp(time.time_ns())
+    assert (topic, first) == (
+        "/turn",
+        {
+            "attempt": 1,
+            "seq": 1,
+            "actions": [{"arm": [1.0, 0.5]}],
+            "rewards": [0.5],
+            "steps": 1,
+            "score": 0.25,
+            "success": False,
+            "ended": True,
+            "state_digest": digest_state(b"state"),
+            "simulate_ms": 1.2346,
+            "think_ms": 1.2346,
+        },
+    )
+    assert (second["seq"], second["state_digest"]) == (2, "d" * 32)
+
+
+def test_executed_turns_that_are_cut_anywhere_are_read_up_to_there(
+    tmp_path: Path,
+) -> None:
+    write_executed(tmp_path)
+    (part,) = parts_of(tmp_path)
+    start = part.stat().st_size
+    part.unlink()
+    write_executed(tmp_path, make_executed(1), make_executed(2))
+    whole = part.read_bytes()
+    ends = [start, (start + len(whole)) // 2, len(whole)]
+    for size in range(start, len(whole) + 1):
+        count = sum(end <= size for end in ends)
+        for tail in (b"", bytes(64)):  # as a power cut may leave it
+            part.write_bytes(whole[:size] + tail)
+            assert len(list(read_part(part))) == count
+    part.write_bytes(whole[:-1] + bytes([whole[-1] ^ 1]))
+    assert len(list(read_part(part))) == 2
+
+
 def test_what_follows_a_cut_part_is_read(tmp_path: Path) -> None:
     write_part(tmp_path, ("/attempt", STARTED), ("/turn", make_turn(1)))
     (part,) = parts_of(tmp_path)
@@ -164,6 +231,8 @@ def test_a_write_that_stops_half_way_is_an_error(
     monkeypatch.setattr(os, "write", lambda file, data: write(file, data[:-1]))
     with pytest.raises(OSError, match="part of a message"):
         part.write("/turn", make_turn(2))
+    with pytest.raises(OSError, match="part of a message"):
+        part.write_turn(make_executed(2))
     part.close()
     assert len(list(read_part(parts_of(tmp_path)[0]))) == 1
     with pytest.raises(OSError, match="part of a message"):

@@ -19,7 +19,6 @@ from mcap.stream_reader import StreamReader
 
 from reference_record import recording_file
 from reference_record.formats import recording_parts
-from reference_record.recording import MESSAGE_HEAD
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
@@ -273,9 +272,9 @@ def test_each_event_is_written_once_by_several_writers(
     asyncio.run(write())
     parts = recording_parts.parts_of(tmp_path / "run_1" / "00000.parts")
     found = [
-        msgspec.json.decode(message[MESSAGE_HEAD.size :])["seq"]
+        msgspec.json.decode(recording_parts.json_of(message))["seq"]
         for part in parts
-        for _, message in recording_parts.read_part(part)
+        for _, _, message in recording_parts.read_part(part)
     ]
     assert found == [0, 1, 2]
 

@@ -3,22 +3,41 @@
 from __future__ import annotations
 
 import asyncio
+import hashlib
 from collections.abc import Awaitable, Callable
 from pathlib import Path
 
 import msgspec
 import pytest
 
-from reference_record.formats.recording_parts import parts_of, read_part
-from reference_record.recording import MESSAGE_HEAD
+from reference_record.formats.recording_parts import (
+    TurnCommand,
+    json_of,
+    parts_of,
+    read_part,
+)
 from reference_sim.benchmark_registry import resolve
+from reference_sim.benchmarks.calibration import Calibration
+from reference_sim.episode import Episode
 from reference_sim.process.pool import (
     RecordingPlan,
     SimulatorFault,
     SimulatorHandle,
     SimulatorPool,
 )
+from reference_sim.process.recorder import EpisodeRecorder
 from tests.support.sim.calibration_action import calibration_action as action
+
+
+class StateOf(Calibration):
+    """Has always this state."""
+
+    def __init__(self, state: bytes) -> None:
+        super().__init__(16, 12)
+        self._state = state
+
+    def state_bytes(self) -> bytes:
+        return self._state
 
 
 def play(story: Callable[[SimulatorHandle], Awaitable[None]]) -> None:
@@ -40,9 +59,9 @@ async def begin(handle: SimulatorHandle, plan: RecordingPlan, task: str) -> None
 
 def read(folder: Path) -> list[tuple[str, dict[str, object]]]:
     return [
-        (topic, msgspec.json.decode(message[MESSAGE_HEAD.size :]))
+        (topic, msgspec.json.decode(json_of(message)))
         for part in parts_of(folder)
-        for topic, message in read_part(part)
+        for topic, _, message in read_part(part)
     ]
 
 
@@ -105,3 +124,15 @@ def test_a_recording_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:
             await begin(handle, plan, "score")
 
     play(story)
+
+
+@pytest.mark.parametrize("size", [0, 512, 513])
+def test_states_of_any_size_have_their_digest(tmp_path: Path, size: int) -> None:
+    simulator = StateOf(bytes(size))
+    episode = Episode(simulator, "score", 7, max_steps=3, success_rule="any_step")
+    recorder = EpisodeRecorder(RecordingPlan(str(tmp_path), 1), simulator)
+    command = msgspec.msgpack.encode(TurnCommand([action()], 1, think_ms=0.0))
+    recorder.add_turn(command, list(episode.play([action()])), episode, 0.0)
+    recorder.close()
+    digests = [message["state_digest"] for _, message in read(tmp_path)]
+    assert digests == [hashlib.sha256(bytes(size)).hexdigest()[:32]] * 2

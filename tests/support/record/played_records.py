@@ -12,7 +12,13 @@ import msgspec
 
 from reference_record.export import build_record, host_of, save_blocks
 from reference_record.formats.names import recording_name
-from reference_record.formats.recording_parts import append_part, parts_of, read_part
+from reference_record.formats.recording_parts import (
+    TurnCommand,
+    append_part,
+    json_of,
+    parts_of,
+    read_part,
+)
 from reference_record.recording import EpisodeResult, Message, Turn
 from reference_record.recording_file import join_parts
 from reference_record.score import Outcome, compute_score
@@ -126,14 +132,8 @@ def _play(
         recorder = EpisodeRecorder(RecordingPlan(str(parts), 1), simulator)
         played = islice(player(episode, simulator), chunks)
         for seq, chunk in enumerate(played, 1):
-            recorder.add_turn(
-                seq=seq,
-                think_ms=1.0,
-                actions=chunk,
-                rewards=list(episode.play(chunk)),
-                episode=episode,
-                simulate_s=0.001,
-            )
+            command = msgspec.msgpack.encode(TurnCommand(chunk, seq, think_ms=1.0))
+            recorder.add_turn(command, list(episode.play(chunk)), episode, 0.001)
         recorder.close()
     outcome: Outcome = "success" if episode.success else "failure"
     result = EpisodeResult(
@@ -168,9 +168,9 @@ def _change_turns(parts: Path, index: int, change: Change) -> None:
     messages: list[tuple[str, Message]] = []
     number = 0
     for part in parts_of(parts):
-        for topic, content in read_part(part):
+        for topic, _, read in read_part(part):
             type_ = Turn if topic == "/turn" else msgspec.Raw
-            said: Any = msgspec.json.decode(content[22:], type=type_)
+            said: Any = msgspec.json.decode(json_of(read), type=type_)
             if isinstance(said, Turn):
                 number += 1
                 said = change(index, number, said)
