@@ -50,7 +50,9 @@ class DatabaseCase:
 
     @property
     def file(self) -> str:
-        return f"{self.runs}x{self.episodes}.sqlite"
+        """Its own, as only one server may use a database."""
+        kind = "-same" if self.same else ""
+        return f"{self.runs}x{self.episodes}{kind}.sqlite"
 
 
 # --- what is stored ---
@@ -156,6 +158,7 @@ class ServerProcess:
             "PROCTOR_DATABASE": str(path),
             "PROCTOR_MAX_ACTIVE_RUNS": "100000",
             "PROCTOR_WAIT_S_MAX": "120",
+            "PROCTOR_MAX_EVENT_STREAMS": "1000",
         }
         self.process = subprocess.Popen(
             [sys.executable, "-m", "reference_server"],

@@ -148,8 +148,9 @@ def measure_queue(path: Path, length: int, rounds: int) -> dict[str, Any]:
             server = servers.enter_context(
                 running_server(own, PROCTOR_MAX_ACTIVE_RUNS="1")
             )
-            submit_idle_runs(server, waiting)
+            # Its worker attaches while there is room.
             queues.append(Queue(TimedRequests(DATABASE_CASES[0], server)))
+            submit_idle_runs(server, waiting)
         for number in range(rounds + WARM_UP):
             for queue in queues:
                 if number == WARM_UP:

@@ -48,6 +48,11 @@ def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
     asyncio.run(look())
 
 
+def test_each_server_has_a_database_of_its_own() -> None:
+    files = [database_case.file for database_case in DATABASE_CASES]
+    assert len(set(files)) == len(files)
+
+
 def test_the_page_contains_every_figure() -> None:
     case_names = [database_case.name for database_case in DATABASE_CASES]
     figures = iter(range(1000, 2000))
