@@ -266,17 +266,21 @@ class BoundedConnection(HttpToolsProtocol):
         return end
 
     def _find_head_end(self, data: bytes, position: int) -> int:
-        """The position behind the end of the head, or behind the data."""
-        if self._head_tail:
-            around = self._head_tail + data[:_HEAD_END_MISSING]
+        """The position behind the end of the head, or behind the data.
+
+        It is beyond `position`, so that each step reads something.
+        """
+        tail, self._head_tail = self._head_tail, b""
+        if tail:
+            around = tail + data[position : position + _HEAD_END_MISSING]
             found = around.find(_HEAD_END)
             if found >= 0:
-                return found + len(_HEAD_END) - len(self._head_tail)
+                return position + found + len(_HEAD_END) - len(tail)
         found = data.find(_HEAD_END, position)
         if found >= 0:
             return found + len(_HEAD_END)
         last = data[max(position, len(data) - _HEAD_END_MISSING) :]
-        self._head_tail = (self._head_tail + last)[-_HEAD_END_MISSING:]
+        self._head_tail = (tail + last)[-_HEAD_END_MISSING:]
         return len(data)
 
     def _feed_body(self, data: bytes, position: int) -> int:

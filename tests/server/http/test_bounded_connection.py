@@ -134,6 +134,17 @@ def test_a_request_may_come_in_small_pieces(size: int) -> None:
         assert answers == [(200, b"ok"), (200, b"5"), (200, b"ok")]
 
 
+@pytest.mark.parametrize("split", range(1, 8))
+def test_empty_lines_before_a_request_may_come_in_pieces(split: int) -> None:
+    sent = b"\r\n\r\n\r\n\r\n" + GET
+    with bounded_server() as server, server.connect() as connection:
+        wait_until(lambda: server.connections, "it is connected")
+        (one,) = server.connections
+        for part in (sent[:split], sent[split:]):
+            one.loop.call_soon_threadsafe(one.data_received, part)
+        assert read_answer(connection) == (200, b"ok")
+
+
 def test_trailers_are_no_headers() -> None:
     with bounded_server() as server, server.connect() as connection:
         connection.sendall(CHUNKED + b"3\r\nabc\r\n0\r\nAuthorization: y\r\n\r\n")
