@@ -5,8 +5,9 @@ this repository; every second time all processors are kept busy meanwhile. Whate
 then violated, inconclusive, a kit error, or unverified without need is a false alarm.
 
 Prints a line for each run and adds it to var/false-alarms.jsonl. What stands there for
-the commit is not run again, so that an interrupted measurement goes on. With --write,
-the figures of this commit go to docs/contribute/false-alarms.md. Exit code 1 after a
+the commit is not run again, so that an interrupted measurement goes on. What the kit
+and the server wrote in a run with a false alarm is kept beside it. With --write, the
+figures of this commit go to docs/contribute/false-alarms.md. Exit code 1 after a
 false alarm. Knows no rule and no server but by its command.
 """
 
@@ -17,6 +18,7 @@ import contextlib
 import json
 import os
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -29,6 +31,7 @@ from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "var" / "false-alarms.jsonl"
+ALARMED = RESULTS.with_suffix("")  # reports of the runs with an alarm
 PAGE = ROOT / "docs" / "contribute" / "false-alarms.md"
 FIRST_SEED = 1000
 QUIET, BUSY = "quiet", "busy"
@@ -67,6 +70,16 @@ def run_kit(server: str, seed: int, options: list[str]) -> dict[str, Any]:
         command += ["--seed", str(seed), "--start-cmd", server, *options]
         done = subprocess.run(command, cwd=ROOT, stdout=subprocess.DEVNULL, check=False)
         found = json.loads(Path(report, "report.json").read_text())
+        alarms = alarms_of(found)
+        if alarms:  # to find the cause
+            kept = f"{Path(shlex.split(server)[-1]).name}-{seed}"
+            shutil.copytree(report, ALARMED / kept, dirs_exist_ok=True)
+    elapsed_s = round(found["elapsed_s"], 1)
+    return {"exit_code": done.returncode, "elapsed_s": elapsed_s, "alarms": alarms}
+
+
+def alarms_of(found: dict[str, Any]) -> dict[str, str]:
+    """Give the text of each row of a report that is wrong of a right server, by id."""
     alarms = {
         row["requirement_id"]: f"{row['outcome']}: "
         + " ".join(f"{row['reason']} {row['expected']} {row['observed']}".split())[:500]
@@ -75,8 +88,7 @@ def run_kit(server: str, seed: int, options: list[str]) -> dict[str, Any]:
     }
     if found["problem"] is not None:
         alarms["-"] = found["problem"]
-    elapsed_s = round(found["elapsed_s"], 1)
-    return {"exit_code": done.returncode, "elapsed_s": elapsed_s, "alarms": alarms}
+    return alarms
 
 
 def read_results(commit: str) -> list[dict[str, Any]]:
