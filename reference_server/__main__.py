@@ -44,6 +44,8 @@ from reference_sim.gymnasium import BadBenchmark
 from reference_sim.process.ray.actor_process import CannotUseRay
 from reference_sim.process.ray.ray_pool import check_cluster
 
+THREAD_SWITCH_S = 0.001
+
 
 class HelpFormatter(argparse.RawDescriptionHelpFormatter):
     """`--help` without the defaults that are empty, and with readable placeholders."""
@@ -169,6 +171,9 @@ def _serve(
     # Modules stay for good. Long lists bring about full collections, and each would go
     # through them for 70 ms in which nothing is answered.
     gc.freeze()
+    # A large body is read in a thread. Whatever else runs waits for that thread so long
+    # at each change of threads, and a turn has several; 5 ms are Python's default.
+    sys.setswitchinterval(THREAD_SWITCH_S)
     # uvicorn shuts down in order and then raises Ctrl-C again.
     with contextlib.suppress(KeyboardInterrupt):
         server.run(sockets=[listener])
