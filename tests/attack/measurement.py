@@ -36,7 +36,7 @@ from tests.attack.verdicts import (
     Result,
     judge,
 )
-from tests.attack.watcher import Player, Sample, ServiceWatcher, Watcher
+from tests.attack.watcher import History, Player, Sample, ServiceWatcher, Watcher
 
 BACK_S = 30.0
 WAIT_S = 12.0  # more than any bound on latency
@@ -211,6 +211,7 @@ class _Measured:
                 watched.violations += check_histories(
                     client, histories, is_fault_expected=attack.is_fault_expected
                 )
+                _stop_unfinished(client, histories)
         except (NoAnswer, OSError) as error:
             watched.violations.append(f"the runs cannot be read: {error!r}")
             return watched
@@ -230,6 +231,14 @@ class _Measured:
         for watcher in self.watchers:
             watcher.end()
         self._stack.close()
+
+
+def _stop_unfinished(client: RawClient, histories: list[History]) -> None:
+    """Their sessions would hold simulators, of which the account has only its share."""
+    for history in histories:
+        if not history.is_done:
+            path = f"/v1/runs/{history.run_id}/stop"
+            client.request("POST", path, {"mode": "abort"})
 
 
 def _run_apart(attack: Attack, target: Target) -> Report:
