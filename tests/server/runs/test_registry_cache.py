@@ -244,6 +244,31 @@ def test_waiters_are_notified_of_evicted_runs(
     run_scenarios(tmp_path, scenario)
 
 
+def test_cached_runs_have_so_many_episodes_together(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run may have thousands, and each is a few hundred bytes."""
+    monkeypatch.setattr(registry, "CACHED_EPISODES_MAX", 7)
+
+    async def scenario(parts: ServerParts) -> None:
+        runs = [finished_run(f"run_{number}") for number in range(4)]
+        long = calibration_run(*["score"] * 8, run_id="run_8", played_number=None)
+        long.state = "stopped"
+        await insert_runs(parts, *runs, long)
+        del runs, long
+        for number in (0, 1, 2, 1, 3):
+            await parts.registry.get(f"run_{number}")
+        assert runs_in_memory(parts) == ["run_1", "run_3"]
+        await parts.registry.get("run_8")
+        assert runs_in_memory(parts) == ["run_8"]
+        await parts.service.delete_run("alice", "run_8")
+        for number in (0, 1):
+            await parts.registry.get(f"run_{number}")
+        assert runs_in_memory(parts) == ["run_0", "run_1"]
+
+    run_scenarios(tmp_path, scenario)
+
+
 def test_waiting_keeps_no_run_in_memory(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, calibration_run(state="ready"))
