@@ -25,8 +25,10 @@ from reference_server.runs.run_log import log_left
 from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
-# How often sessions that are done are looked at, all of them by one timer.
-DONE_LOOK_S = 5.0
+# How often sessions that are done are looked at, all of them by one timer, and how
+# many of them are packed then: others are served meanwhile.
+DONE_LOOK_S = 1.0
+PACKED_AT_ONCE = 100
 
 
 @dataclass(slots=True, eq=False)
@@ -65,14 +67,22 @@ class SessionResources:
         """None once nothing else uses the run of a session that is done."""
         return self.held_run or self.known_run()
 
-    def pack(self) -> None:
-        """Keep a fifth of the bytes; nothing reads the session without its run."""
+    def pack(self) -> bool:
+        """Keep a fifth of the bytes; nothing reads the session without its run.
+
+        Not of a turn with pictures, nor of what would not be the same again. Returns
+        whether that was tried, which takes time.
+        """
         session = self.session
-        if self.packed is None and session.turn is not None:
+        if session.turn is None or "observations" in session.turn:
+            return False
+        try:
             packed = msgspec.msgpack.encode((session.turn, session.request))
-            turn, request = _unpack(packed)
-            if (turn, request) == (session.turn, session.request):
-                self.packed, session.turn, session.request = packed, None, None
+        except (TypeError, ValueError, OverflowError, msgspec.MsgspecError):
+            return True
+        if _unpack(packed) == (session.turn, session.request):
+            self.packed, session.turn, session.request = packed, None, None
+        return True
 
     def unpack(self) -> None:
         if self.packed is not None:
@@ -170,12 +180,12 @@ class ResourceManager:
     def _look_at_done(self) -> None:
         """End leases, which hold nothing that another request could wait for."""
         self._done_timer = None
-        now = time.monotonic()
+        now, left = time.monotonic(), PACKED_AT_ONCE
         for resources in [one for of_run in self._done.values() for one in of_run]:
             if lease_over(resources.session, now):
                 self._end_lease(resources)
-            elif resources.run_in_memory is None:
-                resources.pack()
+            elif left and resources.run_in_memory is None:
+                left -= resources.pack()
         if self._done:
             self._look_at_done_later()
 

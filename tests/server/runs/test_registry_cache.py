@@ -358,6 +358,34 @@ def test_a_session_that_is_done_keeps_no_run_in_memory(
     run_scenarios(tmp_path, scenario)
 
 
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"observations": [{"images": {"front": b"pixels"}}]},
+        {"rewards": (0.5, 1.0)},
+        {"rewards": [2**64]},
+        {"rewards": [object()]},
+    ],
+    ids=["with pictures", "a tuple", "too large", "of no form"],
+)
+def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
+    tmp_path: Path, change: dict[str, Any]
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        last = await parts.executor.predict(run, predict_command(turn, end=1))
+        last.update(change)
+        resources = parts.executor._resources.find(run.workers["w"])
+        assert resources is not None
+        resources.pack()
+        assert resources.session.turn is last
+        resources.unpack()
+        assert resources.session.turn is last
+
+    run_scenarios(tmp_path, scenario)
+
+
 def test_a_lease_ends_that_has_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
