@@ -61,8 +61,10 @@ from reference_server.system.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.runs")
 
-# Runs kept in memory although no request uses them at the moment.
+# Runs kept in memory although no request uses them at the moment, and how many
+# episodes they may have together: these are most of a run in memory.
 CACHED_RUNS_MAX = 256
+CACHED_EPISODES_MAX = 2**15
 # How long after a failed write its run is loaded again without a request for it.
 RELOAD_S = 1.0
 # Read at once of the runs that may be played after a restart.
@@ -117,6 +119,7 @@ class RunRegistry:
         self.usage = AccountUsage(quota or Quota())
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
+        self._recent_episodes = 0
         self._queued: dict[str, int] = {}  # their numbers, by id
         self._queue: list[int] = []  # the same numbers, the next one first
         self._queued_at: dict[int, float] = {}  # wall time, by the same numbers
@@ -721,10 +724,22 @@ class RunRegistry:
         self._in_memory[run.run_id] = run
         if run.state in WAITING_STATES:
             return
+        if self._recent.get(run.run_id) is run:
+            self._recent.move_to_end(run.run_id)
+            return
+        self._drop_recent(run.run_id)
         self._recent[run.run_id] = run
-        self._recent.move_to_end(run.run_id)
-        if len(self._recent) > CACHED_RUNS_MAX:
-            self._recent.popitem(last=False)
+        self._recent_episodes += run.total
+        while len(self._recent) > 1 and (
+            len(self._recent) > CACHED_RUNS_MAX
+            or self._recent_episodes > CACHED_EPISODES_MAX
+        ):
+            self._drop_recent(next(iter(self._recent)))
+
+    def _drop_recent(self, run_id: str) -> None:
+        run = self._recent.pop(run_id, None)
+        if run is not None:
+            self._recent_episodes -= run.total
 
     def _evict(self, run: Run) -> None:
         """Drop the run from memory: from now on it is what the store has."""
@@ -763,7 +778,7 @@ class RunRegistry:
         """Drop it from memory; a view of it that was not shown yet is taken again."""
         run.lost = True
         self._in_memory.pop(run.run_id, None)
-        self._recent.pop(run.run_id, None)
+        self._drop_recent(run.run_id)
         self._index_by_state(run, None)
 
     def _reload_later(self, run_id: str) -> None:

@@ -94,12 +94,12 @@ def log_attached(run: Run, session: Session) -> None:
     )
 
 
-def log_left(run: Run, session: Session) -> None:
+def log_left(run_id: str, session: Session) -> None:
     COUNTERS.sessions_ended[session.ended_by or "unknown"] += 1
     log_event(
         log,
         "worker left",
-        run_id=run.run_id,
+        run_id=run_id,
         worker_id=session.worker_id,
         ended_by=session.ended_by,
     )

@@ -169,6 +169,7 @@ class SessionExecutor:
 
     def sweep(self, run: Run) -> float:
         """End the sessions whose lease is over; returns the time that decided it."""
+        self._resources.restore_done(run)
         now = time.monotonic()
         expired = effects.expire(run, now, time.time())
         if expired.closed:
@@ -479,7 +480,18 @@ class SessionExecutor:
         turn_view.add_lease_and_total(
             turn, resources.session, time.perf_counter() - started
         )
+        if resources.session.done:
+            self._end_or_keep(resources.run, resources.session)
         return turn
+
+    def _end_or_keep(self, run: Run, session: Session) -> None:
+        """A session that is done is there for a client that repeats its last turn."""
+        if not run.is_push:
+            self._resources.let_run_go(session)
+            return
+        # Its worker is this server's own: it repeats nothing, and its lease is a day.
+        effects.close_session(run, session, "detached", time.time())
+        self.release_sessions([session])
 
     def _ensure_live(self, resources: SessionResources) -> None:
         """After an await: refuse if the session has ended (FAULT-006)."""

@@ -9,9 +9,12 @@ from __future__ import annotations
 import asyncio
 import contextvars
 import time
+import weakref
 from collections.abc import Awaitable, Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
+
+import msgspec
 
 from reference_server.records.recordings import Recordings
 from reference_server.rules.capacity import LentSimulator, session_to_end
@@ -22,20 +25,27 @@ from reference_server.runs.run_log import log_left
 from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
+# How often sessions that are done are looked at, all of them by one timer, and how
+# many of them are packed then: others are served meanwhile.
+DONE_LOOK_S = 1.0
+PACKED_AT_ONCE = 100
+
 
 @dataclass(slots=True, eq=False)
 class SessionResources:
-    """What one session holds; keeps its run in memory.
+    """What one session holds; keeps its run in memory until the session is done.
 
-    handle: its simulator, while it plays an episode. acquiring: it is about to get one.
-    task: the work in execution, or
-    the last one. fault: what broke in the turn in execution, schema Fault. think_s: of
-    the policy, before the turn in execution. recorded: index and attempt of what it
-    plays, if that is recorded.
+    held_run: the run, until then. handle: its simulator, while it plays an episode.
+    acquiring: it is about to get one. task: the work in execution, or the last one.
+    fault: what broke in the turn in execution, schema Fault. think_s: of the policy,
+    before the turn in execution. recorded: index and attempt of what it plays, if that
+    is recorded. packed: the last turn and its request, while the run is not in memory.
     """
 
-    run: Run
+    run_id: str
     session: Session
+    held_run: Run | None
+    known_run: weakref.ref[Run]
     handle: SimulatorHandle | None = None
     acquiring: bool = False
     task: asyncio.Task[dict[str, Any]] | None = None
@@ -43,6 +53,47 @@ class SessionResources:
     fault: dict[str, Any] | None = None
     think_s: float = 0.0
     recorded: tuple[int, int] | None = None
+    packed: bytes | None = None
+
+    @property
+    def run(self) -> Run:
+        """The run of a session that is not done, or only just."""
+        run = self.run_in_memory
+        assert run is not None, "a session that plays keeps its run in memory"
+        return run
+
+    @property
+    def run_in_memory(self) -> Run | None:
+        """None once nothing else uses the run of a session that is done."""
+        return self.held_run or self.known_run()
+
+    def pack(self) -> bool:
+        """Keep a fifth of the bytes; nothing reads the session without its run.
+
+        Not of a turn with pictures, nor of what would not be the same again. Returns
+        whether that was tried, which takes time.
+        """
+        session = self.session
+        if session.turn is None or "observations" in session.turn:
+            return False
+        try:
+            packed = msgspec.msgpack.encode((session.turn, session.request))
+        except (TypeError, ValueError, OverflowError, msgspec.MsgspecError):
+            return True
+        if _unpack(packed) == (session.turn, session.request):
+            self.packed, session.turn, session.request = packed, None, None
+        return True
+
+    def unpack(self) -> None:
+        if self.packed is not None:
+            self.session.turn, self.session.request = _unpack(self.packed)
+            self.packed = None
+
+
+def _unpack(packed: bytes) -> tuple[Any, Any]:
+    """A turn and its request, as `Session` has them."""
+    turn, request = msgspec.msgpack.decode(packed)
+    return turn, None if request is None else tuple(request)
 
 
 class ResourceManager:
@@ -72,6 +123,9 @@ class ResourceManager:
         self._on_lease_over, self._on_unused = on_lease_over, on_unused
         self._unused_s = unused_s
         self._by_session: dict[Session, SessionResources] = {}
+        # Of those that are done, by the id of their run.
+        self._done: dict[str, list[SessionResources]] = {}
+        self._done_timer: asyncio.TimerHandle | None = None
         self._configs = SimulatorConfigs(seed_secret)
 
     def __len__(self) -> int:
@@ -88,7 +142,7 @@ class ResourceManager:
         self, run: Run, session: Session, before: Session | None
     ) -> SessionResources:
         """The resources of a new session, with the simulator of the one before."""
-        resources = SessionResources(run, session)
+        resources = SessionResources(run.run_id, session, run, weakref.ref(run))
         left = None if before is None else self._remove(before)
         if left is not None:
             resources.handle, resources.recorded = left.handle, left.recorded
@@ -96,13 +150,60 @@ class ResourceManager:
         self._schedule_lease_check(resources)
         return resources
 
+    def let_run_go(self, session: Session) -> None:
+        """The session is done: only its last turn may be requested again.
+
+        Its lease goes on, for minutes, in which a client can end a thousand runs. So
+        it keeps none of them in memory; `restore_done` is for one that comes back.
+        """
+        resources = self._by_session.get(session)
+        if resources is not None:
+            _cancel(resources.timer)
+            resources.held_run = resources.task = resources.timer = None
+            self._done.setdefault(resources.run_id, []).append(resources)
+            self._look_at_done_later()
+
+    def restore_done(self, run: Run) -> None:
+        """Give a run that was loaded again its sessions that are done."""
+        for resources in self._done.get(run.run_id, ()):
+            if resources.known_run() is not run:
+                resources.known_run = weakref.ref(run)
+                resources.unpack()
+                run.workers[resources.session.worker_id] = resources.session
+
+    def _look_at_done_later(self) -> None:
+        if self._done_timer is None:
+            self._done_timer = asyncio.get_running_loop().call_later(
+                DONE_LOOK_S, self._look_at_done, context=contextvars.Context()
+            )
+
+    def _look_at_done(self) -> None:
+        """End leases, which hold nothing that another request could wait for."""
+        self._done_timer = None
+        now, left = time.monotonic(), PACKED_AT_ONCE
+        for resources in [one for of_run in self._done.values() for one in of_run]:
+            if lease_over(resources.session, now):
+                self._end_lease(resources)
+            elif left and resources.run_in_memory is None:
+                left -= resources.pack()
+        if self._done:
+            self._look_at_done_later()
+
+    def _end_lease(self, resources: SessionResources) -> None:
+        run = resources.run_in_memory
+        if run is not None:
+            self._on_lease_over(run)
+        elif resources.session.ended_by is None:  # nothing else of it is to be ended
+            resources.session.ended_by = "lease_ended"
+            self.release_sessions([resources.session])
+
     def release_sessions(self, sessions: Iterable[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
         for session in sessions:
             resources = self._remove(session)
             if resources is not None:
                 self._record_end(resources)
-                log_left(resources.run, session)
+                log_left(resources.run_id, session)
                 self.return_simulator(resources, kill=session.busy is not None)
 
     def _record_end(self, resources: SessionResources) -> None:
@@ -117,10 +218,12 @@ class ResourceManager:
         sessions = [
             session
             for session, resources in self._by_session.items()
-            if run is None or resources.run is run
+            if run is None or resources.run_in_memory is run
         ]
         for session in sessions:
-            self._by_session[session].run.record_end(session, "unknown")
+            of_run = self._by_session[session].run_in_memory
+            if of_run is not None:
+                of_run.record_end(session, "unknown")
         self.release_sessions(sessions)
 
     async def acquire_simulator(self, resources: SessionResources) -> float:
@@ -168,9 +271,20 @@ class ResourceManager:
 
     def _remove(self, session: Session) -> SessionResources | None:
         resources = self._by_session.pop(session, None)
-        if resources is not None and resources.timer is not None:
-            resources.timer.cancel()
+        if resources is not None:
+            _cancel(resources.timer)
+            self._remove_done(resources)
         return resources
+
+    def _remove_done(self, resources: SessionResources) -> None:
+        done = self._done.get(resources.run_id, [])
+        if resources in done:
+            done.remove(resources)
+            if not done:
+                del self._done[resources.run_id]
+        if not self._done:
+            _cancel(self._done_timer)
+            self._done_timer = None
 
     def _schedule_lease_check(self, resources: SessionResources) -> None:
         """Check the lease when it could be over (LEASE-001); one timer per session.
@@ -191,3 +305,8 @@ class ResourceManager:
             resources,
             context=contextvars.Context(),  # it belongs to no request
         )
+
+
+def _cancel(timer: asyncio.TimerHandle | None) -> None:
+    if timer is not None:
+        timer.cancel()

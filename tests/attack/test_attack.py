@@ -21,7 +21,7 @@ from tests.attack.measurement import measure_all
 from tests.attack.raw_client import Answer, RawClient
 from tests.attack.server_usage import MB, Usage
 from tests.attack.verdicts import PROMISES, Latency, Result, judge, percentile
-from tests.attack.watcher import History, Sample
+from tests.attack.watcher import History, Sample, Watcher
 
 TIMED = {"latency", "turns", "starts", "ready"}
 # In an order in which one server serves several.
@@ -50,6 +50,20 @@ def test_a_small_part_of_the_attacks_breaks_nothing() -> None:
     for result in measure_all(chosen, seed=1, part=0.1):
         assert set(result.broken) <= TIMED, reliability_page.console_line(result)
         assert result.report.sent, reliability_page.console_line(result)
+
+
+class _FailedWatcher(Watcher):
+    def step(self) -> None:
+        self._begin("turn")
+        raise AssertionError("it was answered 418")
+
+
+def test_a_watcher_that_failed_is_a_finding_and_no_wait() -> None:
+    watcher = _FailedWatcher("http://127.0.0.1:9", 1, "player0")
+    watcher.start()
+    watcher.end()
+    assert watcher.waiting() == []
+    assert "it was answered 418" in str(watcher.report.violations)
 
 
 # --- what is judged ---

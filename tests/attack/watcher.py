@@ -80,6 +80,7 @@ class Watcher:
         except Ended:
             return
         except Exception as error:  # noqa: BLE001 - a finding, and the thread ends
+            self._unfinished = None  # else it would seem to wait until all is over
             self.report.violations.append(f"{self.name}: {error!r}")
 
     @abstractmethod

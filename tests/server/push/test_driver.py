@@ -226,6 +226,25 @@ def test_loading_a_run_is_retried(
     run_scenarios(tmp_path, before, scenario)
 
 
+def test_sessions_of_a_played_run_end_with_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """No client repeats a turn of theirs, and their lease is a day."""
+    monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
+
+    async def scenario(parts: ServerParts) -> None:
+        push_driver = make_driver(parts)
+        await parts.registry.add(push_run(), None, "")
+        run = await wait_until_completed(parts)
+        while parts.executor.sessions:  # noqa: ASYNC110 - no event is of that
+            await asyncio.sleep(0.01)
+        assert run.workers == {}
+        assert list(run.ended.values()) == ["detached"]
+        await push_driver.close()
+
+    run_scenarios(tmp_path, scenario)
+
+
 # --- keys ---
 
 LONG_KEY = "sk-" + "0123456789" * 4

@@ -10,14 +10,15 @@ import pytest
 
 from reference_server.rules import capacity, effects
 from reference_server.rules.capacity import Shares, WaitingRun
-from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach
+from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach, Heartbeat
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs import places, registry
+from reference_server.runs import places, registry, session_resources
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
+    assert_no_simulator_lent,
     calibration_run,
     expect_refusal,
     fail_writes,
@@ -54,6 +55,12 @@ def finished_run(run_id: str = "run_1", state: str = "completed") -> Run:
 def runs_in_memory(parts: ServerParts) -> list[str]:
     gc.collect()
     return sorted(parts.registry._in_memory)
+
+
+def held_turns(parts: ServerParts) -> list[Any]:
+    """Last turns that sessions hold as they were answered, which takes most memory."""
+    sessions = parts.executor._resources._by_session
+    return [session.turn for session in sessions if session.turn is not None]
 
 
 # --- a look ---
@@ -237,6 +244,31 @@ def test_waiters_are_notified_of_evicted_runs(
     run_scenarios(tmp_path, scenario)
 
 
+def test_cached_runs_have_so_many_episodes_together(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run may have thousands, and each is a few hundred bytes."""
+    monkeypatch.setattr(registry, "CACHED_EPISODES_MAX", 7)
+
+    async def scenario(parts: ServerParts) -> None:
+        runs = [finished_run(f"run_{number}") for number in range(4)]
+        long = calibration_run(*["score"] * 8, run_id="run_8", played_number=None)
+        long.state = "stopped"
+        await insert_runs(parts, *runs, long)
+        del runs, long
+        for number in (0, 1, 2, 1, 3):
+            await parts.registry.get(f"run_{number}")
+        assert runs_in_memory(parts) == ["run_1", "run_3"]
+        await parts.registry.get("run_8")
+        assert runs_in_memory(parts) == ["run_8"]
+        await parts.service.delete_run("alice", "run_8")
+        for number in (0, 1):
+            await parts.registry.get(f"run_{number}")
+        assert runs_in_memory(parts) == ["run_0", "run_1"]
+
+    run_scenarios(tmp_path, scenario)
+
+
 def test_waiting_keeps_no_run_in_memory(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, calibration_run(state="ready"))
@@ -282,6 +314,119 @@ def test_a_lease_ends_without_requests(
 
         found = await parts.registry.read_view("run_1", "alice", attempt, end=1)
         assert found == ("ready", 2)
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_session_that_is_done_keeps_no_run_in_memory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A client may end a thousand runs within one lease, and repeat each last turn."""
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, finished_run("run_2"))
+        run = await parts.registry.add(calibration_run("score", "score"), None, "")
+        attach = Attach("w", "key")
+        turn = await parts.executor.attach(run, attach)
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        command = predict_command(turn, end=1)
+        last = await parts.executor.predict(run, command)
+        assert last["done"]
+        for again in (command, attach, Heartbeat("w", last["session_id"])):
+            del run
+            await parts.registry.get("run_2")
+            assert runs_in_memory(parts) == ["run_2"]
+            while any(held_turns(parts)):  # noqa: ASYNC110 - a timer, not an event
+                await asyncio.sleep(0.01)
+            run = await parts.registry.get("run_1")
+            match again:
+                case Attach():
+                    assert await parts.executor.attach(run, again) == last
+                case Heartbeat():
+                    assert parts.executor.heartbeat(run, again).done
+                case _:
+                    assert await parts.executor.predict(run, again) == last
+        with expect_refusal("no_episode"):
+            await parts.executor.predict(run, predict_command(last, end=1))
+        await parts.executor.detach(run, Detach("w", last["session_id"]))
+        with expect_refusal("session_ended", ended_by="detached"):
+            await parts.executor.predict(run, command)
+        assert parts.executor.sessions == 0
+
+    run_scenarios(tmp_path, scenario)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"observations": [{"images": {"front": b"pixels"}}]},
+        {"rewards": (0.5, 1.0)},
+        {"rewards": [2**64]},
+        {"rewards": [object()]},
+    ],
+    ids=["with pictures", "a tuple", "too large", "of no form"],
+)
+def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
+    tmp_path: Path, change: dict[str, Any]
+) -> None:
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run("score"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        last = await parts.executor.predict(run, predict_command(turn, end=1))
+        last.update(change)
+        resources = parts.executor._resources.find(run.workers["w"])
+        assert resources is not None
+        resources.pack()
+        assert resources.session.turn is last
+        resources.unpack()
+        assert resources.session.turn is last
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_a_lease_ends_that_has_no_run_in_memory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, finished_run("run_2"))
+        run = calibration_run("score", idle_timeout_s=0.2)
+        run = await parts.registry.add(run, None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        command = predict_command(turn, end=1)
+        assert (await parts.executor.predict(run, command))["done"]
+        del run
+        await parts.registry.get("run_2")
+        while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
+            await asyncio.sleep(0.01)
+        assert runs_in_memory(parts) == ["run_2"]
+        run = await parts.registry.get("run_1")
+        with expect_refusal("session_ended", ended_by="unknown"):
+            await parts.executor.predict(run, command)
+        assert run.state == "completed"
+
+    run_scenarios(tmp_path, scenario)
+
+
+def test_closing_ends_sessions_that_have_no_run_in_memory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, finished_run("run_2"))
+        run = await parts.registry.add(calibration_run("score"), None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        await parts.executor.predict(run, predict_command(turn, end=1))
+        del run
+        await parts.registry.get("run_2")
+        assert runs_in_memory(parts) == ["run_2"]
+        await parts.executor.close()
+        await assert_no_simulator_lent(parts)
 
     run_scenarios(tmp_path, scenario)
 
