@@ -73,8 +73,8 @@ class PageApi:
             case ["entries"]:
                 end = start + ENTRIES_PER_PAGE
                 following = str(end) if self.entries[end:] else None
-                shown = self.entries[start:end]
-                return JSONResponse({"entries": shown, "next_cursor": following})
+                page = self.entries[start:end]
+                return JSONResponse({"entries": page, "next_cursor": following})
             case ["runs", run_id, *rest] if token in self.runs.get(run_id, ("", ()))[1]:
                 return self._about(self.runs[run_id][0], rest, token)
         problem = {"code": "not_found", "detail": "There is no such thing."}
