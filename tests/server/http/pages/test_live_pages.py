@@ -112,7 +112,8 @@ def test_waiting_pages_have_no_timers(monkeypatch: pytest.MonkeyPatch) -> None:
                 await asyncio.sleep(0)
             assert set_for == []
             api.stream.put_nowait(b":\n\n")
-            assert set(await asyncio.gather(*waiting)) == {COMMENT}
+            async with asyncio.timeout(TIMEOUT_S):
+                assert set(await asyncio.gather(*waiting)) == {COMMENT}
 
     asyncio.run(story())
 
