@@ -34,11 +34,12 @@ FLAGS = (
 )
 
 
-# The rules of accessibility of axe-core, which requirements/pages-npm.txt pins.
+# The rules of accessibility of axe-core, which requirements/pages-npm.txt pins. None of
+# them reads the text of styles, which pages that are files may not load again.
 AXE = ROOT / ".venv" / "axe.min.js"
 VIOLATIONS = """
-axe.run({resultTypes: ["violations"]}).then(found => found.violations.map(
-  one => `${one.id} (${one.help}): ${one.nodes[0].html}`))
+axe.run({resultTypes: ["violations"], preload: false}).then(
+  found => found.violations.map(one => `${one.id} (${one.help}): ${one.nodes[0].html}`))
 """
 # Contrast of texts with their ground, as WCAG 2.2 defines it; labels of fields; rows
 # of tables that are read at a glance, also where the window is narrow.
