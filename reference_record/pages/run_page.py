@@ -208,7 +208,7 @@ def player_text(player: Document) -> str:
 
 
 def commands(run: Document) -> list[tuple[str, str]]:
-    """How to do it again, and how to check the score: what it does, the command."""
+    """How to do it again and, of a whole run, to check the score: what, the command."""
     name = shlex.quote(str(run["policy"]["name"]))
     benchmark, run_id = map(shlex.quote, (run["benchmark_id"], run["run_id"]))
     again = f"proctor run --policy POLICY --benchmark {benchmark} --name {name}"
@@ -216,5 +216,9 @@ def commands(run: Document) -> list[tuple[str, str]]:
         option = {"tasks": "--tasks", "splits": "--split"}.get(flag)
         if option and names:
             again += f" {option} {shlex.quote(','.join(names))}"
-    check = f"proctor export {run_id} && proctor verify run-{run_id}.proctor"
-    return [("Evaluate a policy in the same way", again), ("Check the score", check)]
+    found = [("Evaluate a policy in the same way", again)]
+    progress = run["progress"]
+    if progress["episodes_scored"] == progress["episodes_total"]:
+        check = f"proctor export {run_id} && proctor verify run-{run_id}.proctor"
+        found.append(("Check the score", check))
+    return found

@@ -256,6 +256,42 @@ def test_configured_tokens_are_not_printed(server: ReferenceServer) -> None:
     assert not any(token in server.log() for token in TOKENS.values())
 
 
+# Says, in place of serving, what a full collection goes through from then on.
+COUNTING_SERVER = """
+import gc, sys
+from reference_server import __main__ as program
+
+class CountingServer(program.DrainingServer):
+    def run(self, sockets=None):
+        print(gc.get_freeze_count(), len(gc.get_objects()), gc.isenabled())
+        self.started = True
+
+program.DrainingServer = CountingServer
+sys.exit(program.main())
+"""
+
+
+def test_a_full_collection_goes_through_little(tmp_path: Path) -> None:
+    """Modules stay for good: going through them stops every turn for a while.
+
+    Expect collections to go on, for what comes later.
+    """
+    ended = subprocess.run(
+        [sys.executable, "-c", COUNTING_SERVER, "--port", "0"],
+        cwd=ROOT,
+        env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    assert ended.returncode == 0, ended.stderr
+    kept, looked_at, is_enabled = ended.stdout.splitlines()[-1].split()
+    assert int(kept) > 100_000, "everything that was there at the start"
+    assert int(looked_at) < int(kept) / 100
+    assert is_enabled == "True"
+
+
 # --- ending ---
 
 

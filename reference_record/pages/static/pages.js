@@ -57,10 +57,13 @@ class Player {
     parent.append(heading);
     const axis = {stroke: colour("--soft"), grid: {stroke: colour("--line"), width: 1},
       ticks: {stroke: colour("--line")}};
-    const made = new uPlot({  // a score is from 0 to 1
+    // A score is from 0 to 1; what never changes is no line at the foot of 0 to 100.
+    const range = title === "score" ? [-0.05, 1.05] : (_, low, high) =>
+      low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.1, true);
+    const made = new uPlot({
       width: Math.max(260, parent.clientWidth), height: 170,
       scales: {x: {time: false, range: () => [0, Math.max(1, this.data.total)]},
-        ...(title === "score" && {y: {range: [-0.05, 1.05]}})},
+        y: {range}},
       axes: [{...axis}, {...axis, size: 62}],
       legend: {live: false, show: labels.length > 1},
       cursor: {drag: {x: false, y: false}},
@@ -120,6 +123,7 @@ class Player {
 function startPlayers(sections) {
   const slider = document.getElementById("step"), readout = document.getElementById("readout");
   const players = sections.map(section => new Player(section));
+  for (const one of document.querySelectorAll(".step, .keys")) one.hidden = false;
   const divergence = slider.closest(".step").dataset.divergence;
   const show = (step, isTyped) => {
     step = Math.max(0, Math.min(Number(slider.max), step || 0));
@@ -146,8 +150,10 @@ function startPlayers(sections) {
         plot.setSize({width: Math.max(260, plot.root.parentNode.clientWidth), height: 170});
   });
   addEventListener("keydown", event => {
-    if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const typing = event.target.matches("input:not([type=range]), select, textarea, video");
+    // Keyboards that have brackets behind AltGr say that Ctrl and Alt are held, too.
+    const isCharacter = event.getModifierState("AltGraph");
+    if (event.metaKey || (!isCharacter && (event.ctrlKey || event.altKey))) return;
+    const typing = event.target.matches("input:not([type=range]), select, textarea, video, .wide");
     const now = Number(slider.value);
     const wanted = {ArrowLeft: now - 1, ArrowRight: now + 1, Home: 0, End: Number(slider.max)};
     const link = {"[": "prev", "]": "next"}[event.key];

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import io
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
@@ -19,6 +20,7 @@ from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import LINKS, PageCall
 
 ROWS_MAX = 1000
+MANIFESTS_MAX = 20
 _TEXTS = (
     *("model_name", "model_type", "organisation"),
     *("homepage", "code_url", "notes"),
@@ -53,6 +55,7 @@ async def show_leaderboard(call: PageCall) -> str:
     return render_page(
         "leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark, ranking=ranking,
         rows=rows, selected=selected, sorts=list(_SORTS),
+        others=[] if ranking["rows"] else await _other_manifests(call),
         groups={kind: found for kind in _GROUPS if (found := _names(rows, kind))[1:]},
     )  # fmt: skip
 
@@ -85,6 +88,14 @@ async def _ranking(call: PageCall) -> tuple[dict[str, Any], dict[str, Any]]:
             raise
         benchmark = {"benchmark_id": benchmark_id, "title": benchmark_id}
     return benchmark, ranking
+
+
+async def _other_manifests(call: PageCall) -> list[tuple[str, int]]:
+    """Manifests of the benchmark that have public entries, and how many each has."""
+    chosen = {"benchmark_id": call.path("benchmark_id"), "limit": ROWS_MAX}
+    found = await call.api.get("entries", **chosen)
+    public = [one["manifest_sha256"] for one in found["entries"] if one["is_public"]]
+    return Counter(public).most_common(MANIFESTS_MAX)
 
 
 def _names(rows: Sequence[Mapping[str, Any]], kind: str) -> list[str]:
@@ -148,14 +159,18 @@ async def find_entry(
     """Whether the run may have an entry here, and the one that it has."""
     if run["state"] != "completed":
         return False, None
-    try:
-        found = await api.get(
-            "entries", benchmark_id=run["benchmark_id"], limit=ROWS_MAX
-        )
-    except Problem:  # this server has no leaderboard
-        return False, None
-    entries = {entry["run_id"]: entry for entry in found["entries"]}
-    return True, entries.get(run["run_id"])
+    chosen: dict[str, object] = {"benchmark_id": run["benchmark_id"], "limit": ROWS_MAX}
+    while True:
+        try:
+            found = await api.get("entries", **chosen)
+        except Problem:  # this server has no leaderboard
+            return False, None
+        for entry in found["entries"]:
+            if entry["run_id"] == run["run_id"]:
+                return True, entry
+        if found["next_cursor"] is None:
+            return True, None
+        chosen["cursor"] = found["next_cursor"]
 
 
 async def publish(call: PageCall, form: Mapping[str, str]) -> Response:

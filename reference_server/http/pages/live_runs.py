@@ -2,6 +2,7 @@
 
 One reader of the event stream feeds all pages of a run that have the same token. The
 part of the page that changed is rendered once, at most every PAUSE_S, and sent to each.
+An empty comment of the stream (EVT-008) is passed on: no page has a timer of its own.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from reference_server.http.pages.api_documents import ApiDocuments, Problem
 log = logging.getLogger("proctor.pages")
 
 PAUSE_S = 1.0
-KEEPALIVE_S = 10.0
+COMMENT = b":\n\n"
 # Of one account, or of accounts that share a token.
 READERS_MAX = 400
 LATEST = 10
@@ -95,17 +96,16 @@ class _LiveRun:
         assert self._task is not None
         while True:
             changed = self._changed
-            if self._part is not sent:
+            if self._part is sent:
+                yield COMMENT
+            else:
                 sent = self._part
                 yield sent
             if self._task.done():
                 if self._is_over:
                     yield b"event: end\ndata: \n\n"
                 return
-            try:
-                await asyncio.wait_for(changed.wait(), KEEPALIVE_S)
-            except TimeoutError:
-                yield b":\n\n"
+            await changed.wait()
 
     async def _follow(self, api: ApiDocuments) -> None:
         try:
@@ -125,13 +125,18 @@ class _LiveRun:
         api: ApiDocuments,
         events: AsyncGenerator[tuple[str, dict[str, Any]], None],
     ) -> None:
-        """An event `run` ends each batch: then the page is made, and then a pause."""
+        """An event `run` ends each batch: then the page is made, and then a pause.
+
+        A comment says that nothing changed: readers hear that the stream is alive.
+        """
         async for kind, body in events:
             if kind == "episode":
                 self._latest.append(body)
             elif kind == "run":
                 await self._render(api, body)
                 await asyncio.sleep(PAUSE_S)
+            else:
+                self._wake()
 
     async def _render(self, api: ApiDocuments, run: dict[str, Any]) -> None:
         score = await api.get("runs", self._run_id, "score")
@@ -157,12 +162,15 @@ class _LiveRun:
 async def _events(
     parts: AsyncGenerator[bytes, None],
 ) -> AsyncGenerator[tuple[str, dict[str, Any]], None]:
-    """Kind and body of each event of a stream."""
+    """Kind and body of each event of a stream; an empty kind for a comment."""
     rest = b""
     async with aclosing(parts):
         async for part in parts:
             *blocks, rest = (rest + part).split(b"\n\n")
             for block in blocks:
+                if block.startswith(b":"):
+                    yield "", {}
+                    continue
                 fields = dict(
                     line.split(b": ", 1) for line in block.split(b"\n") if b": " in line
                 )

@@ -217,6 +217,8 @@ class PageHandlers:
             view = self._view(run["run_id"], episode, recorded)
             sides.append(Side(run, episode, recorded, view))
             problems += [problem] if problem else []
+        if len({side.run["manifest_sha256"] for side in sides}) > 1:
+            raise Problem(404, "not_found", "The runs do not have the same episodes.")
         return page_contents.pair_html(
             LINKS, sides, problem=" ".join(problems), csrf=call.csrf
         )
@@ -260,9 +262,9 @@ class PageHandlers:
             return None, "It is recorded, and shown here when it has a result."
         episode_id = episode["episode_id"]
         key = (call.session.token, run_id, episode_id)
-        if key in self._recordings:
+        if (kept := self._recordings.get(key)) is not None:
             await call.api.get("runs", run_id)  # still allowed
-            return self._recordings[key], ""
+            return kept, ""
         try:
             path = ("runs", run_id, "episodes", episode_id, "recording")
             data = await call.api.read(*path)

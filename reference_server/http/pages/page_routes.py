@@ -231,7 +231,9 @@ class Pages:
             return await self._sign_in(request)
         return await self._show_login(request)
 
-    async def _show_nothing(self, _request: Request) -> Response:
+    async def _show_nothing(self, request: Request) -> Response:
+        if request.url.path == f"{PATH}/":  # as many people type it
+            return RedirectResponse(PATH, HTTPStatus.SEE_OTHER)
         raise Problem(404, "not_found", "There is no such page.")
 
     async def _send_asset(self, request: Request) -> Response:
@@ -329,6 +331,8 @@ def _to_login(request: Request) -> Response:
         here += f"?{request.url.query}"
     if here.endswith("/live"):
         raise Problem(401, "unauthenticated", "Sign in again.")
+    if request.method == "POST":
+        here = request.url.path.rpartition("/")[0]  # the page that has the form
     query = urlencode({"next": safe_next(here)})
     return RedirectResponse(f"{PATH}/login?{query}", HTTPStatus.SEE_OTHER)
 

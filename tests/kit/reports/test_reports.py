@@ -22,6 +22,7 @@ from conformance.specification.document import load_spec
 from conformance.verdicts.result import Result, as_plain, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.pages.browser import Browser
 from tests.support.paths import ROOT
 
 SCHEMA = json.loads(
@@ -301,6 +302,26 @@ def test_page_shows_when_each_request_was_sent() -> None:
     html = page(result(verdict))
     assert '<i style="left:50.0%;width:50.0%">' in html
     assert "2 requests in 2.00 s" in html
+
+
+@pytest.mark.slow("a browser is started")
+def test_everyone_can_read_the_page(tmp_path: Path) -> None:
+    """Contrast, labels, axe-core, narrow and wide; a conclusion of each kind."""
+    pages = {
+        "failed": page(result(failed())),
+        "passed": page(result(Verdict("ATT-003", Outcome.PASSED))),
+        "open": page(result(Verdict("ATT-003", Outcome.INCONCLUSIVE, "Too busy."))),
+    }
+    with Browser() as browser:
+        for name, text in pages.items():
+            path = tmp_path / f"{name}.html"
+            path.write_text(text)
+            for width, dark in ((400, True), (400, False), (1280, False)):
+                browser.resize(width, dark=dark)
+                browser.open(f"file://{path}")
+                assert browser.find_faults() == [], (name, width)
+                assert browser.find_violations() == [], (name, width)
+        assert browser.errors == []
 
 
 @pytest.mark.parametrize(

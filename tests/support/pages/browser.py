@@ -34,11 +34,49 @@ FLAGS = (
 )
 
 
-# The rules of accessibility of axe-core, which requirements/pages-npm.txt pins.
+# The rules of accessibility of axe-core, which requirements/pages-npm.txt pins. None of
+# them reads the text of styles, which pages that are files may not load again.
 AXE = ROOT / ".venv" / "axe.min.js"
 VIOLATIONS = """
-axe.run({resultTypes: ["violations"]}).then(found => found.violations.map(
-  one => `${one.id} (${one.help}): ${one.nodes[0].html}`))
+axe.run({resultTypes: ["violations"], preload: false}).then(
+  found => found.violations.map(one => `${one.id} (${one.help}): ${one.nodes[0].html}`))
+"""
+# Contrast of texts with their ground, as WCAG 2.2 defines it; labels of fields; rows
+# of tables that are read at a glance, also where the window is narrow.
+FAULTS = """
+(() => {
+  const parts = text => text.match(/[\\d.]+/g).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map(v => v / 255)
+    .map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+    .reduce((sum, v, i) => sum + v * [0.2126, 0.7152, 0.0722][i], 0);
+  const ground = element => {
+    for (let one = element; one; one = one.parentElement) {
+      const found = parts(getComputedStyle(one).backgroundColor);
+      if (found.length < 4 || found[3] === 1) return found;
+    }
+    return [255, 255, 255];
+  };
+  const faults = [];
+  for (const element of document.querySelectorAll("body *")) {
+    const texts = [...element.childNodes].filter(n => n.nodeType === 3);
+    const hasText = texts.some(n => n.data.trim());
+    if (!hasText || !element.getClientRects().length) continue;
+    const [a, b] = [parts(getComputedStyle(element).color), ground(element)].map(light);
+    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (contrast < 4.5) faults.push(`${contrast.toFixed(2)}: ${element.textContent}`);
+  }
+  for (const field of document.querySelectorAll("input:not([type=hidden]), select"))
+    if (!field.labels.length) faults.push(`no label: ${field.name}`);
+  for (const picture of document.querySelectorAll("img:not([alt])"))
+    faults.push(`no text: ${picture.src}`);
+  if (document.querySelectorAll("h1").length !== 1) faults.push("not one heading");
+  const {scrollWidth} = document.documentElement;
+  if (scrollWidth > innerWidth) faults.push(`${scrollWidth} pixels wide`);
+  for (const one of document.querySelectorAll("tr"))
+    if (one.getBoundingClientRect().height >= 200)
+      faults.push(`a tall row: ${one.innerText}`);
+  return faults;
+})()
 """
 
 
@@ -177,6 +215,10 @@ class Browser:
         )
         assert "exceptionDetails" not in result, result
         return list(result["result"]["value"])
+
+    def find_faults(self) -> list[str]:
+        """What a reader of the page would stumble over, as far as we judge it."""
+        return list(self.evaluate(FAULTS))
 
     @property
     def text(self) -> str:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import httpx
 import pytest
@@ -16,13 +15,10 @@ from tests.support.pages.page_reader import (
     inline_code_of,
     links_of,
 )
-from tests.support.server.http_runs import predict_body
+from tests.support.pages.played_runs import EVIL, submit_and_play
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("a server is started")
-
-EVIL = "\"'><script>alert(1)</script><b onmouseover=x>"
-TASKS = ("score", "score", "score")
 
 
 @pytest.fixture(scope="module")
@@ -35,31 +31,6 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer
 def run_id(server: ReferenceServer) -> str:
     """A run of alice with markup in every text: one success, two failures."""
     return submit_and_play(server, successes={1})
-
-
-def submit_and_play(server: ReferenceServer, successes: set[int]) -> str:
-    with server.client() as client:
-        body = {
-            "benchmark_id": "calibration",
-            "policy": {
-                "name": EVIL,
-                "version": EVIL,
-                "submitter": EVIL,
-                "homepage": f"javascript:alert(1)//{EVIL}",
-            },
-            "options": {"tasks": TASKS},
-        }
-        run: dict[str, Any] = client.post("/v1/runs", json=body).json()
-        path = f"/v1/runs/{run['run_id']}/workers/w"
-        player = {"name": EVIL, "version": EVIL, "client": EVIL}
-        turn = client.put(path, json={"attach_key": "k", "player": player}).json()
-        for index in range(len(TASKS)):
-            won = float(index in successes)
-            values = {"score": won, "success": won, "end": 1.0}
-            answer = client.post(f"{path}/predict", json=predict_body(turn, **values))
-            assert answer.status_code == 200, answer.text
-            turn = answer.json() | {"session_id": turn["session_id"]}
-    return str(run["run_id"])
 
 
 def pages_of(run_id: str, other: str) -> list[str]:
@@ -279,6 +250,7 @@ def test_a_browser_at_the_root_is_led_to_the_pages(server: ReferenceServer) -> N
     assert (answer.status_code, answer.headers["location"]) == (303, "/pages")
     assert client.get("/").json()["code"] == "not_found"
     assert client.post("/", headers={"accept": "text/html"}).status_code == 404
+    assert client.get("/pages/").headers["location"] == "/pages"
 
 
 def test_the_record_can_be_downloaded(server: ReferenceServer, run_id: str) -> None:
@@ -308,6 +280,7 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         assert answer.headers["location"] == f"{page}#entry", answer.text
         (row,) = client.get(path).json()["rows"]
         assert row["entry"]["model_name"] == EVIL
+        assert f"?manifest={sha256}" in reader.text(board), "its own has no entry"
         shown = reader.text(f"{board}?manifest={sha256}&sort=newest")
         assert "66.7 %" in shown
         assert "By split" in shown

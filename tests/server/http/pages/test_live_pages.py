@@ -1,0 +1,159 @@
+"""Pages that follow a run: what each of them is sent, and when."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncGenerator
+from typing import Any
+
+import msgspec
+import pytest
+from starlette.requests import Request
+from starlette.types import Message, Receive, Scope, Send
+
+from reference_server.http.pages import live_runs
+from reference_server.http.pages.api_documents import ApiDocuments
+from reference_server.http.pages.live_runs import COMMENT, LiveRuns
+from reference_server.http.pages.page_links import ServerLinks
+from reference_server.views.run_views import run_view
+from tests.support.pages.page_api import RESULT, PageApi
+from tests.support.servers import TIMEOUT_S
+
+SUMMARY = b"event: summary\n"
+
+
+class StreamingApi(PageApi):
+    """Sends the parts of `stream` as the events of any run; None ends them."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.stream: asyncio.Queue[bytes | None] = asyncio.Queue()
+        self.run = self.add("played", RESULT, None)
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if not scope["path"].endswith("/events"):
+            return await super().__call__(scope, receive, send)
+        self.asked["events"] += 1
+        start: Message = {"type": "http.response.start", "status": 200, "headers": []}
+        await send(start)
+        while (part := await self.stream.get()) is not None:
+            await send({"type": "http.response.body", "body": part, "more_body": True})
+        await send({"type": "http.response.body", "body": b"", "more_body": False})
+        return None
+
+    def change(self) -> None:
+        """An event `run`, with the run as it is."""
+        body = msgspec.json.encode(run_view(self.run, "http://server", None))
+        self.stream.put_nowait(b"event: run\ndata: " + body + b"\n\n")
+
+    def documents(self) -> ApiDocuments:
+        scope: dict[str, Any] = {
+            "type": "http",
+            "headers": [],
+            "asgi": {"version": "3.0"},
+            "scheme": "http",
+        }
+        return ApiDocuments.of(self, Request(scope), "alice")
+
+
+async def next_of(pages: list[AsyncGenerator[bytes, None]]) -> list[bytes]:
+    """The next part of each."""
+    async with asyncio.timeout(TIMEOUT_S):
+        return await asyncio.gather(*map(anext, pages))
+
+
+@contextlib.asynccontextmanager
+async def opened(
+    live: LiveRuns, api: StreamingApi, count: int
+) -> AsyncGenerator[list[AsyncGenerator[bytes, None]], None]:
+    """Pages that were sent how to begin: when to come back, nothing new."""
+    pages = [
+        live.updates(api.documents(), "played", lambda: True) for _ in range(count)
+    ]
+    assert await next_of(pages) == [b"retry: 2000\n\n"] * count
+    assert await next_of(pages) == [COMMENT] * count
+    yield pages
+    for page in pages:
+        await page.aclose()
+
+
+def test_a_comment_of_the_stream_reaches_every_page() -> None:
+    """Nothing changes for long: each page hears that the server is there."""
+
+    async def story() -> None:
+        api, live = StreamingApi(), LiveRuns(ServerLinks())
+        async with opened(live, api, 3) as pages:
+            for _ in range(2):
+                api.stream.put_nowait(b":\n\n")
+                assert await next_of(pages) == [COMMENT] * 3
+        assert api.asked["events"] == 1, "one reader for all pages"
+
+    asyncio.run(story())
+
+
+def test_waiting_pages_have_no_timers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """200 pages that wait. Expect no timer of the event loop for any of them."""
+
+    async def story() -> None:
+        api, live = StreamingApi(), LiveRuns(ServerLinks())
+        loop = asyncio.get_running_loop()
+        set_for: list[float] = []
+        right = loop.call_at
+
+        def note(when: float, *rest: Any, **named: Any) -> asyncio.TimerHandle:
+            set_for.append(when)
+            return right(when, *rest, **named)
+
+        async with opened(live, api, 200) as pages:
+            monkeypatch.setattr(loop, "call_at", note)
+            waiting = [asyncio.ensure_future(anext(page)) for page in pages]
+            for _ in range(5):
+                await asyncio.sleep(0)
+            assert set_for == []
+            api.stream.put_nowait(b":\n\n")
+            async with asyncio.timeout(TIMEOUT_S):
+                assert set(await asyncio.gather(*waiting)) == {COMMENT}
+
+    asyncio.run(story())
+
+
+def test_a_change_is_rendered_once_for_all_pages(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A late page is sent what is there; the end is sent to each."""
+    monkeypatch.setattr(live_runs, "PAUSE_S", 0.0)
+
+    async def story() -> None:
+        api, live = StreamingApi(), LiveRuns(ServerLinks())
+        async with opened(live, api, 2) as pages:
+            api.change()
+            first, second = await next_of(pages)
+            assert first is second
+            assert first.startswith(SUMMARY)
+            assert b"1/2" in first
+            late = live.updates(api.documents(), "played", lambda: True)
+            await anext(late)
+            assert await anext(late) is first
+            assert api.asked["runs/played/score"] == 1
+            api.stream.put_nowait(None)
+            for page in (*pages, late):
+                rest = [part async for part in page]
+                assert rest[-1] == b"event: end\ndata: \n\n"
+
+    asyncio.run(story())
+
+
+def test_a_reader_who_signed_out_is_sent_nothing_more() -> None:
+    async def story() -> None:
+        api, live = StreamingApi(), LiveRuns(ServerLinks())
+        signed_in = [True]
+        page = live.updates(api.documents(), "played", lambda: signed_in[0])
+        await anext(page)
+        await anext(page)
+        signed_in[0] = False
+        api.change()
+        async with asyncio.timeout(TIMEOUT_S):
+            assert [part async for part in page] == []
+
+    asyncio.run(story())

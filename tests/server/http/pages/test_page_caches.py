@@ -1,0 +1,221 @@
+"""What pages keep of runs: computed once, as old as the run, no other reader's."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+import httpx
+import pytest
+
+from reference_record.pages.recorded_episode import CameraPicture, RecordedEpisode
+from reference_record.pages.run_page import RunFigures
+from reference_server.http.pages import page_handlers
+from reference_server.http.pages.page_handlers import LISTS_KEPT, RECORDINGS_KEPT
+from tests.support.pages.page_api import (
+    ENTRIES_PER_PAGE,
+    FAILURE,
+    RESULT,
+    Gate,
+    PageApi,
+    client_of,
+    sign_in,
+)
+from tests.support.servers import TIMEOUT_S
+
+PICTURE = CameraPicture("front", 0, b"a picture", "png")
+Story = Callable[[PageApi, httpx.AsyncClient], Awaitable[None]]
+
+
+@pytest.fixture
+def recordings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each episode has one picture, whatever its file has."""
+    read = "read_recorded_episode"
+    monkeypatch.setattr(
+        page_handlers, read, lambda *_: RecordedEpisode(pictures=[PICTURE])
+    )
+
+
+def play(story: Story) -> None:
+    """With a reader whose token is `alice`."""
+
+    async def run() -> None:
+        api = PageApi()
+        async with asyncio.timeout(TIMEOUT_S), client_of(api) as client:
+            await sign_in(client, "alice")
+            await story(api, client)
+
+    asyncio.run(run())
+
+
+async def text_of(client: httpx.AsyncClient, run_id: str, query: str = "") -> str:
+    answer = await client.get(f"/pages/runs/{run_id}{query}")
+    assert answer.status_code == 200, answer.text
+    return answer.text
+
+
+def rows_of(page: str) -> dict[str, int]:
+    """How many episodes the page lists, by their outcome or status."""
+    names = ("failure", "success", "pending")
+    return {name: page.count(f'<tr data-outcome="{name}"') for name in names}
+
+
+def test_figures_of_a_completed_run_are_computed_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Its page with each filter. Expect one list of episodes read, counted once."""
+    computed: list[int] = []
+    right = RunFigures.of
+
+    def note(episodes: Any) -> RunFigures:
+        computed.append(len(episodes))
+        return right(episodes)
+
+    monkeypatch.setattr(RunFigures, "of", note)
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", RESULT, FAILURE, RESULT)
+        for query in ("", "?outcome=success", "?task=score", ""):
+            await text_of(client, "done", query)
+        assert computed == [3]
+        assert api.asked["runs/done/episodes"] == 1
+
+    play(story)
+
+
+def test_a_late_episode_is_on_the_page() -> None:
+    """It ends while its run is looked at, in one millisecond. Expect it counted."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        run = api.add("played", RESULT, None, None)
+        assert rows_of(await text_of(client, "played"))["failure"] == 0
+        run.record_result(run.episodes[1], FAILURE)
+        page = await text_of(client, "played")
+        assert rows_of(page) == {"failure": 1, "success": 1, "pending": 1}
+        assert "<b>1/2</b>" in page, "the table of tasks counts it, too"
+        run.record_result(run.episodes[2], FAILURE)
+        run.state = "completed"
+        page = await text_of(client, "played")
+        assert rows_of(page) == {"failure": 2, "success": 1, "pending": 0}
+        assert "<b>1/3</b>" in page
+
+    play(story)
+
+
+def test_a_changed_run_is_counted_again() -> None:
+    """A host scores it anew: what its page lists and counts is the new result."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        run = api.add("done", RESULT, RESULT)
+        assert "<b>2/2</b>" in await text_of(client, "done")
+        run.episodes[0].result = FAILURE
+        run.updated_at_wall += 1.0
+        page = await text_of(client, "done")
+        assert rows_of(page) == {"failure": 1, "success": 1, "pending": 0}
+        assert "<b>1/2</b>" in page
+
+    play(story)
+
+
+def test_no_reader_sees_what_another_one_was_shown() -> None:
+    """Two tokens that may read a run and are shown more or less of it; one may not."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", FAILURE, tokens="alice host")
+        api.changed["alice"] = {"policy_fault": "for alice alone"}
+        assert "for alice alone" in await text_of(client, "done")
+        await sign_in(client, "host")
+        assert "for alice alone" not in await text_of(client, "done")
+        await sign_in(client, "bob")
+        assert (await client.get("/pages/runs/done")).status_code == 404
+
+    play(story)
+
+
+@pytest.mark.usefixtures("recordings")
+def test_a_run_that_may_no_more_be_read_is_not_shown() -> None:
+    """Deleted after its page and a picture of it were opened. Expect neither."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", FAILURE)
+        paths = ("/pages/runs/done", "/pages/runs/done/episodes/e0000/pictures/0")
+        assert [(await client.get(path)).status_code for path in paths] == [200, 200]
+        del api.runs["done"]
+        assert [(await client.get(path)).status_code for path in paths] == [404, 404]
+
+    play(story)
+
+
+def test_a_flag_is_shown_at_once() -> None:
+    """The figures are kept, and the entry is not."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", RESULT)
+        entry = {"run_id": "done", "model_name": "m", "is_public": True}
+        api.entries.append(entry)
+        assert "Flagged" not in await text_of(client, "done")
+        api.entries[0] = entry | {"flag": {"reason": "it saw the test seeds"}}
+        assert "it saw the test seeds" in await text_of(client, "done")
+        api.entries.clear()
+        assert "Published as" not in await text_of(client, "done")
+
+    play(story)
+
+
+def test_an_old_entry_is_found_behind_many_others() -> None:
+    """Expect the page to offer its change, not to publish it once more."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", RESULT)
+        entry = {"run_id": "done", "model_name": "m", "is_public": True}
+        others = [entry | {"run_id": f"other{n}"} for n in range(ENTRIES_PER_PAGE + 1)]
+        api.entries += [*others, entry]
+        page = await text_of(client, "done")
+        assert "Published as" in page
+        assert "Change the entry" in page
+
+    play(story)
+
+
+def test_few_lists_are_kept() -> None:
+    """Memory: the list of the run that was looked at longest ago goes."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        names = [f"run{number}" for number in range(LISTS_KEPT + 1)]
+        for name in names:
+            api.add(name, RESULT)
+            await text_of(client, name)
+            await text_of(client, names[0])  # this one is used all the time
+        for name in names:
+            await text_of(client, name)
+        read = {name: api.asked[f"runs/{name}/episodes"] for name in names}
+        assert read.pop("run0") == 1
+        assert read.pop("run1") == 2, "the one that had to go"
+        assert sum(read.values()) <= 2 * len(read)
+
+    play(story)
+
+
+@pytest.mark.usefixtures("recordings")
+def test_a_recording_is_shown_although_it_makes_room_meanwhile() -> None:
+    """Others are opened while it is checked that a kept one may still be shown."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", *[RESULT] * (RECORDINGS_KEPT + 1))
+        pictures = [
+            f"/pages/runs/done/episodes/e{number:04d}/pictures/0"
+            for number in range(RECORDINGS_KEPT + 1)
+        ]
+        assert (await client.get(pictures[0])).status_code == 200
+        gate = api.before["runs/done"] = Gate()
+        waiting = asyncio.create_task(client.get(pictures[0]))
+        await gate.reached.wait()
+        del api.before["runs/done"]
+        for path in pictures[1:]:
+            assert (await client.get(path)).status_code == 200
+        gate.open()
+        answer = await waiting
+        assert (answer.status_code, answer.content) == (200, b"a picture")
+
+    play(story)

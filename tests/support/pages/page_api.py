@@ -1,0 +1,124 @@
+"""The pages in this process, over an API that answers for runs in memory.
+
+Its documents are those of the server's own views; what was requested is counted.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections import Counter
+from collections.abc import Awaitable, Callable, Mapping
+from typing import Any
+
+import httpx
+from starlette.applications import Starlette
+from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
+from starlette.types import Receive, Scope, Send
+
+from reference_server.http.allowed_hosts import AllowedHosts
+from reference_server.http.pages.page_routes import Pages
+from reference_server.rules.run import Result, Run
+from reference_server.views.run_views import episode_view, run_view, score_view
+from tests.support.pages.page_reader import fields_of
+from tests.support.server.server_parts import calibration_run
+
+ENTRIES_PER_PAGE = 2
+RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
+FAILURE = Result("failure", 0.0, 1, 1, True, False, 0.0, 1e9)
+
+
+class PageApi:
+    """An ASGI application. runs: by id, with the tokens that may read them.
+
+    asked: how often each path was requested. changed: by token, what its answers about
+    episodes have besides. entries: of the leaderboard. before: awaited first by the
+    answer to a path, if it is there.
+    """
+
+    def __init__(self) -> None:
+        self.runs: dict[str, tuple[Run, set[str]]] = {}
+        self.asked: Counter[str] = Counter()
+        self.changed: dict[str, dict[str, Any]] = {}
+        self.entries: list[Mapping[str, Any]] = []
+        self.before: dict[str, Callable[[], Awaitable[object]]] = {}
+
+    def add(self, run_id: str, *results: Result | None, tokens: str = "alice") -> Run:
+        """A run of `calibration`, completed if each episode has a result."""
+        state = "running" if None in results else "completed"
+        run = calibration_run(*["score"] * len(results), run_id=run_id, state=state)
+        for episode, result in zip(run.episodes, results, strict=True):
+            if result is not None:
+                run.record_result(episode, result)
+        self.runs[run_id] = run, set(tokens.split())
+        return run
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        request = Request(scope)
+        path = request.url.path.removeprefix("/v1/")
+        self.asked[path] += 1
+        if path in self.before:
+            await self.before[path]()
+        token = request.headers["authorization"].removeprefix("Bearer ")
+        start = int(request.query_params.get("cursor", 0))
+        answer = self._answer(path.split("/"), token, start)
+        await answer(scope, receive, send)
+
+    def _answer(self, path: list[str], token: str, start: int) -> Response:
+        match path:
+            case ["runs"]:
+                of_token = [run for run, may in self.runs.values() if token in may]
+                shown = [run_view(run, "http://server", None) for run in of_token]
+                return JSONResponse({"runs": shown, "next_cursor": None})
+            case ["entries"]:
+                end = start + ENTRIES_PER_PAGE
+                following = str(end) if self.entries[end:] else None
+                page = self.entries[start:end]
+                return JSONResponse({"entries": page, "next_cursor": following})
+            case ["runs", run_id, *rest] if token in self.runs.get(run_id, ("", ()))[1]:
+                return self._about(self.runs[run_id][0], rest, token)
+        problem = {"code": "not_found", "detail": "There is no such thing."}
+        return JSONResponse(problem, 404)
+
+    def _about(self, run: Run, rest: list[str], token: str) -> Response:
+        match rest:
+            case []:
+                return JSONResponse(run_view(run, "http://server", None))
+            case ["score"]:
+                return JSONResponse(score_view(run, run.episodes))
+            case ["episodes"]:
+                more = self.changed.get(token, {})
+                shown = [episode_view(one) | more for one in run.episodes]
+                return JSONResponse({"episodes": shown, "next_cursor": None})
+        return Response(b"a recording")
+
+
+def client_of(api: PageApi) -> httpx.AsyncClient:
+    """A browser without scripts, of pages over this API."""
+    pages = Pages(AllowedHosts(), "")
+    pages.use_api(api)
+    app = Starlette(routes=pages.routes())
+    return httpx.AsyncClient(
+        transport=httpx.ASGITransport(app), base_url="http://server"
+    )
+
+
+async def sign_in(client: httpx.AsyncClient, token: str) -> None:
+    client.cookies.clear()
+    form = fields_of((await client.get("/pages/login")).text) | {"token": token}
+    answer = await client.post("/pages/login", data=form)
+    assert answer.status_code == 303, answer.text
+
+
+class Gate:
+    """Holds calls until it is opened."""
+
+    def __init__(self) -> None:
+        self.reached, self._opened = asyncio.Event(), asyncio.Event()
+
+    async def __call__(self) -> None:
+        self.reached.set()
+        await self._opened.wait()
+
+    def open(self) -> None:
+        self._opened.set()
