@@ -12,20 +12,23 @@ import pytest
 
 from reference_record.formats.recording_parts import (
     TurnCommand,
+    append_part,
     json_of,
     parts_of,
     read_part,
 )
+from reference_record.recording import Fault
 from reference_sim.benchmark_registry import resolve
 from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode
+from reference_sim.process import recorder as recorder_module
 from reference_sim.process.pool import (
     RecordingPlan,
     SimulatorFault,
     SimulatorHandle,
     SimulatorPool,
 )
-from reference_sim.process.recorder import EpisodeRecorder
+from reference_sim.process.recorder import EpisodeRecorder, UnwritableRecording
 from tests.support.sim.calibration_action import calibration_action as action
 
 
@@ -136,3 +139,17 @@ def test_states_of_any_size_have_their_digest(tmp_path: Path, size: int) -> None
     recorder.close()
     digests = [message["state_digest"] for _, message in read(tmp_path)]
     assert digests == [hashlib.sha256(bytes(size)).hexdigest()[:32]] * 2
+
+
+def test_an_episode_has_a_bound_of_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It may not begin again then; what broke is written all the same."""
+    monkeypatch.setattr(recorder_module, "PARTS_MAX", 2)
+    plan, simulator = RecordingPlan(str(tmp_path), 1), StateOf(b"")
+    EpisodeRecorder(plan, simulator).close()
+    EpisodeRecorder(plan, simulator).close()
+    with pytest.raises(UnwritableRecording, match="begun or broke 2 times"):
+        EpisodeRecorder(plan, simulator)
+    append_part(tmp_path, "/fault", Fault(1, 0, "simulator_fault", "it broke", "t"))
+    assert len(parts_of(tmp_path)) == 3
