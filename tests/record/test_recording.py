@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ import pytest
 from mcap.reader import make_reader
 
 from reference_record.formats.recording_parts import (
+    EXECUTED_TURN,
     ExecutedTurn,
     PartWriter,
     append_part,
@@ -24,16 +26,20 @@ from reference_record.formats.recording_parts import (
     read_part,
 )
 from reference_record.recording import (
+    MESSAGE,
+    TOPIC_IDS,
+    WHOLE_HEAD,
     AttemptEvent,
     EpisodeResult,
     Fault,
     Message,
     Picture,
     Turn,
+    checked_record,
     digest_state,
     timestamp,
 )
-from reference_record.recording_file import join_parts
+from reference_record.recording_file import _COMPRESSORS, LEVEL, join_parts
 from tests.support.paths import ROOT
 from tests.support.sim.recorded_turn import make_executed, make_turn
 
@@ -161,6 +167,37 @@ def test_executed_turns_that_are_cut_anywhere_are_read_up_to_there(
             assert len(list(read_part(part))) == count
     part.write_bytes(whole[:-1] + bytes([whole[-1] ^ 1]))
     assert len(list(read_part(part))) == 2
+
+
+def test_a_length_that_no_file_has_ends_a_part(tmp_path: Path) -> None:
+    """As a broken disk may leave it; so much memory is not asked for."""
+    write_executed(tmp_path, make_executed(1))
+    (part,) = parts_of(tmp_path)
+    head = WHOLE_HEAD.pack(MESSAGE, 2**62, 1, 0, 0, 0)
+    part.write_bytes(part.read_bytes() + head)
+    assert len(list(read_part(part))) == 2
+
+
+@pytest.mark.parametrize("kind", [MESSAGE, EXECUTED_TURN])
+def test_a_whole_message_that_says_nothing_is_damage(tmp_path: Path, kind: int) -> None:
+    """Of a writer with an error: no turn is left out of a recording in silence."""
+    write_executed(tmp_path, make_executed(1))
+    (part,) = parts_of(tmp_path)
+    channel = TOPIC_IDS["/turn"]
+    part.write_bytes(part.read_bytes() + checked_record(kind, channel, 1, b"{"))
+    with pytest.raises(OSError, match=f"{part.name} has been damaged"):
+        join_parts(tmp_path, tmp_path / "e.mcap", [])
+    assert not (tmp_path / "e.mcap").exists()
+
+
+def test_no_two_threads_compress_with_the_same_memory() -> None:
+    """zstandard lets other threads run meanwhile, and does not guard its own."""
+    found = [_COMPRESSORS.of(LEVEL), _COMPRESSORS.of(LEVEL)]
+    thread = threading.Thread(target=lambda: found.append(_COMPRESSORS.of(LEVEL)))
+    thread.start()
+    thread.join()
+    assert found[0] is found[1]
+    assert found[0] is not found[2]
 
 
 def test_what_follows_a_cut_part_is_read(tmp_path: Path) -> None:
