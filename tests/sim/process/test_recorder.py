@@ -129,14 +129,16 @@ def test_a_recording_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:
     play(story)
 
 
-@pytest.mark.parametrize("size", [0, 512, 513])
+@pytest.mark.parametrize("size", [0, 512, 513, 1 << 20])
 def test_states_of_any_size_have_their_digest(tmp_path: Path, size: int) -> None:
+    """And take little room until the episode ends."""
     simulator = StateOf(bytes(size))
     episode = Episode(simulator, "score", 7, max_steps=3, success_rule="any_step")
     recorder = EpisodeRecorder(RecordingPlan(str(tmp_path), 1), simulator)
     command = msgspec.msgpack.encode(TurnCommand([action()], 1, think_ms=0.0))
     recorder.add_turn(command, list(episode.play([action()])), episode, 0.0)
     recorder.close()
+    assert parts_of(tmp_path)[0].stat().st_size < 2_000
     digests = [message["state_digest"] for _, message in read(tmp_path)]
     assert digests == [hashlib.sha256(bytes(size)).hexdigest()[:32]] * 2
 
