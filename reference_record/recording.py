@@ -242,8 +242,8 @@ def _sized(content: bytes) -> bytes:
 
 def timestamp(at_ns: int) -> str:
     """RFC 3339 in UTC, to the millisecond, of nanoseconds since 1970."""
-    second, milliseconds = divmod(at_ns // 1_000_000, 1000)
-    return f"{_format_second(second)}.{milliseconds:03d}Z"
+    milliseconds = at_ns // 1_000_000
+    return f"{_format_second(milliseconds // 1000)}.{milliseconds % 1000:03d}Z"
 
 
 @lru_cache(maxsize=8)

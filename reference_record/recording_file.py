@@ -47,7 +47,8 @@ from reference_record.recording import (
 
 DRAFT_SUFFIX = ".draft"
 CHUNK_BYTES = 1 << 20
-_LEVEL = 3
+# Of zstd: of recordings 3, its default, makes more bytes, in a longer time.
+LEVEL = 1
 
 
 class Latency(msgspec.Struct, frozen=True):
@@ -85,7 +86,12 @@ class _Compressors(threading.local):
     """One for each thread: its memory is what a short episode costs most with."""
 
     def __init__(self) -> None:
-        self.mine = zstandard.ZstdCompressor(level=_LEVEL)
+        self._of_levels: dict[int, zstandard.ZstdCompressor] = {}
+
+    def of(self, level: int) -> zstandard.ZstdCompressor:
+        if level not in self._of_levels:
+            self._of_levels[level] = zstandard.ZstdCompressor(level=level)
+        return self._of_levels[level]
 
 
 _COMPRESSORS = _Compressors()
@@ -99,19 +105,20 @@ def join_parts(
     last: Sequence[tuple[str, int, Message]],
     *,
     steps: int | None = None,
+    level: int = LEVEL,
 ) -> RecordingSummary:
     """Write all parts in `folder`, and then these messages, to the file `target`.
 
     REC-124: also the parts that a process wrote which has been killed.
     last: topic, nanoseconds since 1970, message. steps: those that the turns of the
-    last attempt must have, None for any. Raises OSError; then `target` is what it was.
+    last attempt must have, None for any. level: of the compression. Raises OSError;
+    then `target` is what it was.
     """
     draft = target.with_suffix(DRAFT_SUFFIX)
     try:
-        target.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        with draft.open("wb") as file:
+        with _open_new(draft) as file:
             os.fchmod(file.fileno(), 0o600)
-            summary = _write_all(file, folder, last, steps)
+            summary = _write_all(_RecordingWriter(file, level), folder, last, steps)
             file.flush()
             os.fsync(file.fileno())
         draft.replace(target)
@@ -122,13 +129,22 @@ def join_parts(
     return summary
 
 
+def _open_new(draft: Path) -> BinaryIO:
+    """Of an episode that was never begun the folder is made, too."""
+    try:
+        return draft.open("wb")
+    except FileNotFoundError:
+        draft.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        return draft.open("wb")
+
+
 def _write_all(
-    file: BinaryIO,
+    writer: _RecordingWriter,
     folder: Path,
     last: Sequence[tuple[str, int, Message]],
     steps: int | None,
 ) -> RecordingSummary:
-    writer, figures = _RecordingWriter(file), _Figures()
+    figures = _Figures()
     for part in parts_of(folder):
         try:
             for topic, at_ns, message in read_part(part):
@@ -198,8 +214,9 @@ def _quantiles(values: list[float]) -> tuple[float, float]:
 class _RecordingWriter:
     """Writes MCAP: chunks with an index each, and the summary that finds them."""
 
-    def __init__(self, file: BinaryIO) -> None:
+    def __init__(self, file: BinaryIO, level: int) -> None:
         self._file = file
+        self._compressor = _COMPRESSORS.of(level)
         self._hash = hashlib.sha256()
         self._at = 0  # bytes written
         self._topics = {topic: number for number, topic in enumerate(CHANNELS, 1)}
@@ -265,7 +282,7 @@ class _RecordingWriter:
     def _end_chunk(self) -> None:
         if not self._chunk:
             return
-        packed = _COMPRESSORS.mine.compress(self._chunk)
+        packed = self._compressor.compress(self._chunk)
         times = [at for entries in self._places.values() for at in entries[::2]]
         span, size = (min(times), max(times)), len(self._chunk)
         self._spans.append(span)

@@ -31,7 +31,6 @@ import msgspec
 from reference_record.formats.recording_parts import (
     NO_ROOM,
     append_part,
-    parts_of,
     remove_parts,
 )
 from reference_record.recording import (
@@ -49,8 +48,6 @@ from reference_sim.process.pool import RecordingPlan
 
 log = logging.getLogger("proctor.records")
 
-# Parts of an episode, with which it may begin again: each is read at its end.
-PARTS_MAX = 10_000
 # Episodes whose files are written at once.
 THREADS = 4
 
@@ -104,11 +101,7 @@ class Recordings:
         """Where the next playing of the episode is recorded. Raises RecordingFailed."""
         key = run.run_id, episode.index
         await self._write(key)
-        folder = self._parts(*key)
-        parts = await self._in_thread(key, partial(parts_of, folder))
-        if len(parts) >= PARTS_MAX:
-            raise RecordingFailed(f"the episode was begun or broke {PARTS_MAX} times")
-        return RecordingPlan(str(folder), episode.attempt, self._pictures)
+        return RecordingPlan(str(self._parts(*key)), episode.attempt, self._pictures)
 
     def add_fault(
         self, run: Run, episode: Episode, seq: int, code: str, detail: str

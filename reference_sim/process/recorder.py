@@ -30,6 +30,8 @@ from reference_sim.process.encoding import encode_image
 
 # Of a state up to so many bytes the digest is computed when the turns are read.
 STATE_BYTES_MAX = 512
+# Parts of an episode, with which it may begin again: each is read at its end.
+PARTS_MAX = 10_000
 
 
 class RecordingPlan(msgspec.Struct, frozen=True):
@@ -59,7 +61,7 @@ class EpisodeRecorder:
     def __init__(self, plan: RecordingPlan, simulator: Simulator) -> None:
         self._plan, self._simulator = plan, simulator
         try:
-            self._part = PartWriter(Path(plan.folder))
+            self._part = PartWriter(Path(plan.folder), PARTS_MAX)
         except OSError as error:
             raise UnwritableRecording(error) from error
         now = time.time_ns()

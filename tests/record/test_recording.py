@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -17,26 +18,30 @@ import pytest
 from mcap.reader import make_reader
 
 from reference_record.formats.recording_parts import (
+    EXECUTED_TURN,
     ExecutedTurn,
     PartWriter,
-    TurnCommand,
     append_part,
     parts_of,
     read_part,
 )
 from reference_record.recording import (
+    MESSAGE,
+    TOPIC_IDS,
+    WHOLE_HEAD,
     AttemptEvent,
     EpisodeResult,
     Fault,
     Message,
     Picture,
     Turn,
+    checked_record,
     digest_state,
     timestamp,
 )
-from reference_record.recording_file import join_parts
+from reference_record.recording_file import _COMPRESSORS, LEVEL, join_parts
 from tests.support.paths import ROOT
-from tests.support.sim.recorded_turn import make_turn
+from tests.support.sim.recorded_turn import make_executed, make_turn
 
 STARTED = AttemptEvent(1, "started", "t", state_digest="00")
 RESULT = EpisodeResult("success", success=True, score=1.0, steps=3, attempts=1, at="t")
@@ -55,13 +60,6 @@ def write_executed(folder: Path, *turns: ExecutedTurn[msgspec.Raw]) -> None:
     for turn in turns:
         part.write_turn(turn)
     part.close()
-
-
-def make_executed(seq: int, state: bytes = b"s") -> ExecutedTurn[msgspec.Raw]:
-    """Of a command of two actions, of which one was executed."""
-    command = TurnCommand([{"arm": [1, 0.5]}, {"arm": [9.0, 9.0]}], seq, 1.23456)
-    coded = msgspec.Raw(msgspec.msgpack.encode(command))
-    return ExecutedTurn(1, [0.5], 0.25, False, True, state, None, 0.00123456, coded)
 
 
 def read_file(path: Path) -> list[tuple[str, dict[str, Any]]]:
@@ -171,6 +169,37 @@ def test_executed_turns_that_are_cut_anywhere_are_read_up_to_there(
     assert len(list(read_part(part))) == 2
 
 
+def test_a_length_that_no_file_has_ends_a_part(tmp_path: Path) -> None:
+    """As a broken disk may leave it; so much memory is not asked for."""
+    write_executed(tmp_path, make_executed(1))
+    (part,) = parts_of(tmp_path)
+    head = WHOLE_HEAD.pack(MESSAGE, 2**62, 1, 0, 0, 0)
+    part.write_bytes(part.read_bytes() + head)
+    assert len(list(read_part(part))) == 2
+
+
+@pytest.mark.parametrize("kind", [MESSAGE, EXECUTED_TURN])
+def test_a_whole_message_that_says_nothing_is_damage(tmp_path: Path, kind: int) -> None:
+    """Of a writer with an error: no turn is left out of a recording in silence."""
+    write_executed(tmp_path, make_executed(1))
+    (part,) = parts_of(tmp_path)
+    channel = TOPIC_IDS["/turn"]
+    part.write_bytes(part.read_bytes() + checked_record(kind, channel, 1, b"{"))
+    with pytest.raises(OSError, match=f"{part.name} has been damaged"):
+        join_parts(tmp_path, tmp_path / "e.mcap", [])
+    assert not (tmp_path / "e.mcap").exists()
+
+
+def test_no_two_threads_compress_with_the_same_memory() -> None:
+    """zstandard lets other threads run meanwhile, and does not guard its own."""
+    found = [_COMPRESSORS.of(LEVEL), _COMPRESSORS.of(LEVEL)]
+    thread = threading.Thread(target=lambda: found.append(_COMPRESSORS.of(LEVEL)))
+    thread.start()
+    thread.join()
+    assert found[0] is found[1]
+    assert found[0] is not found[2]
+
+
 def test_what_follows_a_cut_part_is_read(tmp_path: Path) -> None:
     write_part(tmp_path, ("/attempt", STARTED), ("/turn", make_turn(1)))
     (part,) = parts_of(tmp_path)
@@ -263,11 +292,13 @@ def test_failures_to_append_leave_no_parts(
 WRITE_AND_SAY = """
 import sys
 from pathlib import Path
-from tests.support.sim.recorded_turn import make_turn
 from reference_record.formats.recording_parts import PartWriter
+from reference_record.recording import AttemptEvent
+from tests.support.sim.recorded_turn import make_executed
 part = PartWriter(Path(sys.argv[1]))
+part.write("/attempt", AttemptEvent(1, "started", "t"))
 for seq in range(1_000_000):
-    part.write("/turn", make_turn(seq))
+    part.write_turn(make_executed(seq))
     print(seq, flush=True)
 """
 
@@ -289,4 +320,4 @@ def test_a_writer_that_is_killed_loses_nothing_that_it_reported(
     writer.wait()
     writer.stdout.close()
     (part,) = parts_of(tmp_path)
-    assert len(list(read_part(part))) > reported
+    assert sum(topic == "/turn" for topic, *_ in read_part(part)) > reported

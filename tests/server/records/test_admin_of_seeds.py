@@ -19,7 +19,7 @@ from reference_record.verification import verify
 from reference_server.http.tokens import admin_command as admin
 from reference_sim.replay.__main__ import main as replay
 from tests.support.server.http_runs import attach, predict_body, worker_path
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 TASKS = ["score"] * 4
 
@@ -97,7 +97,8 @@ def test_sealed_records_are_replayed_when_their_seeds_are_opened(
 def test_a_server_replays_sealed_episodes_whose_seeds_were_opened(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Of a record that is handed in; a server without their file leaves them out."""
+    """Of a record that is handed in, in whichever file they are; a server without it
+    leaves them out."""
     monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
     with ReferenceServer(tmp_path) as server, server.client() as client:
         whole = save_record(client, tmp_path)
@@ -109,15 +110,19 @@ def test_a_server_replays_sealed_episodes_whose_seeds_were_opened(
     content = json.loads(seeds.read_bytes())
     content["opened"][0]["episodes"][0]["seed"] += 1
     spoilt.write_text(json.dumps(content))
+    of_another_host = tmp_path / "other.json"
+    content["opened"][0]["seeds_sha256"] = "0" * 64
+    of_another_host.write_text(json.dumps(content))
+    both = f"{of_another_host}, {seeds}"
     found = {}
-    for files in ("", str(seeds), str(spoilt)):
+    for files in ("", both, str(spoilt)):
         folder = tmp_path / f"of-{Path(files).stem}"
         folder.mkdir()
         on = {"PROCTOR_RECORD_IMPORTS": "on", "PROCTOR_OPENED_SEEDS": files}
         with ReferenceServer(folder, **on) as server, server.client() as client:
             for one in (whole, part):
                 found[files, one] = handed_in(client, one.read_bytes())
-    with_seeds = [found[str(seeds), one] for one in (whole, part)]
+    with_seeds = [found[both, one] for one in (whole, part)]
     assert [one["replay"]["exact"] for one in with_seeds] == [4, 2]
     assert with_seeds[0]["level_text"].endswith("(exact, 4 of 4 episodes)")
     assert found["", whole]["replay"]["episodes"] == 2
@@ -145,12 +150,13 @@ def test_a_file_without_opened_seeds_ends_the_start_with_one_line(
 ) -> None:
     (tmp_path / "seeds.json").write_text("{}")
     files = ["--opened-seeds", str(tmp_path / "seeds.json")]
-    database = ["--database", str(tmp_path / "x.sqlite")]
+    others = ["--database", str(tmp_path / "x.sqlite"), "--port", "0"]
     done = subprocess.run(
-        [sys.executable, "-m", "reference_server", *files, *database],
+        [sys.executable, "-m", "reference_server", *files, *others],
         capture_output=True,
         text=True,
         check=False,
+        timeout=2 * TIMEOUT_S,
     )
     assert done.returncode == 2
     assert len(done.stderr.strip().splitlines()) == 1

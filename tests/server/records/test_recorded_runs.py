@@ -20,7 +20,7 @@ from mcap.stream_reader import StreamReader
 from reference_record import recording_file
 from reference_record.formats import recording_parts
 from reference_server.records import recordings as recordings_module
-from reference_server.records.recordings import RecordingFailed, Recordings
+from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.refusal import Refused
@@ -325,25 +325,6 @@ def test_what_a_crash_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
         assert found == sorted([*kept, "00000.mcap", "other.mcap", "00004.draft"])
 
     play(tmp_path, story)
-
-
-def test_an_episode_has_a_bound_of_parts(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(recordings_module, "PARTS_MAX", 2)
-    run: Any = SimpleNamespace(run_id="run_1")
-    episode: Any = SimpleNamespace(index=0, attempt=1)
-
-    async def begin() -> None:
-        recordings = Recordings(tmp_path)
-        recordings.add_fault(run, episode, 1, "simulator_fault", "it broke")
-        await recordings.begin(run, episode)
-        recordings.add_fault(run, episode, 2, "simulator_fault", "it broke")
-        with pytest.raises(RecordingFailed):
-            await recordings.begin(run, episode)
-        await recordings.close()
-
-    asyncio.run(begin())
 
 
 def test_parts_beyond_a_million_keep_their_order(tmp_path: Path) -> None:

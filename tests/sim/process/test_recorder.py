@@ -12,20 +12,23 @@ import pytest
 
 from reference_record.formats.recording_parts import (
     TurnCommand,
+    append_part,
     json_of,
     parts_of,
     read_part,
 )
+from reference_record.recording import Fault
 from reference_sim.benchmark_registry import resolve
 from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode
+from reference_sim.process import recorder as recorder_module
 from reference_sim.process.pool import (
     RecordingPlan,
     SimulatorFault,
     SimulatorHandle,
     SimulatorPool,
 )
-from reference_sim.process.recorder import EpisodeRecorder
+from reference_sim.process.recorder import EpisodeRecorder, UnwritableRecording
 from tests.support.sim.calibration_action import calibration_action as action
 
 
@@ -126,13 +129,29 @@ def test_a_recording_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:
     play(story)
 
 
-@pytest.mark.parametrize("size", [0, 512, 513])
+@pytest.mark.parametrize("size", [0, 512, 513, 1 << 20])
 def test_states_of_any_size_have_their_digest(tmp_path: Path, size: int) -> None:
+    """And take little room until the episode ends."""
     simulator = StateOf(bytes(size))
     episode = Episode(simulator, "score", 7, max_steps=3, success_rule="any_step")
     recorder = EpisodeRecorder(RecordingPlan(str(tmp_path), 1), simulator)
     command = msgspec.msgpack.encode(TurnCommand([action()], 1, think_ms=0.0))
     recorder.add_turn(command, list(episode.play([action()])), episode, 0.0)
     recorder.close()
+    assert parts_of(tmp_path)[0].stat().st_size < 2_000
     digests = [message["state_digest"] for _, message in read(tmp_path)]
     assert digests == [hashlib.sha256(bytes(size)).hexdigest()[:32]] * 2
+
+
+def test_an_episode_has_a_bound_of_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It may not begin again then; what broke is written all the same."""
+    monkeypatch.setattr(recorder_module, "PARTS_MAX", 2)
+    plan, simulator = RecordingPlan(str(tmp_path), 1), StateOf(b"")
+    EpisodeRecorder(plan, simulator).close()
+    EpisodeRecorder(plan, simulator).close()
+    with pytest.raises(UnwritableRecording, match="begun or broke 2 times"):
+        EpisodeRecorder(plan, simulator)
+    append_part(tmp_path, "/fault", Fault(1, 0, "simulator_fault", "it broke", "t"))
+    assert len(parts_of(tmp_path)) == 3

@@ -186,7 +186,8 @@ class Sample:
         for number, (topic, message) in enumerate(messages):
             writer.write(topic, message, START_NS + number)
         writer.close()
-        summary = join_parts(parts, path, [])
+        # As the vectors were written at first.
+        summary = join_parts(parts, path, [], level=3)
         path.write_bytes(self.change_recording(index, path.read_bytes()))
         said = next(m for _, m in messages if isinstance(m, EpisodeResult))
         assert summary.first_digest is not None

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import msgspec
+
+from reference_record.formats.recording_parts import ExecutedTurn, TurnCommand
 from reference_record.recording import Turn
 
 
@@ -20,3 +23,10 @@ def make_turn(seq: int) -> Turn:
         think_ms=2.0 * seq,
         at="t",
     )
+
+
+def make_executed(seq: int, state: bytes = b"s") -> ExecutedTurn[msgspec.Raw]:
+    """Of a command of two actions, of which one was executed."""
+    command = TurnCommand([{"arm": [1, 0.5]}, {"arm": [9.0, 9.0]}], seq, 1.23456)
+    coded = msgspec.Raw(msgspec.msgpack.encode(command))
+    return ExecutedTurn(1, [0.5], 0.25, False, True, state, None, 0.00123456, coded)
