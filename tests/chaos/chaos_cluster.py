@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import resource
 import signal
 from collections.abc import Iterator
 from pathlib import Path
@@ -131,12 +130,7 @@ class ChaosCluster:
 
         It ends itself then, and is started again when there is room.
         """
-        main = self.postgresql.process
-        for pid in (main.pid, *descendants(main.pid)):
-            with contextlib.suppress(ProcessLookupError):
-                _, hard = resource.prlimit(pid, resource.RLIMIT_FSIZE)
-                soft = hard if size is None else size
-                resource.prlimit(pid, resource.RLIMIT_FSIZE, (soft, hard))
+        self.postgresql.limit_files(size)
         if size is None:
             self.postgresql.kill()
             self.postgresql.start()

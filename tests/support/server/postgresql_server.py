@@ -22,6 +22,7 @@ from typing import Any, Self, TypeVar
 
 import asyncpg
 
+from tests.support.processes import descendants
 from tests.support.waiting import wait_until
 
 PASSWORD = "of-tests"
@@ -130,6 +131,15 @@ class PostgresqlServer:
         new.write_text(f"{by_s:+f}")
         new.chmod(0o644)
         new.replace(self._clock)
+
+    def limit_files(self, size: int | None) -> None:
+        """Let writes beyond a size fail, as on a full disk; None: no longer."""
+        main = self.process.pid
+        for pid in (main, *descendants(main)):
+            limit = "unlimited" if size is None else str(size)
+            command = ["prlimit", "--pid", str(pid), f"--fsize={limit}:"]
+            # Its own account may: root may not where it has few capabilities.
+            subprocess.run(command, check=False, capture_output=True, **self._as)
 
     def kill(self) -> None:
         """End it at once: each connection is lost."""
