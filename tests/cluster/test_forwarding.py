@@ -79,10 +79,12 @@ async def connected(
     closed = asyncio.Event()
 
     async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        await answer(reader, writer)
-        writer.close()
-        await writer.wait_closed()
-        closed.set()
+        try:
+            await answer(reader, writer)
+        finally:  # also of a question that is not waited for any more
+            writer.close()
+            await writer.wait_closed()
+            closed.set()
 
     server = await asyncio.start_server(serve, "127.0.0.1", 0)
     port = server.sockets[0].getsockname()[1]

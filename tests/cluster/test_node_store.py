@@ -397,7 +397,7 @@ def test_a_node_that_is_silent_at_one_look_keeps_its_runs(
 def test_a_node_that_stays_silent_loses_its_runs(
     database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Who waits for it is refused, too. Expect the same of a clock that was set back."""
+    """Who waits for it is refused. Expect the same of a clock that was set back."""
     clock = Clock(monkeypatch)
 
     async def scenario(nodes: Nodes) -> None:
