@@ -326,7 +326,7 @@ def _router(
     pages = Pages(hosts, settings.public_url, node_id)
     shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(_not_found))
     if node is not None:
-        shown = node.routed_pages(shown)
+        shown = node.routed_pages(shown, pages.show_away)
     # Behind the operations: no turn looks at their routes.
     router = Router(routes, False, shown, lifespan=lifespan)
     pages.use_api(router)

@@ -456,7 +456,10 @@ class Settings(BaseSettings):
         if ":memory:" in self.database:
             raise ValueError("cluster needs a database that other servers can open")
         if self.recordings != "off" or self.record_imports != "off":
-            raise ValueError("cluster needs recordings off and record_imports off")
+            raise ValueError(
+                "cluster needs recordings off and record_imports off: each node would "
+                "sign a chain of records of its own; add --recordings off"
+            )
         if self.profiles:
             raise ValueError("cluster needs profiles empty")
         if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104

@@ -24,7 +24,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.reachability import Reachability
 from reference_server.http.dispatch import PATH_PATTERNS
-from reference_server.http.pages.page_sessions import node_of_session
+from reference_server.http.pages.page_sessions import needs_session, node_of_session
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
@@ -54,6 +54,10 @@ CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
 # At least so long, and for a lease, a busy node may be silent and is still waited for.
 SILENT_S = 5.0
+# A node is asked twice whether it lives, over connections of their own: what all
+# requests share may be used up, or one connection lost.
+QUESTIONS = 2
+QUESTIONS_AT_ONCE_MAX = 100
 # Of what was not answered: over a new connection, a repeat may reach another node,
 # which may reach the owner or be it.
 _GO_ELSEWHERE = {"Connection": "close"}
@@ -70,6 +74,9 @@ class NodeConnections:
             max_keepalive_connections=CONNECTIONS_MAX,
             keepalive_expiry=KEEPALIVE_S,
         )
+        self._questions = httpcore.AsyncConnectionPool(
+            max_connections=QUESTIONS_AT_ONCE_MAX, max_keepalive_connections=0
+        )
         self._reachability = Reachability(
             self._answers,
             lambda node: membership.gone(node).is_set(),
@@ -79,13 +86,34 @@ class NodeConnections:
     async def close(self) -> None:
         await self._reachability.close()
         await self._pool.aclose()
+        await self._questions.aclose()
 
     async def _answers(self, node: Node) -> bool:
         """Whether it answers anything before it would have lost its lease."""
-        with contextlib.suppress(*_NOT_REACHED, OSError, TimeoutError):
-            async with asyncio.timeout(max(self.membership.lease_s, SILENT_S)):
-                await self._pool.request("GET", node.url + "/livez")
-                return True
+        limit_s = max(self.membership.lease_s, SILENT_S)
+        asked = [
+            asyncio.ensure_future(self._ask(node, number * limit_s / QUESTIONS))
+            for number in range(QUESTIONS)
+        ]
+        try:
+            async with asyncio.timeout(limit_s):
+                for answer in asyncio.as_completed(asked):
+                    if await answer:
+                        return True
+        except TimeoutError:
+            return False
+        finally:
+            for one in asked:
+                one.cancel()
+            await asyncio.wait(asked)
+        return False
+
+    async def _ask(self, node: Node, after_s: float) -> bool:
+        """Whether it answers one question."""
+        await asyncio.sleep(after_s)
+        with contextlib.suppress(*_NOT_REACHED, OSError):
+            await self._questions.request("GET", node.url + "/livez")
+            return True
         return False
 
     async def pass_on(
@@ -265,10 +293,14 @@ class PageForwarding:
     """The pages: those of a reader are answered by the node of the sign-in.
 
     If that node has ended, the reader signs in at this one.
+
+    away: answers in place of a node that does not answer.
     """
 
-    def __init__(self, app: ASGIApp, connections: NodeConnections) -> None:
-        self._app, self._connections = app, connections
+    def __init__(
+        self, app: ASGIApp, away: ASGIApp, connections: NodeConnections
+    ) -> None:
+        self._app, self._away, self._connections = app, away, connections
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         app = self._app
@@ -277,13 +309,15 @@ class PageForwarding:
             if node is not None:
                 await self._connections.pass_on(node, scope, receive, send)
                 return
-        except Refused as refused:
-            app = problem_response(refused, _GO_ELSEWHERE)
+        except Refused:
+            app = self._away
         await app(scope, receive, send)
 
     async def _find_node(self, scope: Scope) -> Node | None:
         membership = self._connections.membership
         if scope["type"] != "http" or is_from_node(scope, membership):
+            return None
+        if not needs_session(scope["path"]):
             return None
         node_id = node_of_session(Request(scope))
         if node_id in ("", membership.node_id):

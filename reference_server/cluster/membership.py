@@ -26,6 +26,8 @@ from reference_server.rules.run_owner import (
     RENEWALS_PER_LEASE,
     OwnedElsewhere,
     StoredOwner,
+    is_dead,
+    looks_silent,
     place_of,
 )
 from reference_server.storage.node_store import Node, NodeStore
@@ -72,6 +74,8 @@ class Membership:
         self._tasks: list[asyncio.Task[None]] = []
         self._others: dict[str, Node] = {}
         self._gone: dict[str, asyncio.Event] = {}
+        self._silent_since: dict[str, float] = {}  # node → as it was first seen so
+        self._looked_at = 0.0
         self._owners: OrderedDict[str, str] = OrderedDict()  # run → node
         self._unsure: set[str] = set()  # runs whose claim may have been stored
         self._failures = RepeatedFailures(log)
@@ -153,11 +157,37 @@ class Membership:
         await self._look_for_others()
 
     async def _look_for_others(self) -> None:
-        found = await self._nodes.live_nodes()
-        for node_id in self._others.keys() - found.keys():
+        listed = await self._nodes.listed()
+        now = _now()
+        if self._is_blind(now):
+            self._silent_since.clear()
+        self._looked_at = now
+        self._silent_since = {
+            node_id: self._silent_since.get(node_id, now)
+            for node_id, seen in listed.items()
+            if looks_silent(seen.silent_s, self.lease_s)
+        }
+        others = {
+            node_id: seen.node
+            for node_id, seen in listed.items()
+            if not self._is_dead(node_id, seen.silent_s)
+        }
+        for node_id in self._others.keys() - others.keys():
             if (gone := self._gone.pop(node_id, None)) is not None:
                 gone.set()
-        self._others = found
+        self._others = others
+
+    def _is_blind(self, now: float) -> bool:
+        """Whether the database said nothing for so long that no node could renew."""
+        return now - self._looked_at > self.lease_s
+
+    def _is_dead(self, node_id: str, silent_s: float) -> bool:
+        """Whether its runs may be claimed: it was seen silent more than once."""
+        now = _now()
+        since = self._silent_since.get(node_id)
+        if since is None or self._is_blind(now):
+            return False
+        return is_dead(silent_s, now - since, self.lease_s)
 
     async def _repeat(
         self, every_s: float, work: Callable[[], Awaitable[None]]
@@ -190,7 +220,7 @@ class Membership:
             place = place_of(owner, me, self.lease_s, only_reads=only_reads)
             if place == "here":
                 return None
-            if place == "claim" and not self._claims:
+            if place == "claim" and not self._may_claim(owner):
                 break
             assert owner.node_id is not None or place == "claim"
             if place == "forward" and owner.node_id is not None:
@@ -199,9 +229,18 @@ class Membership:
                     return node
             elif owner.silent_s is not None and owner.node_id is not None:
                 await self._nodes.remove_silent(owner.node_id)
+                await self._look_for_others()  # who waits for it waits no more
             elif await self._claim(run_id, me, owner):
                 return None
         raise OwnedElsewhere(run_id)
+
+    def _may_claim(self, owner: StoredOwner) -> bool:
+        """Of a run whose owner is silent, or in the list no more."""
+        if not self._claims:
+            return False
+        if owner.node_id is None or owner.silent_s is None:
+            return True
+        return self._is_dead(owner.node_id, owner.silent_s)
 
     async def _claim(self, run_id: str, me: str, seen: StoredOwner) -> bool:
         """Whether this node is the owner now, and no other one came first."""

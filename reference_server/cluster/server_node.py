@@ -52,9 +52,12 @@ class ServerNode:
         }
         return routed | {views_elsewhere.PATH: self.views}
 
-    def routed_pages(self, pages: ASGIApp) -> ASGIApp:
-        """The pages, each answered by the node where its reader has signed in."""
-        return PageForwarding(pages, self._connections)
+    def routed_pages(self, pages: ASGIApp, away: ASGIApp) -> ASGIApp:
+        """The pages, each answered by the node where its reader has signed in.
+
+        away: answers in place of that node, when it does not.
+        """
+        return PageForwarding(pages, away, self._connections)
 
     def node_id(self) -> str:
         """Of this node, now."""

@@ -47,6 +47,20 @@ def lease_is_over(silent_s: float | None, lease_s: float) -> bool:
     return silent_s is None or silent_s > lease_s
 
 
+def looks_silent(silent_s: float, lease_s: float) -> bool:
+    """Whether a node that lives would have renewed its lease again."""
+    return silent_s > lease_s / 2
+
+
+def is_dead(silent_s: float, seen_silent_for_s: float, lease_s: float) -> bool:
+    """Whether a node in the list is removed from it.
+
+    Its lease is over, and it was seen silent before: a database that was away, or whose
+    clock jumped, makes every node look silent until it renews its lease again.
+    """
+    return silent_s > lease_s and seen_silent_for_s >= lease_s / RENEWALS_PER_LEASE
+
+
 def place_of(
     owner: StoredOwner, node_id: str, lease_s: float, *, only_reads: bool
 ) -> Place:

@@ -50,6 +50,11 @@ class Database:
             if self.is_postgresql:
                 options = postgresql.engine_options(is_shared=is_shared)
             self.engine: AsyncEngine = create_async_engine(self.url, **options)
+            # A slow write or read must not let the lease of a node end.
+            self._node_engine: AsyncEngine | None = None
+            if self.is_postgresql and is_shared:
+                options = postgresql.node_engine_options()
+                self._node_engine = create_async_engine(self.url, **options)
         except (sa.exc.SQLAlchemyError, ImportError) as error:
             raise StoreFailed(_one_line(error)) from error
         # A database in memory is one connection, and so one transaction at a time.
@@ -64,7 +69,9 @@ class Database:
         # One: a write whose caller was cancelled ends before the next one begins.
         self._writer_thread = ThreadPoolExecutor(1, "store-writer")
         self._snapshots = self.engine
-        self._reads = asyncio.Semaphore(postgresql.READS_MAX)
+        self._reads = asyncio.Semaphore(
+            postgresql.READS_MAX - (postgresql.FOR_NODES if is_shared else 0)
+        )
         if self.is_postgresql:
             self._snapshots = self.engine.execution_options(
                 isolation_level="REPEATABLE READ", postgresql_readonly=True
@@ -118,6 +125,8 @@ class Database:
     async def close(self) -> None:
         """Waits for a write that was begun, also if its caller was cancelled."""
         await self.engine.dispose()
+        if self._node_engine is not None:
+            await self._node_engine.dispose()
         await asyncio.to_thread(self._writer_thread.shutdown)
         self._reader_threads.shutdown(wait=False)
         for engine in (self._file_reader, self._file_writer):
@@ -128,6 +137,21 @@ class Database:
     async def transaction(self) -> AsyncIterator[AsyncConnection]:
         """What is written in it is stored when it ends."""
         async with self._transaction_of(self.engine) as connection:
+            yield connection
+
+    @property
+    def has_node_connections(self) -> bool:
+        """Whether `node_transaction` may be used."""
+        return self._node_engine is not None
+
+    @asynccontextmanager
+    async def node_transaction(self) -> AsyncIterator[AsyncConnection]:
+        """What a node says of itself, or claims: it waits for no other transaction.
+
+        Only for what another node locks it waits, and not long.
+        """
+        assert self._node_engine is not None
+        async with self._transaction_of(self._node_engine) as connection:
             yield connection
 
     @asynccontextmanager

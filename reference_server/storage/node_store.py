@@ -30,6 +30,13 @@ class Node(NamedTuple):
     secret: str
 
 
+class ListedNode(NamedTuple):
+    """silent_s: since it renewed its lease, by the clock of the database."""
+
+    node: Node
+    silent_s: float
+
+
 class _Now(FunctionElement[float]):
     """Seconds since 1970 by the clock of the database, when it is evaluated."""
 
@@ -47,7 +54,8 @@ def _now_of_sqlite(_element: _Now, _compiler: Any, **_: Any) -> str:
     return "((julianday('now') - 2440587.5) * 86400.0)"
 
 
-_silent_s = _Now() - _nodes.c.renewed_at
+# A clock that was set back would let a dead node live on for as long.
+_silent_s = sa.func.abs(_Now() - _nodes.c.renewed_at, type_=sa.Float())
 _fence = sa.func.coalesce(_runs.c.fence, 0)
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
 
@@ -66,7 +74,7 @@ class NodeStore:
         row = node._asdict() | {"renewed_at": _Now()}
         earlier = _nodes.c.url == node.url
         is_removed = earlier if is_new else earlier & (_silent_s > self._lease_s)
-        async with self._store.write() as connection:
+        async with self._store.write_of_node() as connection:
             await connection.execute(_nodes.delete().where(is_removed))
             if (await connection.execute(sa.select(_nodes).where(earlier))).first():
                 raise StoreFailed(
@@ -78,24 +86,25 @@ class NodeStore:
     async def renew(self, node_id: str) -> bool:
         """Renew the lease of a node; False if it was removed."""
         renewed = _nodes.update().where(_nodes.c.node_id == node_id)
-        async with self._store.write() as connection:
+        async with self._store.write_of_node() as connection:
             done = await connection.execute(renewed.values(renewed_at=_Now()))
             return done.rowcount == 1
 
     async def leave(self, node_id: str) -> None:
         """Remove a node: others may claim its runs at once."""
-        async with self._store.write() as connection:
+        async with self._store.write_of_node() as connection:
             await connection.execute(_nodes.delete().where(_nodes.c.node_id == node_id))
 
-    async def live_nodes(self) -> dict[str, Node]:
-        """The nodes whose lease is not over, by id."""
+    async def listed(self) -> dict[str, ListedNode]:
+        """All nodes in the list, by id."""
         columns = (_nodes.c[name] for name in Node._fields)
-        query = sa.select(*columns).where(_silent_s <= self._lease_s)
+        query = sa.select(*columns, _silent_s)
 
-        def fetch(connection: sa.Connection) -> dict[str, Node]:
-            return {row[0]: Node(*row) for row in connection.execute(query)}
+        def fetch(connection: sa.Connection) -> dict[str, ListedNode]:
+            rows = connection.execute(query)
+            return {row[0]: ListedNode(Node(*row[:-1]), row[-1]) for row in rows}
 
-        return await self._store.read(fetch)
+        return await self._store.read_of_node(fetch)
 
     async def owner_of(self, run_id: str) -> StoredOwner | None:
         """None if there is no such run."""
@@ -120,7 +129,7 @@ class NodeStore:
         removed = _nodes.delete().where(
             _nodes.c.node_id == node_id, _silent_s > self._lease_s
         )
-        async with self._store.write() as connection:
+        async with self._store.write_of_node() as connection:
             return (await connection.execute(removed)).rowcount == 1
 
     async def claim(
@@ -150,7 +159,7 @@ class NodeStore:
                 reason=sa.case((is_in_play, reason), else_=_runs.c.reason),
             )
         )
-        async with self._store.write() as connection:
+        async with self._store.write_of_node() as connection:
             return (await connection.execute(claimed)).rowcount == 1
 
     async def without_owner(self, states: list[State], limit: int) -> list[str]:

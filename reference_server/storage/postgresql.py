@@ -18,12 +18,18 @@ from sqlalchemy.ext.asyncio import AsyncEngine, create_async_engine
 CONNECTIONS_MAX = 10
 # At once; the other connections are for writes, which never wait for reads.
 READS_MAX = 8
+# Of a node so many less are for reads: its lease and its claims wait for nothing else.
+FOR_NODES = 2
 CONNECT_TIMEOUT_S = 5.0
 # A statement; and how long a request waits for a connection.
 STATEMENT_TIMEOUT_S, POOL_TIMEOUT_S = 30.0, 10.0
 # Of a node, that is how long others may wait for what it locks: one that is paused or
 # cut off inside a transaction would keep its locks until it goes on.
 NODE_STATEMENT_TIMEOUT_S, NODE_IDLE_TIMEOUT_S = 10.0, 5.0
+# How long a claim waits for what such a node locks; it is tried again.
+CLAIM_LOCK_TIMEOUT_S = 1.0
+# The renewal of a lease over a connection that was lost; a second try is in time.
+RENEWAL_TIMEOUT_S = 2.0
 _OPTIONS_OF_SQLALCHEMY = frozenset(
     {"prepared_statement_cache_size", "prepared_statement_name_func"}
 )
@@ -85,13 +91,23 @@ def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
         arguments["command_timeout"] = NODE_STATEMENT_TIMEOUT_S
         arguments["server_settings"] = {"idle_in_transaction_session_timeout": idle_ms}
     return {
-        "pool_size": CONNECTIONS_MAX,
+        "pool_size": CONNECTIONS_MAX - (FOR_NODES if is_shared else 0),
         "max_overflow": 0,
         "pool_timeout": POOL_TIMEOUT_S,
         # After a restart of PostgreSQL no request gets a connection of before.
         "pool_pre_ping": True,
         "connect_args": arguments,
     }
+
+
+def node_engine_options() -> dict[str, Any]:
+    """Of the engine of a node for its lease, and for claims of runs."""
+    options = engine_options(is_shared=True)
+    arguments = options["connect_args"]
+    lock_ms = str(round(CLAIM_LOCK_TIMEOUT_S * 1000))
+    arguments["server_settings"]["lock_timeout"] = lock_ms
+    arguments |= {"timeout": RENEWAL_TIMEOUT_S, "command_timeout": RENEWAL_TIMEOUT_S}
+    return options | {"pool_size": FOR_NODES, "pool_timeout": RENEWAL_TIMEOUT_S}
 
 
 def engine_without_timeout(url: sa.URL) -> AsyncEngine:

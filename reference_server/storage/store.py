@@ -178,6 +178,26 @@ class Store:
         async with self._write_lock, self._transaction() as connection:
             yield connection
 
+    @asynccontextmanager
+    async def write_of_node(self) -> AsyncIterator[AsyncConnection]:
+        """A transaction about nodes and owners, which no other write delays.
+
+        But in an SQLite file, which has one writer at a time. Raises StoreFailed.
+        """
+        if not self._database.has_node_connections:
+            async with self.write() as connection:
+                yield connection
+            return
+        async with self._database.node_transaction() as connection:
+            yield connection
+
+    async def read_of_node(self, fetch: Callable[[sa.Connection], Found]) -> Found:
+        """What `fetch` finds, which no other read delays. Raises StoreFailed."""
+        if not self._database.has_node_connections:
+            return await self.read(fetch)
+        async with self._database.node_transaction() as connection:
+            return await connection.run_sync(fetch)
+
     async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
         """What `store` returns, once all that it wrote is stored; as `write` does it.
 

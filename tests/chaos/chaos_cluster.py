@@ -17,10 +17,16 @@ from typing import Any
 from tests.attack.attacked_server import AttackedServer
 from tests.chaos.links import HOST, Link, LinkThread
 from tests.support.processes import descendants
-from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
-from tools.local_cluster import balance
+from tests.support.server.postgresql_server import (
+    LIBFAKETIME,
+    PASSWORD,
+    PostgresqlServer,
+)
+from tools.local_cluster.balancer import Balancer
 
 SOCKET = ".s.PGSQL.5432"
+# A server whose wall clock is wrong by what its file `clock` says.
+PROGRAM = "tests.attack.patched_server"
 
 
 class ChaosCluster:
@@ -50,12 +56,16 @@ class ChaosCluster:
         cls, directory: Path, *, size: int, lease_s: float, seed: int
     ) -> Iterator[ChaosCluster]:
         with contextlib.ExitStack() as stack:
-            postgresql = stack.enter_context(PostgresqlServer())
+            postgresql = stack.enter_context(
+                PostgresqlServer(has_clock=LIBFAKETIME is not None)
+            )
             links = stack.enter_context(LinkThread(seed))
             cluster = cls(directory, postgresql, links, lease_s)
             stack.callback(cluster._end_nodes)
             fronts = [cluster._add_node(number) for number in range(size)]
-            server = links.run(balance(HOST, 0, fronts))
+            balancer = Balancer(fronts)
+            server = links.run(balancer.listen(HOST, 0))
+            stack.callback(lambda: links.run(balancer.close()))
             cluster.url = f"http://{HOST}:{server.sockets[0].getsockname()[1]}"
             yield cluster
 
@@ -87,10 +97,11 @@ class ChaosCluster:
             "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8",
             "PROCTOR_DATABASE": f"postgresql://{user}:{PASSWORD}@/{self.database}"
             f"?host={folder}",
+            "ATTACK_DIRECTORY": str(folder),
             "PROCTOR_SEALING_KEY": str(self._directory / "key"),
             "PROCTOR_SEED_SECRET": str(self._directory / "seeds"),
         }
-        node = AttackedServer(folder, settings)
+        node = AttackedServer(folder, settings, program=PROGRAM)
         self.nodes.append(node)
         self._ports[number] = int(node.url.rpartition(":")[2])
         return front_port
@@ -113,6 +124,20 @@ class ChaosCluster:
         for pid in (main, *descendants(main)):
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, number)
+
+    def limit_database_files(self, size: int | None) -> None:
+        """Let its writes beyond a size fail, as on a full disk; None: no longer.
+
+        It ends itself then, and is started again when there is room.
+        """
+        self.postgresql.limit_files(size)
+        if size is None:
+            self.postgresql.kill()
+            self.postgresql.start()
+
+    def shift_clock(self, number: int, by_s: float) -> None:
+        """Let the wall clock of a node be wrong by so much."""
+        (self._directory / f"node{number}" / "clock").write_text(str(by_s))
 
     def logs(self) -> list[str]:
         """Of each node, from its first start on."""

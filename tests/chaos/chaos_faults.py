@@ -17,7 +17,10 @@ from random import Random
 from tests.chaos.chaos_cluster import ChaosCluster
 from tests.chaos.links import Link
 from tests.support.processes import descendants
+from tests.support.server.postgresql_server import LIBFAKETIME
 
+# Files of a full disk; days of a clock.
+FULL_AT, DAY_S = 4096, 86_400.0
 Happens = Callable[[ChaosCluster, Random], Iterator[float]]
 
 
@@ -121,6 +124,40 @@ def _kill_backend(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
     yield since
 
 
+def _fill_disk(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    """Nothing of it grows: it ends itself at the next write of its log."""
+    lasts_s = _beyond_lease(cluster, chance)
+    cluster.limit_database_files(FULL_AT)
+    time.sleep(lasts_s)
+    cluster.limit_database_files(None)
+    yield time.monotonic()
+
+
+# --- clocks ---
+
+
+def _jump_s(chance: Random) -> float:
+    """Seconds, forth or back."""
+    return chance.choice((-1, 1)) * chance.choice((2.0, 60.0, 3600.0, 400 * DAY_S))
+
+
+def _shift_clocks(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    """Of each node by another time: what counts is the clock of the database."""
+    since = time.monotonic()
+    for number in range(len(cluster.nodes)):
+        cluster.shift_clock(number, _jump_s(chance))
+    yield since
+    for number in range(len(cluster.nodes)):
+        cluster.shift_clock(number, 0)
+
+
+def _shift_database_clock(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    since = time.monotonic()
+    cluster.postgresql.shift_clock(_jump_s(chance))
+    yield since
+    cluster.postgresql.shift_clock(0)
+
+
 # --- ways ---
 
 
@@ -173,6 +210,11 @@ FAULTS = {
         Fault("database paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_database, 2),
         Fault("database process killed", "SIGKILL; PostgreSQL recovers",
               _kill_backend, 2),
+        Fault("database disk full", "writes fail for up to 2.5 leases", _fill_disk, 2),
+        Fault("node clocks jump", "each by 2 s to 400 days, forth or back",
+              _shift_clocks, 2),
+        Fault("database clock jumps", "by 2 s to 400 days, forth or back",
+              _shift_database_clock, 2),
         Fault("balancer – node cut", "connections closed",
               _disturb(lambda c, n: [c.fronts[n]], Link.cut)),
         Fault("balancer – node lost", "no byte passes",
@@ -193,4 +235,6 @@ FAULTS = {
         Fault("slow network", "30 ms each way, everywhere",
               _disturb(lambda c, _: [*c.fronts, *c.peers, *c.databases], _delay)),
     )
+    # Without that library its clock is the one of all other programs.
+    if fault.happens is not _shift_database_clock or LIBFAKETIME
 }  # fmt: skip

@@ -19,6 +19,8 @@ from tests.chaos.event_follower import EventFollower
 
 EPISODES = 6
 RECONNECTS, REPEATS, STOPS = 0.3, 0.2, 0.2
+# How long the answer to a turn that was sent twice may take after the other one.
+SECOND_S = 1.0
 # Requests and answers that are shown of a player who failed.
 TRAIL = 12
 # What a repeat may be answered with when its session, or its node, ended meanwhile.
@@ -41,8 +43,8 @@ class ChaosPlayer(Player):
         self._url, self._timeout_s = url, timeout_s
         self.followers: dict[str, EventFollower] = {}
         self._client, self._second = (
-            RawClient(url, WATCHER, timeout_s=timeout_s, source=WATCHER_ADDRESS)
-            for _ in range(2)
+            RawClient(url, WATCHER, timeout_s=limit_s, source=WATCHER_ADDRESS)
+            for limit_s in (timeout_s, SECOND_S)
         )
         self.compared = 0
         self._changed = threading.Condition()

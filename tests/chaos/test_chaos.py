@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import threading
+import time
 from pathlib import Path
 from random import Random
 from typing import Any, cast
 
+import asyncpg
 import pytest
 
 from tests.attack import reliability_page
@@ -16,10 +18,10 @@ from tests.attack.watcher import History
 from tests.chaos import chaos_page
 from tests.chaos.chaos_campaign import Campaign, Counts, Round
 from tests.chaos.chaos_cluster import ChaosCluster
-from tests.chaos.chaos_faults import FAULTS
+from tests.chaos.chaos_faults import FAULTS, FULL_AT
 from tests.chaos.push_player import PushPlayer
 from tests.chaos.write_audit import WriteAudit
-from tests.support.server.postgresql_server import PostgresqlServer
+from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
 
 # Those that need no time of their own: each ends as soon as all players go on.
 GATE = ("two nodes killed", "database process killed", "balancer – node cut")
@@ -113,6 +115,30 @@ def test_a_write_that_is_committed_late_is_judged() -> None:
         thread.join()
         assert list(audit.judge()) == []
     assert audit.rows == 2
+
+
+@pytest.mark.slow("starts PostgreSQL")
+def test_a_full_disk_ends_a_write() -> None:
+    with PostgresqlServer() as postgresql:
+        database = _Database(postgresql)
+        postgresql.limit_files(FULL_AT)
+        with pytest.raises((asyncpg.PostgresError, OSError)):
+            database.execute("INSERT INTO runs VALUES (1, 'a', 1)", "SELECT 1")
+        postgresql.limit_files(None)
+        postgresql.kill()
+        postgresql.start()
+        assert database.execute("SELECT * FROM runs") == []
+
+
+@pytest.mark.slow("starts PostgreSQL")
+@pytest.mark.skipif(LIBFAKETIME is None, reason="needs the package libfaketime")
+def test_the_clock_of_a_database_jumps() -> None:
+    ask = "SELECT extract(epoch FROM clock_timestamp())::float8"
+    with PostgresqlServer(has_clock=True) as postgresql:
+        for shift_s in (3600.0, -3600.0):
+            postgresql.shift_clock(shift_s)
+            [[now]] = postgresql.execute("postgres", ask)
+            assert now - time.time() == pytest.approx(shift_s, abs=60)
 
 
 def test_reading_a_push_run_is_no_progress(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,10 +11,14 @@ from typing import Any
 import pytest
 
 from reference_server.cluster import forwarding
-from reference_server.cluster.forwarding import NodeConnections, is_from_node
+from reference_server.cluster.forwarding import (
+    NodeConnections,
+    PageForwarding,
+    is_from_node,
+)
 from reference_server.cluster.membership import Membership
 from reference_server.rules.refusal import Refused
-from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.node_store import ListedNode, Node, NodeStore
 from reference_server.storage.store import Store, StoreFailed
 
 OTHER = Node("other", "http://127.0.0.1:1", "of the other")
@@ -30,10 +34,10 @@ class OtherNodes(NodeStore):
     async def join(self, node: Node, **_: Any) -> None:
         return None
 
-    async def live_nodes(self) -> dict[str, Node]:
+    async def listed(self) -> dict[str, ListedNode]:
         if not self.is_reached:
             raise StoreFailed("not now")
-        return {self.other.node_id: self.other}
+        return {self.other.node_id: ListedNode(self.other, 0.0)}
 
 
 async def joined(nodes: OtherNodes, lease_s: float = 5.0) -> Membership:
@@ -75,10 +79,12 @@ async def connected(
     closed = asyncio.Event()
 
     async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        await answer(reader, writer)
-        writer.close()
-        await writer.wait_closed()
-        closed.set()
+        try:
+            await answer(reader, writer)
+        finally:  # also of a question that is not waited for any more
+            writer.close()
+            await writer.wait_closed()
+            closed.set()
 
     server = await asyncio.start_server(serve, "127.0.0.1", 0)
     port = server.sockets[0].getsockname()[1]
@@ -90,6 +96,10 @@ async def connected(
         await connections.close()
         await closed.wait()
         server.close()
+
+
+async def ignore(_message: Any) -> None:
+    """What is sent to a client."""
 
 
 async def never() -> Any:
@@ -165,5 +175,112 @@ def test_a_node_that_answers_nothing_is_not_waited_for(
                 with contextlib.suppress(Refused):
                     await connections.pass_on(other, scope_of(""), never, send)
                 await asyncio.sleep(0.01)
+
+    asyncio.run(scenario())
+
+
+async def answer_ok(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+    await reader.readuntil(b"\r\n\r\n")
+    writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
+
+
+def test_a_node_that_misses_one_question_is_asked_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(forwarding, "SILENT_S", 1.0)
+
+    async def scenario() -> None:
+        asked: list[str] = []
+
+        async def miss_one(
+            reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+        ) -> None:
+            asked.append("question")
+            if len(asked) == 1:
+                await reader.read()  # until this node closes the connection
+            else:
+                await answer_ok(reader, writer)
+
+        async with asyncio.timeout(10), connected(miss_one, 0.2) as (node, other):
+            assert await node._answers(other)
+        assert len(asked) == 2
+
+    asyncio.run(scenario())
+
+
+def test_connections_that_are_used_up_are_no_sign_of_a_dead_node(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Requests that wait for a node have all that they share."""
+    monkeypatch.setattr(forwarding, "SILENT_S", 1.0)
+    monkeypatch.setattr(forwarding, "CONNECTIONS_MAX", 1)
+
+    async def scenario() -> None:
+        posted = asyncio.Event()
+
+        async def answer(
+            reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+        ) -> None:
+            head = await reader.readuntil(b"\r\n\r\n")
+            if head.startswith(b"POST"):
+                posted.set()
+                await reader.read()
+            else:
+                writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
+
+        async with asyncio.timeout(10), connected(answer, 0.2) as (node, other):
+            waiting = asyncio.ensure_future(node.post(other, "/", b""))
+            await posted.wait()
+            assert await node._answers(other)
+            waiting.cancel()
+
+    asyncio.run(scenario())
+
+
+# --- pages ---
+
+
+def page_scope(path: str) -> dict[str, Any]:
+    """Of a reader who has signed in at the other node."""
+    return {
+        "type": "http",
+        "method": "GET",
+        "path": path,
+        "query_string": b"",
+        "headers": [(b"cookie", b"proctor_session=other.secret")],
+    }
+
+
+@pytest.mark.parametrize(
+    ("path", "answered_by"),
+    [
+        ("/pages/runs", "away"),
+        ("/pages", "away"),
+        ("/pages/login", "this node"),
+        ("/pages/static/pages.css", "this node"),
+    ],
+)
+def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
+    path: str, answered_by: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(forwarding, "SILENT_S", 0.2)
+
+    async def scenario() -> None:
+        answers: list[str] = []
+
+        def answering(name: str) -> Callable[..., Awaitable[None]]:
+            async def answer(*_: Any) -> None:
+                answers.append(name)
+
+            return answer
+
+        async def say_nothing(reader: asyncio.StreamReader, *_: Any) -> None:
+            await reader.read()
+
+        async with asyncio.timeout(10), connected(say_nothing, 0.2) as (node, other):
+            pages = PageForwarding(answering("this node"), answering("away"), node)
+            await pages(page_scope(path), never, ignore)
+            await node._answers(other)  # so that it was connected
+        assert answers == [answered_by]
 
     asyncio.run(scenario())

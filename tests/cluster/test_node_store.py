@@ -33,6 +33,12 @@ FIRST, SECOND, THIRD = (
 )
 
 
+async def live(nodes: NodeStore) -> list[str]:
+    """Ids of those whose lease is not over."""
+    listed = await nodes.listed()
+    return sorted(one for one in listed if listed[one].silent_s <= LEASE_S)
+
+
 class Nodes:
     """Two connections to one database, as two nodes have them."""
 
@@ -144,7 +150,7 @@ def test_a_lease_that_runs_keeps_its_node(database: UsedDatabase) -> None:
         first, second = nodes.nodes
         assert not await second.remove_silent("first")
         await nodes.let_lease_end(FIRST)
-        assert list(await second.live_nodes()) == ["second"]
+        assert await live(second) == ["second"]
         assert await first.renew("first")  # late, and in time
         assert not await second.remove_silent("first")
         await nodes.let_lease_end(FIRST)
@@ -183,7 +189,7 @@ def test_a_node_takes_the_place_of_an_earlier_one_at_its_address(
     async def scenario(nodes: Nodes) -> None:
         again = Node("again", FIRST.url, "secret")
         await nodes.nodes[0].join(again, is_new=True)
-        assert sorted(await nodes.nodes[1].live_nodes()) == ["again", "second"]
+        assert await live(nodes.nodes[1]) == ["again", "second"]
 
     run_scenario(database, scenario)
 
@@ -210,7 +216,7 @@ def test_a_node_without_a_lease_acts_for_no_run(database: UsedDatabase) -> None:
         assert lost == [member.node_id]
         assert member.node_id != first_id
         await member.close()
-        assert sorted(await nodes.nodes[1].live_nodes()) == ["first", "second"]
+        assert await live(nodes.nodes[1]) == ["first", "second"]
 
     run_scenario(database, scenario)
 
@@ -297,12 +303,10 @@ def test_a_living_node_at_the_same_address_is_not_removed(
         member._nodes = nodes.nodes[0]
         with pytest.raises(StoreFailed, match="another node has the URL http://first"):
             await member.ensure_lease()
-        assert sorted(await nodes.nodes[1].live_nodes()) == ["later", "second"]
+        assert await live(nodes.nodes[1]) == ["later", "second"]
         await nodes.let_lease_end(later)
         await member.ensure_lease()
-        assert sorted(await nodes.nodes[1].live_nodes()) == sorted(
-            [member.node_id, "second"]
-        )
+        assert await live(nodes.nodes[1]) == sorted([member.node_id, "second"])
 
     run_scenario(database, scenario)
 
@@ -327,7 +331,7 @@ def test_a_node_that_is_paused_in_a_transaction_locks_nothing_for_long(
 
         with pytest.raises(StoreFailed):
             await renew_and_pause()
-        assert sorted(await nodes.nodes[1].live_nodes()) == ["first", "second"]
+        assert await live(nodes.nodes[1]) == ["first", "second"]
 
     run_scenario(database, scenario)
 
@@ -349,3 +353,119 @@ def test_a_request_does_not_wait_long_for_a_lease(
         await member.ensure_lease()
 
     run_scenario(UsedDatabase.of_file(tmp_path / "d.sqlite"), scenario)
+
+
+class Clock:
+    """What a node takes for the time."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 1000.0
+        monkeypatch.setattr(membership_module, "_now", lambda: self.now)
+
+
+async def member_of(nodes: Nodes) -> Membership:
+    """One that knows the two of the list."""
+    member = Membership(
+        nodes.nodes[1], "http://member", LEASE_S, lambda: None, lambda _: None
+    )
+    await member.open()
+    return member
+
+
+def test_a_node_that_is_silent_at_one_look_keeps_its_runs(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The clock of the database jumped, or it was away: all look silent until then."""
+    clock = Clock(monkeypatch)
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST)
+        member = await member_of(nodes)
+        await nodes.let_lease_end(FIRST)
+        await member._look_for_others()
+        with pytest.raises(OwnedElsewhere):
+            await member.claim(run.run_id)
+        assert not member.gone(FIRST).is_set()
+        assert await nodes.nodes[0].renew("first")
+        clock.now += LEASE_S / 2
+        await member._look_for_others()
+        assert await member.find_other(run.run_id, only_reads=False) == FIRST
+
+    run_scenario(database, scenario)
+
+
+def test_a_node_that_stays_silent_loses_its_runs(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Who waits for it is refused. Expect the same of a clock that was set back."""
+    clock = Clock(monkeypatch)
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST)
+        member = await member_of(nodes)
+        waiting = member.gone(FIRST)
+        set_back = sa.text("UPDATE nodes SET renewed_at = renewed_at + 9999")
+        async with nodes.stores[0].write() as connection:
+            await connection.execute(set_back)
+        await member._look_for_others()
+        clock.now += LEASE_S / 5
+        assert await member.claim(run.run_id)
+        assert waiting.is_set()
+
+    run_scenario(database, scenario)
+
+
+def test_a_node_that_saw_nothing_for_a_lease_begins_to_look_again(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It saw another one silent, and then the database was away for all."""
+    clock = Clock(monkeypatch)
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST)
+        member = await member_of(nodes)
+        await nodes.let_lease_end(FIRST)
+        await member._look_for_others()
+        clock.now += LEASE_S + 1
+        with pytest.raises(OwnedElsewhere):
+            await member.claim(run.run_id)
+        await member._look_for_others()
+        with pytest.raises(OwnedElsewhere):
+            await member.claim(run.run_id)
+        clock.now += LEASE_S / 5
+        assert await member.claim(run.run_id)
+
+    run_scenario(database, scenario)
+
+
+@pytest.mark.slow("PostgreSQL")
+def test_a_write_that_takes_long_ends_no_lease(postgresql: PostgresqlServer) -> None:
+    """A renewal behind it would be too late, and others would claim all runs."""
+    database = UsedDatabase(postgresql.create(), server=postgresql)
+
+    async def scenario(nodes: Nodes) -> None:
+        async with nodes.stores[0].write(), asyncio.timeout(5):
+            assert await nodes.nodes[0].renew("first")
+            assert "second" in await nodes.nodes[0].listed()
+
+    run_scenario(database, scenario)
+
+
+@pytest.mark.slow("PostgreSQL")
+def test_a_claim_waits_for_no_node_that_is_paused_while_it_writes(
+    postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The claim is tried again; meanwhile this node renews its lease."""
+    monkeypatch.setattr(database_postgresql, "CLAIM_LOCK_TIMEOUT_S", 0.1)
+    database = UsedDatabase(postgresql.create(), server=postgresql)
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(THIRD)
+        lock = sa.text("SELECT number FROM runs FOR UPDATE")
+        async with nodes.stores[0].write() as connection, asyncio.timeout(5):
+            await connection.execute(lock)
+            with pytest.raises(StoreFailed, match="lock timeout"):
+                await nodes.claim(run, SECOND)
+        assert await nodes.claim(run, SECOND)
+
+    run_scenario(database, scenario)

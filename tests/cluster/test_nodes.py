@@ -259,6 +259,21 @@ def test_a_reader_whose_node_has_ended_signs_in_again(cluster: Cluster) -> None:
     assert "Runs" in reader.text("/pages/runs")
 
 
+def test_a_reader_whose_node_is_paused_signs_in_at_another(cluster: Cluster) -> None:
+    first, second, _ = cluster.clients
+    reader = PageReader(str(first.base_url), "alice")
+    pause(cluster.nodes[0])
+    try:
+        reader.client.base_url = second.base_url
+        shown = reader.get("/pages/runs")
+        assert shown.status_code == 503
+        assert "/pages/login?next=%2Fpages%2Fruns" in shown.text
+        assert reader.sign_in(TOKENS["alice"]).status_code == 303
+        assert "Runs" in reader.text("/pages/runs")
+    finally:
+        go_on(cluster.nodes[0])
+
+
 def test_the_path_for_nodes_answers_no_client(cluster: Cluster) -> None:
     answer = cluster.clients[0].post("/node/views", json={})
     assert answer.json()["code"] == "not_found"

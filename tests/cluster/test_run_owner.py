@@ -5,7 +5,9 @@ import pytest
 from reference_server.rules.run_owner import (
     Place,
     StoredOwner,
+    is_dead,
     lease_is_over,
+    looks_silent,
     place_of,
 )
 
@@ -40,3 +42,25 @@ def test_the_owner_answers_while_it_lives(
     owner: StoredOwner, only_reads: bool, place: Place
 ) -> None:
     assert place_of(owner, "me", LEASE_S, only_reads=only_reads) == place
+
+
+@pytest.mark.parametrize(
+    ("silent_s", "seen_silent_for_s", "is_removed"),
+    [
+        (5.1, 1.0, True),
+        (5.1, 0.9, False),  # its next renewal may be under way
+        (5.0, 4.0, False),
+        (3600.0, 0.0, False),  # of a clock that jumped, or a database that was away
+    ],
+)
+def test_a_node_is_removed_when_it_was_seen_silent_before(
+    silent_s: float, seen_silent_for_s: float, *, is_removed: bool
+) -> None:
+    assert is_dead(silent_s, seen_silent_for_s, LEASE_S) == is_removed
+
+
+@pytest.mark.parametrize(("silent_s", "is_late"), [(2.5, False), (2.6, True)])
+def test_a_node_looks_silent_before_its_lease_is_over(
+    silent_s: float, *, is_late: bool
+) -> None:
+    assert looks_silent(silent_s, LEASE_S) == is_late

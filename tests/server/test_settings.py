@@ -228,6 +228,13 @@ def test_an_account_without_token_is_for_this_machine_alone(
         Settings(flageval_account="local", **other)  # type: ignore[arg-type]
 
 
+@pytest.mark.parametrize("recordings", [{}, {"recordings": "pictures"}])
+def test_a_node_that_would_record_does_not_start(recordings: dict[str, str]) -> None:
+    """Recordings are on by default; the sentence says what to add."""
+    with pytest.raises(ValidationError, match="add --recordings off"):
+        Settings(cluster="on", **recordings)  # type: ignore[arg-type]
+
+
 @pytest.mark.parametrize("host", ["0.0.0.0", "::"])  # noqa: S104
 def test_a_node_on_every_address_is_given_the_url_of_one(host: str) -> None:
     cluster: dict[str, Any] = {"cluster": "on", "recordings": "off"}

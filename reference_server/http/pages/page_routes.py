@@ -67,6 +67,10 @@ HEADERS: Final = {
 _DEFECT = "The server has a defect. What it evaluates is not affected; try it again."
 _NOT_ACCEPTED = "This server does not accept the token."
 _STALE_FORM = "This form is too old, or it came from another site. Send it again."
+_AWAY = (
+    "The server that has your sign-in does not answer now. Try it again, or sign in at "
+    "this one."
+)
 Show = Callable[[PageCall], Awaitable[str | Response]]
 Change = Callable[[PageCall, Mapping[str, str]], Awaitable[Response]]
 Endpoint = Callable[[Request], Awaitable[Response]]
@@ -146,6 +150,19 @@ class Pages:
             await app(scope, receive, send)
 
         return answer
+
+    async def show_away(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """For a reader whose sign-in is at a node that does not answer."""
+
+        async def answer(request: Request) -> Response:
+            sign_in = _login_path(request) if request.method == "GET" else ""
+            response = _problem_page(HTTPStatus.SERVICE_UNAVAILABLE, _AWAY, sign_in)
+            # Over a new connection a balancer may choose the node that is meant.
+            response.headers["Connection"] = "close"
+            return response
+
+        request = Request(scope, receive)
+        await (await self._answered(answer)(request))(scope, receive, send)
 
     # --- what holds for every page ---
 
@@ -326,22 +343,30 @@ class _PageRoute(Route):
 
 def _to_login(request: Request) -> Response:
     """The sign-in, and back from there; a stream and a form do not come back."""
+    if request.url.path.endswith("/live"):
+        raise Problem(401, "unauthenticated", "Sign in again.")
+    return RedirectResponse(_login_path(request), HTTPStatus.SEE_OTHER)
+
+
+def _login_path(request: Request) -> str:
+    """Of the sign-in, which leads back to what was requested."""
     here = request.url.path
     if request.url.query:
         here += f"?{request.url.query}"
-    if here.endswith("/live"):
-        raise Problem(401, "unauthenticated", "Sign in again.")
     if request.method == "POST":
         here = request.url.path.rpartition("/")[0]  # the page that has the form
     query = urlencode({"next": safe_next(here)})
-    return RedirectResponse(f"{PATH}/login?{query}", HTTPStatus.SEE_OTHER)
+    return f"{PATH}/login?{query}"
 
 
-def _problem_page(status: int, detail: str) -> Response:
+def _problem_page(status: int, detail: str, sign_in: str = "") -> Response:
+    """sign_in: where the reader may sign in again; none: that would not help."""
     heading = {404: "Not found", 403: "Refused", 503: "Not available now"}.get(
         status, "This cannot be shown"
     )
-    text = render_page("problem", LINKS, heading=heading, detail=detail)
+    text = render_page(
+        "problem", LINKS, heading=heading, detail=detail, sign_in=sign_in
+    )
     return HTMLResponse(text, status)
 
 

@@ -20,6 +20,8 @@ from starlette.responses import Response
 SESSION_COOKIE = "proctor_session"
 LOGIN_COOKIE = "proctor_login"
 PATH = "/pages"
+# What every node of a cluster answers, wherever the reader has signed in.
+_WITHOUT_SESSION = (f"{PATH}/login", f"{PATH}/static/")
 # After the sign-in, and without a request.
 LIFE_S = 12 * 3600.0
 IDLE_S = 2 * 3600.0
@@ -143,6 +145,12 @@ def is_from_other_site(request: Request) -> bool:
     host = request.headers.get("host", "")
     is_foreign = origin is not None and origin.partition("://")[2] != host
     return site not in ("same-origin", "none") or is_foreign
+
+
+def needs_session(path: str) -> bool:
+    """Whether only the node that has the session can answer it."""
+    is_page = path == PATH or path.startswith(f"{PATH}/")
+    return is_page and not path.startswith(_WITHOUT_SESSION)
 
 
 def node_of_session(request: Request) -> str:

