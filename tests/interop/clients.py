@@ -7,6 +7,7 @@ not know what a scenario is.
 
 from __future__ import annotations
 
+import fcntl
 import filecmp
 import os
 import shutil
@@ -14,6 +15,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -21,6 +23,7 @@ CLIENTS = ROOT / "generated_clients"
 CACHE = ROOT / ".cache" / "interop"
 BUILD_OUTPUT = {"__pycache__", "build", "dist", "node_modules", "target"}
 BUILD_S = 1800.0
+CPP_HEADERS = ("curl/curl.h", "nlohmann/json.hpp")
 
 
 class BuildFailed(Exception):
@@ -31,7 +34,8 @@ class BuildFailed(Exception):
 class Language:
     """One client and its interop program.
 
-    tools: executables that must be on PATH. version: prints the toolchain's version.
+    tools: executables that must be on PATH. headers: what g++ must find.
+    version: prints the toolchain's version.
     steps: commands that build, in the copied directory. command: starts the program.
     evaluates: the package of clients/ on top of the generated client, else that client.
     """
@@ -43,6 +47,7 @@ class Language:
     steps: tuple[tuple[str, ...], ...] = ()
     environment: dict[str, str] = field(default_factory=dict)
     evaluates: bool = False
+    headers: tuple[str, ...] = ()
 
     @property
     def language(self) -> str:
@@ -61,6 +66,8 @@ class Language:
     def missing(self) -> str:
         """Why this language cannot be built here; empty when it can."""
         absent = [tool for tool in self.tools if shutil.which(tool) is None]
+        if not absent:
+            absent = [name for name in self.headers if not has_header(name)]
         return f"{' and '.join(absent)} not found" if absent else ""
 
     def toolchain(self) -> str:
@@ -70,7 +77,13 @@ class Language:
         return (output.stdout or output.stderr).splitlines()[0].strip()
 
     def build(self) -> None:
-        """Bring the program up to date; CannotRun holds what the compiler said."""
+        """Bring the program up to date; BuildFailed holds what the compiler said."""
+        (CACHE / self.name).mkdir(parents=True, exist_ok=True)
+        with (CACHE / self.name / "lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # tests run in several processes
+            self._build()
+
+    def _build(self) -> None:
         for source in {f"generated_clients/{self.language}", self.package}:
             mirror(ROOT / source, CACHE / self.name / "src" / source)
         for step in self.steps:
@@ -94,6 +107,13 @@ class Language:
         }
 
 
+@cache
+def has_header(name: str) -> bool:
+    """Whether g++ finds this header."""
+    command = ("g++", "-E", "-x", "c++", "-include", name, os.devnull)
+    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+
+
 def mirror(source: Path, target: Path) -> None:
     """Make `target` the same as `source`, but for what builds left in it."""
     target.mkdir(parents=True, exist_ok=True)
@@ -109,6 +129,19 @@ def mirror(source: Path, target: Path) -> None:
             old.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(new, old)
 
+
+# A repository of its own for each build, held against checksums that are committed
+# before anything in it is used, and after the build for what that downloaded.
+CHECKSUMS = (
+    *(sys.executable, str(ROOT / "tests" / "interop" / "maven_checksums.py")),
+    *("check", "../../../m2", ".mvn/checksums/checksums.sha256"),
+)
+MAVEN_STEPS = (
+    CHECKSUMS,
+    ("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),
+    CHECKSUMS,
+)
+MAVEN_ENVIRONMENT = {"MAVEN_OPTS": "-Dmaven.repo.local={base}/m2"}
 
 LANGUAGES = (
     Language(
@@ -148,7 +181,7 @@ LANGUAGES = (
         tools=("java", "javac", "mvn"),
         version=("java", "-version"),
         steps=(
-            ("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),
+            *MAVEN_STEPS,
             (
                 *("javac", "-cp", "target/classes:target/dependency/*"),
                 *("-d", "build", "example/Worker.java", "example/Main.java"),
@@ -163,21 +196,24 @@ LANGUAGES = (
             ),
             "Interop",
         ],
+        environment=MAVEN_ENVIRONMENT,
     ),
     Language(
         "kotlin",
         tools=("java", "mvn"),
         version=("java", "-version"),
-        steps=(("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),),
+        steps=MAVEN_STEPS,
         command=lambda at: [
             *("java", "-cp"),
             f"{at}/target/classes:{at}/target/test-classes:{at}/target/dependency/*",
             "InteropKt",
         ],
+        environment=MAVEN_ENVIRONMENT,
     ),
     Language(
         "cpp",
         tools=("g++", "cmake", "make"),
+        headers=CPP_HEADERS,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "../build", "-DPROCTOR_PROGRAMS=ON"),
@@ -200,6 +236,7 @@ LANGUAGES = (
     Language(
         "cpp-evaluate",
         tools=("g++", "cmake", "make"),
+        headers=CPP_HEADERS,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "build", "-DPROCTOR_EVALUATE_PROGRAMS=ON"),
@@ -210,3 +247,5 @@ LANGUAGES = (
         evaluates=True,
     ),
 )
+# The packages of clients/ by language.
+PACKAGES = {language.language: language for language in LANGUAGES if language.evaluates}
