@@ -22,12 +22,19 @@ def checksums(repository: Path) -> dict[str, str]:
     """Path in the repository → SHA-256, of what was downloaded into it."""
     found = {}
     for path in sorted(repository.rglob("*")):
-        # What `mvn install` wrote itself has no origin.
-        downloaded = (path.parent / "_remote.repositories").exists()
-        if path.suffix in SUFFIXES and downloaded:
+        if path.suffix in SUFFIXES and is_downloaded(path):
             name = path.relative_to(repository).as_posix()
             found[name] = hashlib.sha256(path.read_bytes()).hexdigest()
     return found
+
+
+def is_downloaded(path: Path) -> bool:
+    """Whether it came from elsewhere; what `mvn install` wrote has no origin."""
+    origins = path.parent / "_remote.repositories"
+    if not origins.exists():
+        return True  # put there by hand
+    lines = origins.read_text().splitlines()
+    return f"{path.name}>=" not in lines
 
 
 def read_summary(summary: Path) -> dict[str, str]:

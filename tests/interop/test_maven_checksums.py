@@ -59,11 +59,12 @@ def test_a_summary_is_what_sha256sum_writes(language: str) -> None:
 def repository(tmp_path: Path) -> Path:
     folder = tmp_path / "m2" / "org" / "a" / "1"
     folder.mkdir(parents=True)
-    (folder / "_remote.repositories").write_text("")
+    (folder / "_remote.repositories").write_text("# no origin\na-1.jar>central=\n")
     (folder / "a-1.jar").write_bytes(b"a")
     (folder / "a-1.jar.sha1").write_bytes(b"no download of interest")
     installed = tmp_path / "m2" / "mine"
     installed.mkdir()
+    (installed / "_remote.repositories").write_text("mine-1.jar>=\n")
     (installed / "mine-1.jar").write_bytes(b"made here")
     return tmp_path / "m2"
 
