@@ -22,7 +22,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -320,7 +320,9 @@ def apply_patch(target: Path, patch: dict[str, str]) -> None:
     What replaces a match may name its groups: \\1.
     """
     by = patch["replace"]
-    new = by if "pattern" in patch else lambda _: by
+    new: str | Callable[[re.Match[str]], str] = (
+        by if "pattern" in patch else lambda _: by
+    )
     old = re.compile(patch.get("pattern") or re.escape(patch["find"]))
     found = 0
     for place in target.glob(patch["file"]):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import socket
 import subprocess
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -95,7 +96,10 @@ def with_wrong_rewards(answer: object) -> object:
     return answer
 
 
-WRONG = {"a service": lambda _answer: {}, "a turn": with_wrong_rewards}
+WRONG: dict[str, Callable[[object], object]] = {
+    "a service": lambda _answer: {},
+    "a turn": with_wrong_rewards,
+}
 
 
 @pytest.mark.parametrize("what", WRONG)
