@@ -84,8 +84,18 @@ class Language:
             self._build()
 
     def _build(self) -> None:
-        for source in {f"generated_clients/{self.language}", self.package}:
-            mirror(ROOT / source, CACHE / self.name / "src" / source)
+        sources = sorted({f"generated_clients/{self.language}", self.package})
+        target = CACHE / self.name / "src"
+        stamp, recipe = CACHE / self.name / "built", f"{self.toolchain()}\n{self.steps}"
+        built = stamp.read_text() if stamp.exists() else ""
+        stamp.unlink(missing_ok=True)
+        changes = [mirror(ROOT / source, target / source) for source in sources]
+        # Built again, it would be replaced while another process runs it.
+        if any(changes) or built != recipe:
+            self._run_steps()
+        stamp.write_text(recipe)
+
+    def _run_steps(self) -> None:
         for step in self.steps:
             done = subprocess.run(
                 ("nice", *step),
@@ -114,8 +124,12 @@ def has_header(name: str) -> bool:
     return subprocess.run(command, capture_output=True, check=False).returncode == 0
 
 
-def mirror(source: Path, target: Path) -> None:
-    """Make `target` the same as `source`, but for what builds left in it."""
+def mirror(source: Path, target: Path) -> bool:
+    """Make `target` the same as `source`, but for what builds left in it.
+
+    Returns whether anything was changed.
+    """
+    changed = False
     target.mkdir(parents=True, exist_ok=True)
     wanted = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
     wanted = {path for path in wanted if not BUILD_OUTPUT & set(path.parts)}
@@ -123,11 +137,14 @@ def mirror(source: Path, target: Path) -> None:
         name = path.relative_to(target)
         if name not in wanted and not BUILD_OUTPUT & set(name.parts):
             path.unlink()
+            changed = True
     for name in wanted:
         old, new = target / name, source / name
         if not old.exists() or not filecmp.cmp(old, new, shallow=False):
             old.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(new, old)
+            changed = True
+    return changed
 
 
 # A repository of its own for each build, held against checksums that are committed

@@ -206,6 +206,23 @@ def test_a_build_that_fails_is_a_failure(
     assert interop.Matrix().exit_code() == 2
 
 
+def test_what_is_built_is_not_built_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tests.interop.clients.CACHE", tmp_path / "cache")
+    log = tmp_path / "log"
+    step = (sys.executable, "-c", f"open({str(log)!r}, 'a').write('built ')")
+    language = replace(PYTHON, steps=(step,))
+    for _ in range(2):
+        language.build()
+    assert log.read_text() == "built "
+    copy = language.directory / "README.md"
+    copy.write_text("another")
+    language.build()
+    assert log.read_text() == "built built "
+    assert copy.read_text() != "another"
+
+
 def test_a_mirror_keeps_what_builds_left(tmp_path: Path) -> None:
     source, target = tmp_path / "source", tmp_path / "target"
     for file in (
