@@ -30,7 +30,7 @@ def answers(run: Mapping[str, Any]) -> dict[str, tuple[str, bytes]]:
         "null": "null",
         "wrong_type": json.dumps({**run, "progress": "half"}),
         "wrong_type_inside": json.dumps(
-            {**run, "progress": {**run["progress"], "episodes_total": "8"}}
+            {**run, "progress": {**run["progress"], "episodes_total": "eight"}}
         ),
     }
     packed = msgspec.msgpack.encode
