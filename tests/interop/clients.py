@@ -147,18 +147,21 @@ def mirror(source: Path, target: Path) -> bool:
     return changed
 
 
+REPOSITORY = "../../../m2"  # from the folder of a client
 # A repository of its own for each build, held against checksums that are committed
 # before anything in it is used, and after the build for what that downloaded.
 CHECKSUMS = (
     *(sys.executable, str(ROOT / "tests" / "interop" / "maven_checksums.py")),
-    *("check", "../../../m2", ".mvn/checksums/checksums.sha256"),
+    *("check", REPOSITORY, ".mvn/checksums/checksums.sha256"),
 )
 MAVEN_STEPS = (
     CHECKSUMS,
-    ("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),
+    (
+        *("mvn", "-q", "-B", f"-Dmaven.repo.local={REPOSITORY}"),
+        *("package", "dependency:copy-dependencies"),
+    ),
     CHECKSUMS,
 )
-MAVEN_ENVIRONMENT = {"MAVEN_OPTS": "-Dmaven.repo.local={base}/m2"}
 
 LANGUAGES = (
     Language(
@@ -213,7 +216,6 @@ LANGUAGES = (
             ),
             "Interop",
         ],
-        environment=MAVEN_ENVIRONMENT,
     ),
     Language(
         "kotlin",
@@ -225,7 +227,6 @@ LANGUAGES = (
             f"{at}/target/classes:{at}/target/test-classes:{at}/target/dependency/*",
             "InteropKt",
         ],
-        environment=MAVEN_ENVIRONMENT,
     ),
     Language(
         "cpp",
