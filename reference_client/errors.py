@@ -9,6 +9,7 @@ from __future__ import annotations
 import ssl
 from collections.abc import Sequence
 
+import pydantic
 import urllib3.exceptions
 from proctor_client import ApiException, Problem, Run
 
@@ -141,13 +142,24 @@ def from_failure(error: Exception, url: str) -> ProctorError:
             retryable=True,
             side_effects="possible",
         )
-    why = error.reason if isinstance(error, ApiException) else error
     return ProctorError(
         BAD_ANSWER,
-        f"{url} sent an invalid response ({why}). "
-        "Check that the URL is that of a Proctor server.",
+        f"{url} sent an invalid response ({_what_is_wrong(error)}). "
+        "Check that the URL is that of a Proctor server; if it is, report this to its "
+        "operator. The request may have been carried out; to repeat it as it was is "
+        "safe.",
         side_effects="possible",
     )
+
+
+def _what_is_wrong(error: Exception) -> str:
+    """Of a response that violates the protocol, in one line."""
+    cause = error.__cause__ if isinstance(error, ApiException) else error
+    if not isinstance(cause, pydantic.ValidationError):
+        return str(error.reason if isinstance(error, ApiException) else error)
+    first = cause.errors(include_url=False, include_input=False)[0]
+    place = "".join(f"/{part}" for part in first["loc"])
+    return f"{cause.title}{place}: {first['msg']}"
 
 
 def _tls_error(error: BaseException) -> ssl.SSLError | None:

@@ -22,7 +22,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -50,7 +50,7 @@ BIN = Path(sys.executable).parent
 STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
 # Beside the generated files: what we write on top of them, and what builds leave.
 NOT_GENERATED = {
-    *("example", "interop", "Cargo.lock", "package-lock.json"),
+    *("example", "interop", "Cargo.lock", "package-lock.json", ".mvn"),
     *("__pycache__", "build", "dist", "node_modules", "target"),
 }
 PARTS = {"apis": "", "models": "", "supportingFiles": ""} | dict.fromkeys(
@@ -315,11 +315,18 @@ def tidy(target: Path, dropped: list[str], patches: list[dict[str, str]]) -> Non
 
 
 def apply_patch(target: Path, patch: dict[str, str]) -> None:
-    """Replace a text (`find`) or what a regular expression matches (`pattern`)."""
-    wanted = patch.get("pattern") or re.escape(patch["find"])
+    """Replace a text (`find`) or what a regular expression matches (`pattern`).
+
+    What replaces a match may name its groups: \\1.
+    """
+    by = patch["replace"]
+    new: str | Callable[[re.Match[str]], str] = (
+        by if "pattern" in patch else lambda _: by
+    )
+    old = re.compile(patch.get("pattern") or re.escape(patch["find"]))
     found = 0
     for place in target.glob(patch["file"]):
-        text, count = re.subn(wanted, lambda _: patch["replace"], place.read_text())
+        text, count = old.subn(new, place.read_text())
         found += count
         if count:
             place.write_text(text)

@@ -30,8 +30,8 @@ std::size_t read_header(char* data, std::size_t size, std::size_t count, void* r
 }
 
 /// A gateway's answer is no Problem: then its status is all that is known.
-Problem problem_of(long status, nlohmann::json const& body) try {
-    return body.get<Problem>();
+Problem problem_of(long status, std::string const& answer) try {
+    return nlohmann::json::parse(answer).get<Problem>();
 } catch (std::exception const&) {
     Problem unknown;
     unknown.status = static_cast<std::int32_t>(status);
@@ -77,7 +77,7 @@ Connection::Connection(std::string url, std::string token, double timeout_s)
     curl_easy_setopt(m_curl.get(), CURLOPT_TIMEOUT_MS, static_cast<long>(timeout_s * 1000));
 }
 
-nlohmann::json Connection::send(Request const& request) {
+std::string Connection::send(Request const& request) {
     CURL* const curl = m_curl.get();
     std::string const url = m_url + request.path + request.query;
     std::string answer;
@@ -106,10 +106,8 @@ nlohmann::json Connection::send(Request const& request) {
     if (result != CURLE_OK) throw ConnectionError(curl_easy_strerror(result));
     long status = 0;
     curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &status);
-    auto const body = nlohmann::json::parse(answer.empty() ? "null" : answer, nullptr, false);
-    if (status < 200 || status > 299) throw Refused(status, problem_of(status, body), retry_after_s);
-    if (body.is_discarded()) throw ConnectionError("the answer is no JSON");
-    return body;
+    if (status < 200 || status > 299) throw Refused(status, problem_of(status, answer), retry_after_s);
+    return answer;
 }
 
 } // namespace proctor

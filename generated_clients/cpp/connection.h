@@ -17,8 +17,13 @@
 
 namespace proctor {
 
-/// No answer came, or none that is JSON. What was sent may have had its effect.
+/// No answer came. What was sent may have had its effect.
 struct ConnectionError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// A success that is not the message expected. What was sent may have had its effect.
+struct InvalidAnswer : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
@@ -52,8 +57,22 @@ class Connection {
 public:
     Connection(std::string url, std::string token, double timeout_s = 60);
 
-    /// The answer; null when it has no body. Throws Refused and ConnectionError.
-    nlohmann::json send(Request const& request);
+    /// The text of a success. Throws Refused and ConnectionError.
+    std::string send(Request const& request);
+
+    /// The message that answers. Throws InvalidAnswer too.
+    template <typename Message> Message receive(Request const& request) {
+        auto const answer = nlohmann::json::parse(send(request), nullptr, false);
+        auto const invalid = [&](std::string const& why) {
+            return InvalidAnswer(request.method + " " + request.path + " was answered by no " + Message::schema_name + ": " + why);
+        };
+        if (answer.is_discarded()) throw invalid("it is no JSON");
+        try {
+            return answer.get<Message>();
+        } catch (InvalidMessage const& error) {
+            throw invalid(error.what());
+        }
+    }
 
 private:
     std::string m_url, m_token;

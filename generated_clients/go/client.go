@@ -466,8 +466,8 @@ func (c *APIClient) prepareRequest(
 }
 
 func (c *APIClient) decode(v interface{}, b []byte, contentType string) (err error) {
-	if len(b) == 0 {
-		return nil
+	if text := bytes.TrimSpace(b); len(text) == 0 || string(text) == "null" {
+		return errors.New("the answer is no message")
 	}
 	if s, ok := v.(*string); ok {
 		*s = string(b)

@@ -7,6 +7,7 @@ not know what a scenario is.
 
 from __future__ import annotations
 
+import fcntl
 import filecmp
 import os
 import shutil
@@ -14,6 +15,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -21,6 +23,7 @@ CLIENTS = ROOT / "generated_clients"
 CACHE = ROOT / ".cache" / "interop"
 BUILD_OUTPUT = {"__pycache__", "build", "dist", "node_modules", "target"}
 BUILD_S = 1800.0
+CPP_HEADERS = ("curl/curl.h", "nlohmann/json.hpp")
 
 
 class BuildFailed(Exception):
@@ -31,7 +34,8 @@ class BuildFailed(Exception):
 class Language:
     """One client and its interop program.
 
-    tools: executables that must be on PATH. version: prints the toolchain's version.
+    tools: executables that must be on PATH. headers: what g++ must find.
+    version: prints the toolchain's version.
     steps: commands that build, in the copied directory. command: starts the program.
     evaluates: the package of clients/ on top of the generated client, else that client.
     """
@@ -43,6 +47,7 @@ class Language:
     steps: tuple[tuple[str, ...], ...] = ()
     environment: dict[str, str] = field(default_factory=dict)
     evaluates: bool = False
+    headers: tuple[str, ...] = ()
 
     @property
     def language(self) -> str:
@@ -61,6 +66,8 @@ class Language:
     def missing(self) -> str:
         """Why this language cannot be built here; empty when it can."""
         absent = [tool for tool in self.tools if shutil.which(tool) is None]
+        if not absent:
+            absent = [name for name in self.headers if not has_header(name)]
         return f"{' and '.join(absent)} not found" if absent else ""
 
     def toolchain(self) -> str:
@@ -70,9 +77,25 @@ class Language:
         return (output.stdout or output.stderr).splitlines()[0].strip()
 
     def build(self) -> None:
-        """Bring the program up to date; CannotRun holds what the compiler said."""
-        for source in {f"generated_clients/{self.language}", self.package}:
-            mirror(ROOT / source, CACHE / self.name / "src" / source)
+        """Bring the program up to date; BuildFailed holds what the compiler said."""
+        (CACHE / self.name).mkdir(parents=True, exist_ok=True)
+        with (CACHE / self.name / "lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)  # tests run in several processes
+            self._build()
+
+    def _build(self) -> None:
+        sources = sorted({f"generated_clients/{self.language}", self.package})
+        target = CACHE / self.name / "src"
+        stamp, recipe = CACHE / self.name / "built", f"{self.toolchain()}\n{self.steps}"
+        built = stamp.read_text() if stamp.exists() else ""
+        stamp.unlink(missing_ok=True)
+        changes = [mirror(ROOT / source, target / source) for source in sources]
+        # Built again, it would be replaced while another process runs it.
+        if any(changes) or built != recipe:
+            self._run_steps()
+        stamp.write_text(recipe)
+
+    def _run_steps(self) -> None:
         for step in self.steps:
             done = subprocess.run(
                 ("nice", *step),
@@ -94,8 +117,19 @@ class Language:
         }
 
 
-def mirror(source: Path, target: Path) -> None:
-    """Make `target` the same as `source`, but for what builds left in it."""
+@cache
+def has_header(name: str) -> bool:
+    """Whether g++ finds this header."""
+    command = ("g++", "-E", "-x", "c++", "-include", name, os.devnull)
+    return subprocess.run(command, capture_output=True, check=False).returncode == 0
+
+
+def mirror(source: Path, target: Path) -> bool:
+    """Make `target` the same as `source`, but for what builds left in it.
+
+    Returns whether anything was changed.
+    """
+    changed = False
     target.mkdir(parents=True, exist_ok=True)
     wanted = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
     wanted = {path for path in wanted if not BUILD_OUTPUT & set(path.parts)}
@@ -103,12 +137,31 @@ def mirror(source: Path, target: Path) -> None:
         name = path.relative_to(target)
         if name not in wanted and not BUILD_OUTPUT & set(name.parts):
             path.unlink()
+            changed = True
     for name in wanted:
         old, new = target / name, source / name
         if not old.exists() or not filecmp.cmp(old, new, shallow=False):
             old.parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(new, old)
+            changed = True
+    return changed
 
+
+REPOSITORY = "../../../m2"  # from the folder of a client
+# A repository of its own for each build, held against checksums that are committed
+# before anything in it is used, and after the build for what that downloaded.
+CHECKSUMS = (
+    *(sys.executable, str(ROOT / "tests" / "interop" / "maven_checksums.py")),
+    *("check", REPOSITORY, ".mvn/checksums/checksums.sha256"),
+)
+MAVEN_STEPS = (
+    CHECKSUMS,
+    (
+        *("mvn", "-q", "-B", f"-Dmaven.repo.local={REPOSITORY}"),
+        *("package", "dependency:copy-dependencies"),
+    ),
+    CHECKSUMS,
+)
 
 LANGUAGES = (
     Language(
@@ -148,7 +201,7 @@ LANGUAGES = (
         tools=("java", "javac", "mvn"),
         version=("java", "-version"),
         steps=(
-            ("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),
+            *MAVEN_STEPS,
             (
                 *("javac", "-cp", "target/classes:target/dependency/*"),
                 *("-d", "build", "example/Worker.java", "example/Main.java"),
@@ -168,7 +221,7 @@ LANGUAGES = (
         "kotlin",
         tools=("java", "mvn"),
         version=("java", "-version"),
-        steps=(("mvn", "-q", "-B", "package", "dependency:copy-dependencies"),),
+        steps=MAVEN_STEPS,
         command=lambda at: [
             *("java", "-cp"),
             f"{at}/target/classes:{at}/target/test-classes:{at}/target/dependency/*",
@@ -178,6 +231,7 @@ LANGUAGES = (
     Language(
         "cpp",
         tools=("g++", "cmake", "make"),
+        headers=CPP_HEADERS,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "../build", "-DPROCTOR_PROGRAMS=ON"),
@@ -200,6 +254,7 @@ LANGUAGES = (
     Language(
         "cpp-evaluate",
         tools=("g++", "cmake", "make"),
+        headers=CPP_HEADERS,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "build", "-DPROCTOR_EVALUATE_PROGRAMS=ON"),
@@ -210,3 +265,5 @@ LANGUAGES = (
         evaluates=True,
     ),
 )
+# The packages of clients/ by language.
+PACKAGES = {language.language: language for language in LANGUAGES if language.evaluates}

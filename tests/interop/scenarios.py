@@ -21,6 +21,8 @@ import httpx
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy
+from tests.interop.wrong_answers import answers as wrong_bodies
+from tests.interop.wrong_answers import wrong_answers as wrong_server
 from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
@@ -31,7 +33,10 @@ LOST_SIGN = "JSON.stringify writes −0 as `0`: its sign is lost"
 LIMITS = {
     ("typescript", "echo"): LOST_SIGN,
     ("typescript-evaluate", "echo"): LOST_SIGN,
+    ("go", "wrong_answers"): "a member that is missing reads as its zero value",
 }
+# Wrong answers that a language takes for right.
+TAKEN = {"go": {"empty", "missing"}}
 # Of the generated clients alone, and of what is written on top of them alone.
 MESSAGES_ONLY = {"vectors"}
 EVALUATION_ONLY = {"heartbeat"}
@@ -61,6 +66,14 @@ class Server:
             answer = client.get(path).raise_for_status().json()
         assert isinstance(answer, dict)
         return answer
+
+    def submit(self) -> None:
+        """One run by hand, outside every client."""
+        headers = {"Authorization": f"Bearer {self.token}"}
+        body = {"benchmark_id": "calibration", "policy": {"name": "interop"}}
+        httpx.post(
+            f"{self.url}/v1/runs", json=body, headers=headers, trust_env=False
+        ).raise_for_status()
 
 
 @dataclass(frozen=True)
@@ -314,6 +327,20 @@ def vectors(_server: Server, program: Program) -> None:
                 raise UnexpectedResult(f"vector {vector['id']} came back as {decoded}")
 
 
+def wrong_answers(server: Server, program: Program) -> None:
+    """Successes that are no message; the client's own error says so for each."""
+    server.submit()
+    page = server.read("/v1/runs?limit=1")
+    with wrong_server(page) as url:
+        errors = program.play("wrong_answers", url, server.token)["errors"]
+    taken = TAKEN.get(program.language, set())
+    wanted = {
+        name: "accepted" if name in taken else "bad_answer"
+        for name in wrong_bodies(page["runs"][0])
+    }
+    expect("the errors", errors, wanted)
+
+
 def later_version(server: Server, program: Program) -> None:
     """Values and members that a client of today cannot know."""
     with Proxy(server.url, alter=extended) as proxy:
@@ -344,6 +371,7 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "stop_resume": stop_resume,
     "problems": problems,
     "score": score,
+    "wrong_answers": wrong_answers,
     "later_version": later_version,
     "vectors": vectors,
 }
@@ -360,6 +388,7 @@ DESCRIPTIONS = {
     "stop_resume": "a run is stopped and resumed; scored episodes are kept",
     "problems": "refusals arrive as typed problems",
     "score": "the score, its interval and the pages of episodes",
+    "wrong_answers": "successes that are no message are errors of the client's own",
     "later_version": "values and members of a later version are no error",
     "vectors": "golden vectors of spec/vectors/wire",
 }

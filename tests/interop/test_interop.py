@@ -6,11 +6,8 @@ The other languages need their toolchains and minutes: `make interop`.
 from __future__ import annotations
 
 import json
-import signal
-import socket
 import subprocess
 import sys
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -22,7 +19,14 @@ from reference_client import Observation, evaluate
 from reference_client.api.observation import decode_observation
 from reference_client.generated import messages
 from tests.interop import expected_values
-from tests.interop.clients import CLIENTS, LANGUAGES, ROOT, Language, mirror
+from tests.interop.clients import (
+    CLIENTS,
+    LANGUAGES,
+    PACKAGES,
+    ROOT,
+    Language,
+    mirror,
+)
 from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy
 from tests.interop.scenarios import (
@@ -34,7 +38,6 @@ from tests.interop.scenarios import (
     UnexpectedResult,
     apply_known_limits,
 )
-from tests.support.servers import TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action
 from tools import interop
 
@@ -42,22 +45,6 @@ pytestmark = pytest.mark.slow("starts servers and clients")
 
 PYTHON = LANGUAGES[0]
 GENERATED = [language for language in LANGUAGES if not language.evaluates]
-TYPESCRIPT = next(one for one in LANGUAGES if one.name == "typescript-evaluate")
-# Sessions, and `evaluate`, when answers are lost and the server is killed.
-FAULTS = ("lost_answer", "restart", "stop_resume")
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    server = ReferenceServer(tmp_path_factory.mktemp("interop"))
-
-    def restart() -> str:
-        server.end(signal.SIGKILL)
-        server.start()
-        return server.url
-
-    yield Server(server.url, TOKENS["alice"], restart)
-    server.end(signal.SIGKILL)
 
 
 def program_printing(text: str, language: str = "python") -> Program:
@@ -219,6 +206,23 @@ def test_a_build_that_fails_is_a_failure(
     assert interop.Matrix().exit_code() == 2
 
 
+def test_what_is_built_is_not_built_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tests.interop.clients.CACHE", tmp_path / "cache")
+    log = tmp_path / "log"
+    step = (sys.executable, "-c", f"open({str(log)!r}, 'a').write('built ')")
+    language = replace(PYTHON, steps=(step,))
+    for _ in range(2):
+        language.build()
+    assert log.read_text() == "built "
+    copy = language.directory / "README.md"
+    copy.write_text("another")
+    language.build()
+    assert log.read_text() == "built built "
+    assert copy.read_text() != "another"
+
+
 def test_a_mirror_keeps_what_builds_left(tmp_path: Path) -> None:
     source, target = tmp_path / "source", tmp_path / "target"
     for file in (
@@ -298,27 +302,11 @@ def test_the_example_plays_to_the_end(server: Server) -> None:
 
 
 @pytest.fixture(scope="module")
-def typescript() -> Program:
-    """The package of clients/typescript, built where `make interop` builds it."""
-    if missing := TYPESCRIPT.missing():
-        need = f"{missing}: clients/typescript is tested with Node.js 20.3 or newer"
-        pytest.fail(need, pytrace=False)
-    TYPESCRIPT.build()
-    command = TYPESCRIPT.command(TYPESCRIPT.directory)
-    return Program(TYPESCRIPT.name, command, TYPESCRIPT.env())
-
-
-@pytest.mark.parametrize("name", FAULTS)
-def test_an_evaluation_in_typescript_survives(
-    name: str, server: Server, typescript: Program
-) -> None:
-    SCENARIOS[name](server, typescript)
-
-
-@pytest.fixture(scope="module")
 def faults(typescript: Program) -> dict[str, Any]:
     """What the package did at servers that are silent or answer wrongly."""
-    program = TYPESCRIPT.directory / "dist/clients/typescript/interop/faults.js"
+    program = (
+        PACKAGES["typescript"].directory / "dist/clients/typescript/interop/faults.js"
+    )
     return replace(typescript, command=["node", str(program)]).play("", "", "")
 
 
@@ -359,35 +347,6 @@ def test_typescript_checks_actions_with_a_vector_of_some_tasks(
     faults: dict[str, Any],
 ) -> None:
     assert faults["optional_vector"] == ["none"] * 2 + ["invalid_request"] * 5
-
-
-def play_typescript_example(*arguments: str) -> subprocess.CompletedProcess[str]:
-    example = TYPESCRIPT.directory / "dist/clients/typescript/example/evaluate.js"
-    return subprocess.run(
-        ["node", str(example), *arguments], capture_output=True, text=True, check=False
-    )
-
-
-@pytest.mark.usefixtures("typescript")
-def test_the_example_in_typescript_plays_and_continues(server: Server) -> None:
-    done = play_typescript_example(server.url, server.token)
-    assert done.stdout.splitlines()[-1] == "score 0.40625", done.stderr
-    run_id = done.stdout.split()[1].rstrip(":")
-    again = play_typescript_example(server.url, server.token, run_id)
-    assert again.stdout.splitlines()[-1] == "score 0.40625", again.stderr
-
-
-@pytest.mark.usefixtures("typescript")
-def test_errors_in_typescript_are_for_people(server: Server) -> None:
-    refused = play_typescript_example(server.url, "not-a-token")
-    assert refused.returncode == 1
-    assert "In this package: the option `token`. [unauthenticated]" in refused.stderr
-    assert "    at " not in refused.stderr, "a stack trace"
-    with socket.create_server(("127.0.0.1", 0)) as closed:
-        port = closed.getsockname()[1]
-    away = play_typescript_example(f"http://127.0.0.1:{port}", "token")
-    assert away.returncode == 1
-    assert f"is unreachable (connect ECONNREFUSED 127.0.0.1:{port})" in away.stderr
 
 
 def test_the_example_says_what_it_needs() -> None:

@@ -70,6 +70,14 @@ def test_a_patch_may_be_a_regular_expression(tmp_path: Path) -> None:
     assert (tmp_path / "a.go").read_text() == '"time"\n'
 
 
+def test_what_replaces_a_match_may_name_its_groups(tmp_path: Path) -> None:
+    (tmp_path / "a.ts").write_text("read(Run)\nread(Turn)\n")
+    patch = {"file": "*.ts", "pattern": r"read\((\w+)\)", "replace": r"check(\1)"}
+    literal = {"file": "*.ts", "find": "check(Turn)", "replace": r"check(\1)"}
+    generate.tidy(tmp_path, [], [patch, literal])
+    assert (tmp_path / "a.ts").read_text() == "check(Run)\ncheck(\\1)\n"
+
+
 def test_what_is_generated_refuses_no_member() -> None:
     closed = {"type": "object", "additionalProperties": False, "properties": {"a": {}}}
     opened = generate.with_open_messages({"schemas": [closed]})

@@ -3,44 +3,14 @@
  * The scenarios are those of tests/interop/scenarios.py, which judges; nothing is judged here.
  */
 #include <chrono>
-#include <cstring>
 #include <iostream>
-#include <limits>
 #include <set>
 
+#include "interop/seen.hpp"
 #include "proctor/evaluate.h"
 
-using namespace proctor;
-using nlohmann::json;
+using namespace interop;
 using Results = std::map<std::string, std::vector<EpisodeResult>>;
-
-static std::string const worker_0 = "worker-0";
-static std::vector<double> const numbers{-0.0, 0.1, 5e-324, std::numeric_limits<double>::max(), 9007199254740991.0, 1.0 / 3, -2.5e-8, 1e22};
-
-template <typename Bytes> std::string hex(Bytes const& bytes) {
-    static char const digits[] = "0123456789abcdef";
-    std::string text;
-    for (unsigned char byte : bytes) (text += digits[byte >> 4]) += digits[byte & 15];
-    return text;
-}
-
-static std::string bits(double value) {
-    std::uint64_t word;
-    std::memcpy(&word, &value, sizeof word);
-    std::string bytes;
-    for (int shift = 56; shift >= 0; shift -= 8) bytes += static_cast<char>(word >> shift & 255);
-    return hex(bytes);
-}
-
-template <typename Items, typename Function> json each(Items const& items, Function function) {
-    json made = json::array();
-    for (auto const& item : items) made.push_back(function(item));
-    return made;
-}
-
-template <typename T> json or_null(std::optional<T> const& value) {
-    return value ? json(*value) : json(nullptr);
-}
 
 /// One action of `calibration`, with some values of its own; its success is a score above one half.
 static Action act(double score, std::map<std::string, std::vector<double>> values = {}) {
@@ -54,44 +24,18 @@ static Act by_index(std::vector<double> const& scores) {
     return [scores](PolicyInput const& input) { return std::vector<Action>(2, act(scores.at(input.turn->episode->index))); };
 }
 
-static SubmitRun calibration(std::string const& task, std::size_t count, int max_steps) {
-    SubmitRun body;
-    body.benchmark_id = "calibration";
-    body.policy.name = "interop";
-    body.options = CalibrationOptions{std::vector<CalibrationTask>(count, task), max_steps};
-    return body;
-}
-
-static json indices(std::vector<EpisodeResult> const& results) {
-    return each(results, [](auto const& result) { return result.index; });
-}
-
 static json attempts(Results const& results) {
     return each(results.at(worker_0), [](auto const& result) { return result.attempt; });
-}
-
-static json counts(Turn const& turn) {
-    return each(turn.observations.value(), [](auto const& seen) { return seen.state.at("count").at(0); });
-}
-
-static json seen(Score const& score, json more) {
-    more["run_id"] = score.run_id;
-    more["score"] = or_null(score.score);
-    more["complete"] = score.complete;
-    return more;
 }
 
 template <typename Request> json problem_of(Request request) try {
     request();
     return {{"code", "accepted"}};
 } catch (Error const& error) {
-    auto const problem = error.problem.value_or(Problem());
-    return {
-        {"status", error.status}, {"code", error.code}, {"retryable", error.retryable},
-        {"side_effects", error.side_effects}, {"retry_after_s", error.retry_after_s},
-        {"pointers", each(problem.errors.value_or(std::vector<ProblemItem>()), [](auto const& item) { return item.pointer; })},
-        {"expected_seq", or_null(problem.expected_seq)}, {"ended_by", or_null(problem.ended_by)},
-    };
+    auto seen = refusal(error.problem.value_or(Problem()));
+    seen.update({{"status", error.status}, {"code", error.code}, {"retryable", error.retryable},
+                 {"side_effects", error.side_effects}, {"retry_after_s", error.retry_after_s}});
+    return seen;
 }
 
 /// One request, as an Error where it is refused.
@@ -139,21 +83,14 @@ static json two_workers(Scenario& s) {
     auto const score = evaluate(s.server, "calibration", policy, s.options(calibration("delay", 8, 4), results, 2));
     json played;
     for (auto const& [worker, list] : results) played[worker] = indices(list);
-    return seen(score, {{"played", played}});
+    return score_of(score, {{"played", played}});
 }
 
 static json chunks(Scenario& s) {
     auto const session = s.attach(s.control.submit(calibration("count", 1, 10)));
     std::vector<Turn> turns;
     for (int i = 0; i < 3; ++i) turns.push_back(session->predict(std::vector<Action>(4, act(0)), "all"));
-    return {
-        {"executed", each(turns, [](auto const& t) { return t.executed_steps; })},
-        {"counts", each(turns, counts)},
-        {"rewards", each(turns, [](auto const& t) { return t.rewards.size(); })},
-        {"stopped_early", each(turns, [](auto const& t) { return t.stopped_early; })},
-        {"truncated", each(turns, [](auto const& t) { return t.truncated; })},
-        {"done", session->turn().done}, {"steps", session->turn().episode_result->steps},
-    };
+    return chunks_of(turns);
 }
 
 static json echo(Scenario& s) {
@@ -195,7 +132,7 @@ static json with_a_pause(Scenario& s, double lease_s, std::function<void(std::st
         return std::vector<Action>(2, act(1));
     };
     auto const score = evaluate(s.server, "calibration", policy, options);
-    return seen(score, {{"sessions", sessions.size()}, {"attempt", results[worker_0].back().attempt}});
+    return score_of(score, {{"sessions", sessions.size()}, {"attempt", results[worker_0].back().attempt}});
 }
 
 /// Thinks until the lease is over; the gateway loses its heartbeats.
@@ -213,7 +150,7 @@ static json heartbeat(Scenario& s) {
 static json restart(Scenario& s) {
     Results results;
     auto const score = evaluate(s.server, "calibration", by_index({0.25, 0.5, 0.75, 1}), s.options(calibration("score", 4, 6), results));
-    return seen(score, {{"attempts", attempts(results)}});
+    return score_of(score, {{"attempts", attempts(results)}});
 }
 
 static json worker_limit(Scenario& s) {
@@ -227,7 +164,7 @@ static json worker_limit(Scenario& s) {
     session->detach();
     Results results;
     auto const score = resume_evaluation(s.server, run.run_id, by_index({1, 1, 1}), s.options({}, results, 2));
-    return seen(score, {{"problem", problem}});
+    return score_of(score, {{"problem", problem}});
 }
 
 static json stop_resume(Scenario& s) {
@@ -238,7 +175,7 @@ static json stop_resume(Scenario& s) {
     auto const problem = problem_of([&] { session->predict(std::vector<Action>(2, act(0.25))); });
     Results results;
     auto const score = resume_evaluation(s.server, run.run_id, by_index({0.5, 0.25, 1}), s.options({}, results));
-    return seen(score, {{"problem", problem}, {"stopped", stopped.state}, {"after", indices(results[worker_0])}});
+    return score_of(score, {{"problem", problem}, {"stopped", stopped.state}, {"after", indices(results[worker_0])}});
 }
 
 static json problems(Scenario& s) {
@@ -256,6 +193,14 @@ static json problems(Scenario& s) {
         problem_of([&] { session->predict({act(0, {{"vector", {1}}})}); }),
         problem_of([&] { call(s.server, [&] { return data.predict(run.run_id, worker_0, skipped); }); }),
     }}};
+}
+
+/// Every run that is listed is answered by what is no run.
+static json wrong_answers(Scenario& s) {
+    json errors;
+    for (auto const& run : call(s.server, [&] { return s.control.api().listRuns(); }).runs)
+        errors[run.run_id] = problem_of([&] { s.control.run(run.run_id); })["code"];
+    return {{"errors", errors}};
 }
 
 static json later_version(Scenario& s) {
@@ -277,22 +222,14 @@ static json later_version(Scenario& s) {
 static json score(Scenario& s) {
     Results results;
     auto const score = evaluate(s.server, "calibration", by_index({1, 0.5, 0.25, 0, 0.25}), s.options(calibration("score", 5, 2), results));
-    auto const episodes = s.control.episodes(score.run_id, 2);
-    json splits;
-    for (auto const& [name, group] : score.by_split) splits[name] = or_null(group.mean);
-    auto const interval = score.success_interval;
-    return {
-        {"run_id", score.run_id}, {"score", or_null(score.score)}, {"success_rate", or_null(score.success_rate)},
-        {"interval", {interval.low, interval.high}}, {"success", score.counts.success}, {"splits", splits},
-        {"episodes", each(episodes, [](auto const& e) { return json{e.index, e.result->score, or_null(e.result->seed)}; })},
-    };
+    return details_of(score, s.control.episodes(score.run_id, 2));
 }
 
 int main(int, char** arguments) try {
     std::map<std::string, json (*)(Scenario&)> const scenarios{
         {"submit", submit}, {"two_workers", two_workers}, {"chunks", chunks}, {"echo", echo}, {"lost_answer", lost_answer},
         {"lost_session", lost_session}, {"heartbeat", heartbeat}, {"restart", restart}, {"worker_limit", worker_limit},
-        {"stop_resume", stop_resume}, {"problems", problems}, {"score", score}, {"later_version", later_version}};
+        {"stop_resume", stop_resume}, {"problems", problems}, {"score", score}, {"wrong_answers", wrong_answers}, {"later_version", later_version}};
     Scenario scenario{{arguments[2], arguments[3]}};
     std::cout << scenarios.at(arguments[1])(scenario).dump() << std::endl;
     return 0;

@@ -200,12 +200,16 @@ Score play_to_score(ControlPlane& control, Evaluation& shared, std::vector<std::
     return control.score(shared.run.run_id);
 }
 
-/// Policies load before the run exists, so that one that fails leaves no run behind.
-std::vector<std::unique_ptr<Policy>> load(ControlPlane& control, MakePolicy const& make_policy, int workers) {
+/// The first request: a mistyped URL is an error after seconds.
+void check_workers(ControlPlane& control, int workers) {
     auto const allowed = control.service().limits.max_workers;
     if (workers < 1 || workers > allowed)
         throw Error("invalid_request", std::to_string(workers) + " workers requested; " + control.server().url + " allows 1 to " +
                                            std::to_string(allowed) + " per run.");
+}
+
+/// Policies load before the run exists, so that one that fails leaves no run behind.
+std::vector<std::unique_ptr<Policy>> load(MakePolicy const& make_policy, int workers) {
     std::vector<std::unique_ptr<Policy>> policies;
     for (int i = 0; i < workers; ++i) policies.push_back(make_policy());
     return policies;
@@ -222,9 +226,10 @@ Server below(Server const& server) {
 
 Score evaluate(Server const& server, std::string const& benchmark_id, MakePolicy const& make_policy, EvaluateOptions options) {
     ControlPlane control(server);
+    check_workers(control, options.workers);
     auto benchmark = control.benchmark(benchmark_id);
     if (benchmark.unavailable_reason) throw Error("benchmark_unavailable", *benchmark.unavailable_reason);
-    auto policies = load(control, make_policy, options.workers);
+    auto policies = load(make_policy, options.workers);
     options.submission.benchmark_id = benchmark_id;
     if (options.submission.policy.name.empty()) options.submission.policy.name = "policy";
     auto run = control.submit(options.submission);
@@ -234,8 +239,9 @@ Score evaluate(Server const& server, std::string const& benchmark_id, MakePolicy
 
 Score resume_evaluation(Server const& server, std::string const& run_id, MakePolicy const& make_policy, EvaluateOptions options) {
     ControlPlane control(server);
+    check_workers(control, options.workers);
     auto benchmark = control.benchmark(control.run(run_id).benchmark_id);
-    auto policies = load(control, make_policy, options.workers);
+    auto policies = load(make_policy, options.workers);
     auto run = control.resume_if_needed(run_id);
     Evaluation shared{below(control.server()), std::move(run), std::move(benchmark), std::move(options)};
     return play_to_score(control, shared, std::move(policies));

@@ -77,11 +77,15 @@ Error current_error(std::string const& url) {
     } catch (Refused const& refused) {
         return Error(refused.problem, refused.status, refused.retry_after_s);
     } catch (ConnectionError const& error) {
-        auto const detail = std::string("No answer came from ") + url + " (" + error.what() + "). Check the URL, and that the server runs.";
+        auto const detail = url + " is unreachable (" + error.what() + "). Check the URL, and that the server runs.";
         return Error("unreachable", detail, true, "possible");
-    } catch (nlohmann::json::exception const& error) {
-        auto const detail = url + " sent an invalid response (" + error.what() + "). Check that the URL is that of a Proctor server.";
+    } catch (InvalidAnswer const& error) {
+        auto const detail = url + " sent an invalid response (" + error.what() + "). Check that the URL is that of a Proctor server; " +
+                            "if it is, report this to its operator. The request may have been carried out; to repeat it as it was is safe.";
         return Error("bad_answer", detail, false, "possible");
+    } catch (nlohmann::json::exception const& error) { // only a text that is no UTF-8 cannot be written
+        auto const detail = std::string("The request cannot be written as JSON (") + error.what() + "). Correct its texts: they are UTF-8.";
+        return Error("invalid_request", detail);
     }
 }
 

@@ -11,7 +11,25 @@ import { ActionLayout, chunkOf } from "../src/actions";
 type Answer = (request: IncomingMessage, response: ServerResponse) => void;
 
 const LEASE_S = 3.1; // a third of it is no whole number of milliseconds
-const RUN = { run_id: "r", state: "completed", idle_timeout_s: LEASE_S };
+const NOW = "2026-03-01T12:00:00Z";
+const LEASE = { expires_at: NOW, idle_timeout_s: LEASE_S };
+const RUN = {
+  run_id: "r", state: "completed", reason: null, retryable: null, benchmark_id: "b", benchmark_version: "1",
+  manifest_sha256: "0", policy: { name: "p" }, max_workers: 8, idle_timeout_s: LEASE_S,
+  images: { codec: "raw", width: 1, height: 1 }, endpoint: "", queue_position: null, live_workers: 0,
+  progress: { episodes_total: 1, episodes_scored: 1, episodes_in_progress: 0, episodes_pending: 0 },
+  created_at: NOW, updated_at: NOW,
+};
+const TURN = {
+  session_id: "s", seq: 0, executed_steps: 0, stopped_early: false, rewards: [], terminated: false, truncated: false,
+  done: false, lease: LEASE, timing: { total_s: 0, queue_s: 0, simulate_s: 0, render_s: 0, encode_s: 0 },
+  episode: { episode_id: "e", index: 0, task: "t", instruction: "", attempt: 1, step: 0, max_steps: 1 },
+};
+const LIMITS = { max_body_bytes: 1, max_workers: 8, max_chunk: 1, idle_timeout_s_min: 1, idle_timeout_s_max: 9, wait_s_max: 1 };
+const SERVICE = {
+  name: "n", version: "1", protocol: { min: "1.0", max: "1.0" }, profiles: [], limits: LIMITS, encodings: [],
+  image_codecs: [], server_time: NOW,
+};
 const IMAGE = { codec: "jpeg", height: 1, width: 1, channels: 3 };
 const silent: Answer = () => {};
 
@@ -26,9 +44,8 @@ async function at(answer: Answer, retryTimeoutS = 10, signal?: AbortSignal): Pro
 
 /** A session whose attach is answered; `rest` answers all that follows. */
 function attach(rest: Answer): Promise<Session> {
-  const turn = { session_id: "s", seq: 0, lease: { idle_timeout_s: LEASE_S }, done: false, episode: { step: 0 } };
-  const answer: Answer = (request, response) => (request.method === "PUT" ? json(response, turn) : rest(request, response));
-  return at(answer).then((server) => Session.attach(server, { ...RUN, endpoint: server.retryPolicy.url } as protocol.Run, "w"));
+  const answer: Answer = (request, response) => (request.method === "PUT" ? json(response, TURN) : rest(request, response));
+  return at(answer).then((server) => Session.attach(server, { ...RUN, endpoint: server.retryPolicy.url } as unknown as protocol.Run, "w"));
 }
 
 /** How an action ended, in how many seconds. */
@@ -47,7 +64,7 @@ async function heartbeats(): Promise<number> {
   let count = 0;
   const session = await attach((_, response) => {
     count += 1;
-    json(response, { idle_timeout_s: LEASE_S });
+    json(response, LEASE);
   });
   await session.whileAlive(() => sleep(1500));
   return count;
@@ -66,7 +83,7 @@ async function workers(): Promise<{ errors: string[]; requests: number }> {
   let requests = 0;
   const { url } = (await at((_, response) => {
     requests += 1;
-    json(response, { limits: { max_workers: 8 } });
+    json(response, SERVICE);
   })).retryPolicy;
   const errors: string[] = [];
   for (const count of [0, -1, NaN, 2.5]) {

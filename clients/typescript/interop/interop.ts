@@ -192,6 +192,14 @@ class Scenario {
     };
   }
 
+  /** Every run that is listed is answered by what is no run. */
+  async wrong_answers(): Promise<Seen> {
+    const errors: Seen = {};
+    const { runs } = await this.server.call((init) => this.server.control.listRuns({}, init));
+    for (const { run_id } of runs) errors[run_id] = (await problemOf(this.server.run(run_id))).code;
+    return { errors };
+  }
+
   async later_version(): Promise<Seen> {
     const service = await this.server.service();
     const benchmark = await this.server.benchmark("calibration");
@@ -246,7 +254,7 @@ const scenarios: Record<string, () => Promise<Seen>> = {
   echo: () => scenario.echo(), lost_answer: () => scenario.lost_answer(), lost_session: () => scenario.lost_session(),
   heartbeat: () => scenario.heartbeat(), restart: () => scenario.restart(), worker_limit: () => scenario.worker_limit(),
   stop_resume: () => scenario.stop_resume(), problems: () => scenario.problems(), score: () => scenario.score(),
-  later_version: () => scenario.later_version(),
+  wrong_answers: () => scenario.wrong_answers(), later_version: () => scenario.later_version(),
 };
 scenarios[name]().then((seen) => console.log(JSON.stringify(seen)), (error) => {
   console.error(error);

@@ -4,7 +4,7 @@
  * the specification's schema Problem. Nothing is sent from here.
  */
 
-import { FetchError, ResponseError, type Problem, type Run } from "../../../generated_clients/typescript/src";
+import { FetchError, InvalidAnswer, ResponseError, type Problem, type Run } from "../../../generated_clients/typescript/src";
 
 /* What acts in a terminal, but for tab and line feed: control sequences, marks of direction. */
 const UNPRINTABLE = /[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g;
@@ -83,8 +83,10 @@ export async function fromFailure(failure: unknown, url: string): Promise<Procto
     const detail = `${url} is unreachable (${innermost(failure)}). Check the URL, and that the server runs.`;
     return new ProctorError("unreachable", detail, { retryable: true, sideEffects: "possible", cause: failure });
   }
-  if (failure instanceof SyntaxError || failure instanceof TypeError) {
-    const detail = `${url} sent an invalid response (${failure.message}). Check that the URL is that of a Proctor server.`;
+  if (failure instanceof InvalidAnswer || failure instanceof TypeError) {
+    const detail =
+      `${url} sent an invalid response (${failure.message}). Check that the URL is that of a Proctor server; ` +
+      "if it is, report this to its operator. The request may have been carried out; to repeat it as it was is safe.";
     return new ProctorError("bad_answer", detail, { sideEffects: "possible", cause: failure });
   }
   throw failure;

@@ -10,7 +10,7 @@ Comparison ControlApi::compareRuns(std::string const& baseline, std::string cons
     request.query_parameter("runs", runs);
     request.query_parameter("tolerance", tolerance);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Comparison>();
+    return m_connection->receive<Comparison>(request);
 }
 
 void ControlApi::deleteImport(std::string const& importId, std::optional<std::string> const& proctorVersion) {
@@ -24,7 +24,7 @@ RecordImport ControlApi::getImport(std::string const& importId, std::optional<st
     Request request{"GET", "/v1/records/{import_id}"};
     request.path_parameter("import_id", importId);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<RecordImport>();
+    return m_connection->receive<RecordImport>(request);
 }
 
 void ControlApi::deleteRun(std::string const& runId, std::optional<std::string> const& proctorVersion) {
@@ -40,13 +40,13 @@ Run ControlApi::getRun(std::string const& runId, std::optional<std::string> cons
     request.header("If-None-Match", ifNoneMatch);
     request.header("Prefer", prefer);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Run>();
+    return m_connection->receive<Run>(request);
 }
 
 Service ControlApi::describeService(std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1"};
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Service>();
+    return m_connection->receive<Service>(request);
 }
 
 BoardEntry ControlApi::flagEntry(std::string const& entryId, FlagEntry const& flagEntry, std::optional<std::string> const& proctorVersion) {
@@ -54,27 +54,27 @@ BoardEntry ControlApi::flagEntry(std::string const& entryId, FlagEntry const& fl
     request.path_parameter("entry_id", entryId);
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(flagEntry).dump();
-    return m_connection->send(request).get<BoardEntry>();
+    return m_connection->receive<BoardEntry>(request);
 }
 
 Benchmark ControlApi::getBenchmark(std::string const& benchmarkId, std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/benchmarks/{benchmark_id}"};
     request.path_parameter("benchmark_id", benchmarkId);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Benchmark>();
+    return m_connection->receive<Benchmark>(request);
 }
 
 Checkpoint ControlApi::getCheckpoint(std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/history/checkpoint"};
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Checkpoint>();
+    return m_connection->receive<Checkpoint>(request);
 }
 
 BoardEntry ControlApi::getEntry(std::string const& entryId, std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/entries/{entry_id}"};
     request.path_parameter("entry_id", entryId);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<BoardEntry>();
+    return m_connection->receive<BoardEntry>(request);
 }
 
 Ranking ControlApi::getRanking(std::string const& benchmarkId, std::optional<std::string> const& manifestSha256, std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
@@ -84,21 +84,21 @@ Ranking ControlApi::getRanking(std::string const& benchmarkId, std::optional<std
     request.query_parameter("cursor", cursor);
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Ranking>();
+    return m_connection->receive<Ranking>(request);
 }
 
 Score ControlApi::getScore(std::string const& runId, std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/runs/{run_id}/score"};
     request.path_parameter("run_id", runId);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Score>();
+    return m_connection->receive<Score>(request);
 }
 
 RecordImport ControlApi::importRecord(std::string const& body, std::optional<std::string> const& proctorVersion) {
     Request request{"POST", "/v1/records"};
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(body).dump();
-    return m_connection->send(request).get<RecordImport>();
+    return m_connection->receive<RecordImport>(request);
 }
 
 RecordImportList ControlApi::listImports(std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
@@ -106,13 +106,13 @@ RecordImportList ControlApi::listImports(std::optional<std::string> const& curso
     request.query_parameter("cursor", cursor);
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<RecordImportList>();
+    return m_connection->receive<RecordImportList>(request);
 }
 
 BenchmarkList ControlApi::listBenchmarks(std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/benchmarks"};
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<BenchmarkList>();
+    return m_connection->receive<BenchmarkList>(request);
 }
 
 BoardEntryList ControlApi::listEntries(std::optional<std::string> const& benchmarkId, std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
@@ -121,7 +121,7 @@ BoardEntryList ControlApi::listEntries(std::optional<std::string> const& benchma
     request.query_parameter("cursor", cursor);
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<BoardEntryList>();
+    return m_connection->receive<BoardEntryList>(request);
 }
 
 EpisodeList ControlApi::listEpisodes(std::string const& runId, std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
@@ -130,7 +130,7 @@ EpisodeList ControlApi::listEpisodes(std::string const& runId, std::optional<std
     request.query_parameter("cursor", cursor);
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<EpisodeList>();
+    return m_connection->receive<EpisodeList>(request);
 }
 
 HistoryPage ControlApi::listHistory(std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
@@ -138,13 +138,13 @@ HistoryPage ControlApi::listHistory(std::optional<std::string> const& cursor, st
     request.query_parameter("cursor", cursor);
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<HistoryPage>();
+    return m_connection->receive<HistoryPage>(request);
 }
 
 KeyList ControlApi::listKeys(std::optional<std::string> const& proctorVersion) {
     Request request{"GET", "/v1/keys"};
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<KeyList>();
+    return m_connection->receive<KeyList>(request);
 }
 
 RunList ControlApi::listRuns(std::optional<std::string> const& cursor, std::optional<std::int32_t> const& limit, std::optional<std::string> const& proctorVersion) {
@@ -152,7 +152,7 @@ RunList ControlApi::listRuns(std::optional<std::string> const& cursor, std::opti
     request.query_parameter("cursor", cursor);
     request.query_parameter("limit", limit);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<RunList>();
+    return m_connection->receive<RunList>(request);
 }
 
 Run ControlApi::submitRun(SubmitRun const& submitRun, std::optional<std::string> const& idempotencyKey, std::optional<std::string> const& proctorVersion) {
@@ -160,7 +160,7 @@ Run ControlApi::submitRun(SubmitRun const& submitRun, std::optional<std::string>
     request.header("Idempotency-Key", idempotencyKey);
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(submitRun).dump();
-    return m_connection->send(request).get<Run>();
+    return m_connection->receive<Run>(request);
 }
 
 ConsistencyProof ControlApi::proveConsistency(std::string const& oldSize, std::string const& newSize, std::optional<std::string> const& proctorVersion) {
@@ -168,7 +168,7 @@ ConsistencyProof ControlApi::proveConsistency(std::string const& oldSize, std::s
     request.query_parameter("old_size", oldSize);
     request.query_parameter("new_size", newSize);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<ConsistencyProof>();
+    return m_connection->receive<ConsistencyProof>(request);
 }
 
 InclusionProof ControlApi::proveInclusion(std::string const& leafIndex, std::string const& treeSize, std::optional<std::string> const& proctorVersion) {
@@ -176,7 +176,7 @@ InclusionProof ControlApi::proveInclusion(std::string const& leafIndex, std::str
     request.query_parameter("leaf_index", leafIndex);
     request.query_parameter("tree_size", treeSize);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<InclusionProof>();
+    return m_connection->receive<InclusionProof>(request);
 }
 
 BoardEntry ControlApi::publishEntry(std::string const& runId, PublishEntry const& publishEntry, std::optional<std::string> const& proctorVersion) {
@@ -184,21 +184,21 @@ BoardEntry ControlApi::publishEntry(std::string const& runId, PublishEntry const
     request.path_parameter("run_id", runId);
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(publishEntry).dump();
-    return m_connection->send(request).get<BoardEntry>();
+    return m_connection->receive<BoardEntry>(request);
 }
 
 BoardEntry ControlApi::withdrawEntry(std::string const& runId, std::optional<std::string> const& proctorVersion) {
     Request request{"DELETE", "/v1/runs/{run_id}/entry"};
     request.path_parameter("run_id", runId);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<BoardEntry>();
+    return m_connection->receive<BoardEntry>(request);
 }
 
 Run ControlApi::resumeRun(std::string const& runId, std::optional<std::string> const& proctorVersion) {
     Request request{"POST", "/v1/runs/{run_id}/resume"};
     request.path_parameter("run_id", runId);
     request.header("Proctor-Version", proctorVersion);
-    return m_connection->send(request).get<Run>();
+    return m_connection->receive<Run>(request);
 }
 
 Run ControlApi::stopRun(std::string const& runId, StopRun const& stopRun, std::optional<std::string> const& proctorVersion) {
@@ -206,7 +206,7 @@ Run ControlApi::stopRun(std::string const& runId, StopRun const& stopRun, std::o
     request.path_parameter("run_id", runId);
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(stopRun).dump();
-    return m_connection->send(request).get<Run>();
+    return m_connection->receive<Run>(request);
 }
 
 } // namespace proctor

@@ -10,7 +10,7 @@ Turn DataApi::attachWorker(std::string const& runId, std::string const& workerId
     request.path_parameter("worker_id", workerId);
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(attachWorker).dump();
-    return m_connection->send(request).get<Turn>();
+    return m_connection->receive<Turn>(request);
 }
 
 void DataApi::detachWorker(std::string const& runId, std::string const& workerId, std::string const& sessionId, std::optional<std::string> const& proctorVersion) {
@@ -28,7 +28,7 @@ Lease DataApi::heartbeat(std::string const& runId, std::string const& workerId, 
     request.path_parameter("worker_id", workerId);
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(heartbeat).dump();
-    return m_connection->send(request).get<Lease>();
+    return m_connection->receive<Lease>(request);
 }
 
 Turn DataApi::predict(std::string const& runId, std::string const& workerId, Predict const& predict, std::optional<std::string> const& proctorVersion) {
@@ -37,7 +37,7 @@ Turn DataApi::predict(std::string const& runId, std::string const& workerId, Pre
     request.path_parameter("worker_id", workerId);
     request.header("Proctor-Version", proctorVersion);
     request.body = nlohmann::json(predict).dump();
-    return m_connection->send(request).get<Turn>();
+    return m_connection->receive<Turn>(request);
 }
 
 } // namespace proctor

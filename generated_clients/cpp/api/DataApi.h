@@ -15,7 +15,8 @@
 
 namespace proctor {
 
-/// Each call throws Refused when the server refuses it, ConnectionError when no answer came.
+/// Each call throws Refused when the server refuses it, ConnectionError when no answer came, InvalidAnswer
+/// when what came is not the message expected.
 class DataApi {
 public:
     explicit DataApi(std::shared_ptr<Connection> connection) : m_connection(std::move(connection)) {}

@@ -2,7 +2,6 @@
  *
  * The scenarios are those of tools/interop.py, which judges; nothing is judged here.
  */
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <future>
@@ -11,21 +10,12 @@
 
 #include "../example/calibration.hpp"
 #include "../example/worker.hpp"
+#include "seen.hpp"
 
 using namespace worker;
-using nlohmann::json;
+using namespace interop;
 using Policy = std::function<std::vector<Action>(Turn const&)>;
 using Results = std::vector<EpisodeResult>;
-
-static std::string const worker_0 = "worker-0", worker_1 = "worker-1";
-static std::vector<double> const numbers{-0.0, 0.1, 5e-324, std::numeric_limits<double>::max(), 9007199254740991.0, 1.0 / 3, -2.5e-8, 1e22};
-
-static std::string hex(std::string const& bytes) {
-    static char const digits[] = "0123456789abcdef";
-    std::string text;
-    for (unsigned char byte : bytes) (text += digits[byte >> 4]) += digits[byte & 15];
-    return text;
-}
 
 /// Base64 as hexadecimal digits.
 static std::string unpacked(std::string const& text) {
@@ -41,62 +31,23 @@ static std::string unpacked(std::string const& text) {
     return hex(bytes);
 }
 
-static std::string bits(double value) {
-    std::uint64_t word;
-    std::memcpy(&word, &value, sizeof word);
-    std::string bytes;
-    for (int shift = 56; shift >= 0; shift -= 8) bytes += static_cast<char>(word >> shift & 255);
-    return hex(bytes);
-}
-
-template <typename Items, typename Function> json each(Items const& items, Function function) {
-    json made = json::array();
-    for (auto const& item : items) made.push_back(function(item));
-    return made;
-}
-
 static Action with(Action action, std::string const& name, std::vector<double> const& values) {
     action.values[name] = values;
     return action;
-}
-
-static SubmitRun calibration(std::string const& task, std::size_t count, int max_steps) {
-    SubmitRun body;
-    body.benchmark_id = "calibration";
-    body.policy.name = "interop";
-    body.options = CalibrationOptions{std::vector<CalibrationTask>(count, task), max_steps};
-    return body;
-}
-
-static std::vector<double> counts(Turn const& turn) {
-    std::vector<double> all;
-    for (auto const& seen : turn.observations.value()) all.push_back(seen.state.at("count").at(0));
-    return all;
-}
-
-static json indices(Results const& results) {
-    return each(results, [](auto const& result) { return result.index; });
 }
 
 static Policy by_index(std::vector<double> const& scores) {
     return [scores](Turn const& turn) { return std::vector<Action>(2, act(scores.at(turn.episode->index))); };
 }
 
-template <typename T> json or_null(std::optional<T> const& value) {
-    return value ? json(*value) : json(nullptr);
-}
-
 template <typename Request> json problem_of(Request request) try {
     request();
     return {{"code", "accepted"}};
 } catch (Refused const& refused) {
-    auto const& problem = refused.problem;
-    return {
-        {"status", refused.status}, {"code", problem.code}, {"retryable", problem.retryable},
-        {"side_effects", problem.side_effects}, {"retry_after_s", refused.retry_after_s},
-        {"pointers", each(problem.errors.value_or(std::vector<ProblemItem>()), [](auto const& item) { return item.pointer; })},
-        {"expected_seq", or_null(problem.expected_seq)}, {"ended_by", or_null(problem.ended_by)},
-    };
+    auto seen = refusal(refused.problem);
+    seen["status"] = refused.status;
+    seen["retry_after_s"] = refused.retry_after_s;
+    return seen;
 }
 
 /// One scenario's connection and the requests that all scenarios need.
@@ -134,12 +85,8 @@ struct Session {
         return {first, other.get()};
     }
 
-    json the_score(Run const& run, json more) {
-        auto const score = ask([&] { return control.getScore(run.run_id, version); });
-        more["run_id"] = run.run_id;
-        more["score"] = or_null(score.score);
-        more["complete"] = score.complete;
-        return more;
+    json the_score(Run const& run, json const& more) {
+        return score_of(ask([&] { return control.getScore(run.run_id, version); }), more);
     }
 };
 
@@ -172,14 +119,7 @@ static json chunks(Session& s) {
         turn = s.predict(run, turn, turn.seq + 1, std::vector<Action>(4, act(0)));
         turns.push_back(turn);
     }
-    return {
-        {"executed", each(turns, [](auto const& t) { return t.executed_steps; })},
-        {"counts", each(turns, counts)},
-        {"rewards", each(turns, [](auto const& t) { return t.rewards.size(); })},
-        {"stopped_early", each(turns, [](auto const& t) { return t.stopped_early; })},
-        {"truncated", each(turns, [](auto const& t) { return t.truncated; })},
-        {"done", turn.done}, {"steps", turn.episode_result->steps},
-    };
+    return chunks_of(turns);
 }
 
 static json echo(Session& s) {
@@ -200,10 +140,10 @@ static json echo(Session& s) {
 static json lost_answer(Session& s) {
     auto const run = s.submit(calibration("count", 1, 6));
     auto turn = s.attach(run);
-    std::vector<double> all;
+    json all = json::array();
     for (int i = 0; i < 2; ++i) {
         turn = s.predict(run, turn, turn.seq + 1, std::vector<Action>(3, act(0)));
-        for (double count : counts(turn)) all.push_back(count);
+        for (auto const& count : counts(turn)) all.push_back(count);
     }
     return {{"run_id", run.run_id}, {"counts", all}, {"done", turn.done}};
 }
@@ -270,6 +210,20 @@ static json problems(Session& s) {
     }}};
 }
 
+/// Every run that is listed is answered by what is no run.
+static json wrong_answers(Session& s) {
+    json errors;
+    for (auto const& run : ask([&] { return s.control.listRuns({}, {}, version); }).runs) {
+        try {
+            s.control.getRun(run.run_id, {}, {}, version);
+            errors[run.run_id] = "accepted";
+        } catch (InvalidAnswer const&) {
+            errors[run.run_id] = "bad_answer";
+        }
+    }
+    return {{"errors", errors}};
+}
+
 static json later_version(Session& s) {
     auto const service = ask([&] { return s.control.describeService(version); });
     auto const benchmark = ask([&] { return s.control.getBenchmark("calibration", version); });
@@ -289,23 +243,18 @@ static json score(Session& s) {
     auto const id = run.run_id;
     s.play(run, by_index({1, 0.5, 0.25, 0, 0.25}));
     auto const score = ask([&] { return s.control.getScore(id, version); });
-    json episodes = json::array();
+    std::vector<Episode> episodes;
     std::optional<std::string> cursor;
     int pages = 0;
     while (pages == 0 || cursor) {
         auto const page = ask([&] { return s.control.listEpisodes(id, cursor, 2, version); });
-        for (auto const& e : page.episodes) episodes.push_back({e.index, e.result->score, or_null(e.result->seed)});
+        episodes.insert(episodes.end(), page.episodes.begin(), page.episodes.end());
         cursor = page.next_cursor;
         ++pages;
     }
-    json splits;
-    for (auto const& [name, group] : score.by_split) splits[name] = or_null(group.mean);
-    auto const interval = score.success_interval;
-    return {
-        {"run_id", id}, {"score", or_null(score.score)}, {"success_rate", or_null(score.success_rate)},
-        {"interval", {interval.low, interval.high}}, {"success", score.counts.success},
-        {"splits", splits}, {"pages", pages}, {"episodes", episodes},
-    };
+    auto seen = details_of(score, episodes);
+    seen["pages"] = pages;
+    return seen;
 }
 
 template <typename Message> std::string again(std::string const& body) {
@@ -336,7 +285,7 @@ int main(int, char** arguments) try {
         {"submit", submit}, {"two_workers", two_workers}, {"chunks", chunks}, {"echo", echo},
         {"lost_answer", lost_answer}, {"lost_session", lost_session}, {"restart", restart},
         {"worker_limit", worker_limit}, {"stop_resume", stop_resume}, {"problems", problems}, {"score", score},
-        {"later_version", later_version}};
+        {"wrong_answers", wrong_answers}, {"later_version", later_version}};
     if (scenario == "vectors") {
         std::cout << vectors(url).dump() << std::endl;
         return 0;

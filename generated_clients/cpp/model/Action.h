@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct Action {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Action";
 
     std::map<std::string, std::vector<double>> values{}; // Name → vector, exactly the entries of the benchmark's action space.
 

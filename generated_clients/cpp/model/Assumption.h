@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct Assumption {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Assumption";
 
     std::optional<std::int32_t> size{};
     std::optional<std::string> unit{};

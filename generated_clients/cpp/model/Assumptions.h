@@ -12,7 +12,7 @@ namespace proctor {
 
 /// What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
 struct Assumptions {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Assumptions";
 
     std::optional<double> control_rate_hz{};
     std::optional<std::map<std::string, Assumption>> action{};

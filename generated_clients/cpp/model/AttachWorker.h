@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct AttachWorker {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "AttachWorker";
 
     std::string attach_key{}; // New for every attachment; repeated only to repeat a lost request.
     std::optional<bool> takeover{}; // Fence out a live session; false when absent.

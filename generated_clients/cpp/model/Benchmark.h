@@ -16,7 +16,7 @@ namespace proctor {
 
 /// Everything about a benchmark that can change a score.
 struct Benchmark {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Benchmark";
 
     std::string benchmark_id{};
     std::string version{};

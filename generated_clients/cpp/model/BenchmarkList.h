@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct BenchmarkList {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "BenchmarkList";
 
     std::vector<BenchmarkSummary> benchmarks{};
 

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct BenchmarkSummary {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "BenchmarkSummary";
 
     std::string benchmark_id{};
     std::string version{};

@@ -16,7 +16,7 @@ namespace proctor {
 
 
 struct BoardEntry {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "BoardEntry";
 
     std::string entry_id{};
     std::string run_id{};

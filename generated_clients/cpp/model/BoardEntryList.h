@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct BoardEntryList {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "BoardEntryList";
 
     std::vector<BoardEntry> entries{};
     std::optional<std::string> next_cursor{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 /// Only for the benchmark `calibration`, which the submitter shapes.
 struct CalibrationOptions {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "CalibrationOptions";
 
     std::optional<std::vector<CalibrationTask>> tasks{}; // One entry per episode, in order; one `score` episode when absent.
     std::optional<std::int32_t> max_steps{}; // 10 when absent.

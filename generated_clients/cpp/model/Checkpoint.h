@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct Checkpoint {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Checkpoint";
 
     std::int64_t tree_size{};
     std::string root_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.

@@ -13,7 +13,7 @@ namespace proctor {
 
 /// One run beside the baseline. A pair is an episode that both have scored.
 struct ComparedRun {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ComparedRun";
 
     std::string run_id{};
     bool complete{}; // Both runs have scored every episode.

@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct ComparedTask {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ComparedTask";
 
     std::int32_t paired{};
     std::optional<double> baseline_mean{};

@@ -13,7 +13,7 @@ namespace proctor {
 
 /// See scoring.md for every number here.
 struct Comparison {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Comparison";
 
     std::string baseline{}; // Id of the run that the others are compared with.
     std::string benchmark_id{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct ConsistencyProof {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ConsistencyProof";
 
     std::int64_t old_size{};
     std::int64_t new_size{};

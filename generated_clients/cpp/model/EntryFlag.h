@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct EntryFlag {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "EntryFlag";
 
     std::string reason{};
     std::string flagged_at{};

@@ -14,7 +14,7 @@ namespace proctor {
 
 /// Of the `get_score` of the run.
 struct EntryScore {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "EntryScore";
 
     double score{};
     double success_rate{};

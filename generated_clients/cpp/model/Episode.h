@@ -14,7 +14,7 @@ namespace proctor {
 
 
 struct Episode {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Episode";
 
     std::string episode_id{};
     std::int32_t index{};

@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct EpisodeList {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "EpisodeList";
 
     std::vector<Episode> episodes{};
     std::optional<std::string> next_cursor{};

@@ -14,7 +14,7 @@ namespace proctor {
 
 
 struct EpisodeResult {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "EpisodeResult";
 
     std::string episode_id{};
     std::int32_t index{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 /// The part of a benchmark that is played, all of it where a member is absent; for the profile `subsets`.
 struct EpisodeSelection {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "EpisodeSelection";
 
     std::optional<std::vector<std::string>> tasks{};
     std::optional<std::vector<std::string>> splits{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 /// The episode that the observation belongs to.
 struct EpisodeView {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "EpisodeView";
 
     std::string episode_id{};
     std::int32_t index{}; // Position in the manifest.

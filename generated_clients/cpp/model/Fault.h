@@ -12,7 +12,7 @@ namespace proctor {
 
 /// The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
 struct Fault {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Fault";
 
     std::string episode_id{};
     std::int32_t faults{}; // Faults of this episode so far.

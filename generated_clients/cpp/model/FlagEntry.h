@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct FlagEntry {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "FlagEntry";
 
     bool flagged{}; // False takes the flag back.
     std::string reason{}; // Shown with the entry.

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct GroupScore {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "GroupScore";
 
     OutcomeCounts counts{};
     std::optional<double> mean{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct Heartbeat {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Heartbeat";
 
     std::string session_id{};
 

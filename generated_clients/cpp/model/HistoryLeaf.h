@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct HistoryLeaf {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "HistoryLeaf";
 
     std::int64_t index{};
     std::string leaf{}; // A JSON text, whose UTF-8 is what the tree has; board.md has its members.

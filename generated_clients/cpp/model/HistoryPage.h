@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct HistoryPage {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "HistoryPage";
 
     std::vector<HistoryLeaf> leaves{};
     std::optional<std::string> next_cursor{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 /// RGB or grey, row 0 on top; raw is height × width × channels bytes.
 struct Image {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Image";
 
     std::string codec{};
     std::int32_t width{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 /// Recorded with the result, because it changes the score.
 struct ImageChoice {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ImageChoice";
 
     std::string codec{};
     std::int32_t width{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct ImageSize {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ImageSize";
 
     std::int32_t width{};
     std::int32_t height{};

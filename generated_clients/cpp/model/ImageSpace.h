@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct ImageSpace {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ImageSpace";
 
     std::int32_t channels{};
     std::string description{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct ImportedPolicy {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ImportedPolicy";
 
     std::string name{};
     std::optional<std::string> version{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct InclusionProof {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "InclusionProof";
 
     std::int64_t leaf_index{};
     std::int64_t tree_size{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 /// 95 % interval.
 struct Interval {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Interval";
 
     double low{};
     double high{};

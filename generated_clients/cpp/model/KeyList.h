@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct KeyList {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "KeyList";
 
     std::vector<PublicKey> keys{};
 

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct Lease {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Lease";
 
     std::string expires_at{};
     double idle_timeout_s{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct Limits {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Limits";
 
     std::int64_t max_body_bytes{}; // Longest request body that is read.
     std::int32_t max_workers{}; // Most live workers a run may ask for.

@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct Observation {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Observation";
 
     std::map<std::string, std::vector<double>> state{};
     std::map<std::string, Image> images{};

@@ -14,7 +14,7 @@ namespace proctor {
 
 
 struct ObservationSpace {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ObservationSpace";
 
     std::map<std::string, VectorSpace> state{};
     std::map<std::string, ImageSpace> images{};

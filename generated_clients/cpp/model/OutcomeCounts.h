@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct OutcomeCounts {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "OutcomeCounts";
 
     std::int32_t total{};
     std::int32_t success{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 /// Who plays, by its own words; for the profile `attribution`.
 struct Player {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Player";
 
     std::string name{}; // Of the policy, as in `policy` of the run.
     std::optional<std::string> version{}; // Of the policy.

@@ -12,7 +12,7 @@ namespace proctor {
 
 /// The `player` of an `attach_worker`.
 struct PlayerView {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PlayerView";
 
     std::string name{};
     std::optional<std::string> version{};

@@ -14,7 +14,7 @@ namespace proctor {
 
 /// What a policy server says of itself; see policy.yaml.
 struct PolicyDescription {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PolicyDescription";
 
     std::string name{};
     std::optional<std::string> version{};

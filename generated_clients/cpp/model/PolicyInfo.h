@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct PolicyInfo {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PolicyInfo";
 
     std::string name{};
     std::optional<std::string> version{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 /// The policy is ready for this attempt and no other.
 struct PolicyReset {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PolicyReset";
 
     std::string session_id{};
     std::string episode_id{};

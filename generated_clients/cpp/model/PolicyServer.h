@@ -13,7 +13,7 @@ namespace proctor {
 
 /// Where the server finds the policy of a run with mode `push`, and how it calls it.
 struct PolicyServer {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PolicyServer";
 
     std::string url{}; // Base URL, without user, query or fragment; the path of an operation is appended to it.
     PolicyProtocol protocol{};

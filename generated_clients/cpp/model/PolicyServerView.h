@@ -12,7 +12,7 @@ namespace proctor {
 
 /// The policy server of a run with mode `push`, with what was left open filled in, and without its key.
 struct PolicyServerView {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PolicyServerView";
 
     std::string url{};
     std::string protocol{}; // A `PolicyProtocol`, or one of a later version.

@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct Predict {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Predict";
 
     std::string session_id{};
     std::int64_t seq{};

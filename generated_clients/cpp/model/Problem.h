@@ -15,7 +15,7 @@ namespace proctor {
 
 /// RFC 9457, with what a client needs to decide on a retry.
 struct Problem {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Problem";
 
     std::string type{};
     std::string title{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct ProblemItem {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ProblemItem";
 
     std::string pointer{}; // JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record.
     std::string detail{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct Progress {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Progress";
 
     std::int32_t episodes_total{};
     std::int32_t episodes_scored{}; // Abandoned ones included.

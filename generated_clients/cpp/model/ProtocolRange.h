@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct ProtocolRange {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ProtocolRange";
 
     std::string min{};
     std::string max{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct PublicKey {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PublicKey";
 
     std::string keyid{}; // `SHA256:` and the SHA-256 of the key in hexadecimal digits.
     std::string algorithm{}; // `ed25519`, or another one of a later version.

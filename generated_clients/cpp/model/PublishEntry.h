@@ -11,7 +11,7 @@ namespace proctor {
 
 /// What an entry says of itself; a member that is absent is not shown.
 struct PublishEntry {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "PublishEntry";
 
     std::string model_name{};
     bool is_public{}; // Whether others see the entry, and whether it has a rank.

@@ -11,7 +11,7 @@ namespace proctor {
 
 /// The ranks that an entry may have; absent for an entry that is flagged.
 struct RankInterval {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "RankInterval";
 
     std::int32_t low{}; // The best one.
     std::int32_t high{}; // The worst one.

@@ -14,7 +14,7 @@ namespace proctor {
 
 
 struct RankedEntry {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "RankedEntry";
 
     BoardEntry entry{};
     std::optional<RankInterval> rank{};

@@ -13,7 +13,7 @@ namespace proctor {
 
 /// See board.md for every number here.
 struct Ranking {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Ranking";
 
     std::string benchmark_id{};
     std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.

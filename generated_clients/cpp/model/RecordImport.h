@@ -14,7 +14,7 @@ namespace proctor {
 
 /// A record that was handed in, and what is known of it here.
 struct RecordImport {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "RecordImport";
 
     std::string import_id{};
     std::string state{}; // `waiting` for simulators, `replaying`, or `finished`.

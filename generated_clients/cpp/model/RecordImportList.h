@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct RecordImportList {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "RecordImportList";
 
     std::vector<RecordImport> imports{};
     std::optional<std::string> next_cursor{};

@@ -13,7 +13,7 @@ namespace proctor {
 
 /// As in a verdict (record.md); absent before the end of the replay, and where there is none.
 struct RecordReplay {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "RecordReplay";
 
     std::string result{}; // `exact`, `outcome` or `diverged`.
     std::int32_t episodes{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 /// The first state that was another one; absent where every state was met.
 struct ReplayDivergence {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ReplayDivergence";
 
     std::int32_t episode_index{};
     std::int64_t attempt{};

@@ -14,7 +14,7 @@ namespace proctor {
 
 /// An attempt begins; whatever the policy remembers of this session is over.
 struct ResetPolicy {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "ResetPolicy";
 
     std::string session_id{};
     std::optional<std::string> run_id{};

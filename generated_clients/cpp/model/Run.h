@@ -18,7 +18,7 @@ namespace proctor {
 
 
 struct Run {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Run";
 
     std::string run_id{};
     RunState state{};

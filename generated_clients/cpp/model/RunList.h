@@ -13,7 +13,7 @@ namespace proctor {
 
 
 struct RunList {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "RunList";
 
     std::vector<Run> runs{};
     std::optional<std::string> next_cursor{};

@@ -17,7 +17,7 @@ namespace proctor {
 
 /// See scoring.md for every number here.
 struct Score {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Score";
 
     std::string run_id{};
     std::string benchmark_id{};

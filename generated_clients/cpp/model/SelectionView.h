@@ -12,7 +12,7 @@ namespace proctor {
 
 /// The `select` of a run, as it was submitted.
 struct SelectionView {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "SelectionView";
 
     std::optional<std::vector<std::string>> tasks{};
     std::optional<std::vector<std::string>> splits{};

@@ -14,7 +14,7 @@ namespace proctor {
 
 /// What a server says of itself before anyone authenticates.
 struct Service {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Service";
 
     std::string name{};
     std::string version{}; // Version of the server software.

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct SimulatorInfo {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "SimulatorInfo";
 
     std::string name{};
     std::string version{};

@@ -11,7 +11,7 @@ namespace proctor {
 
 
 struct StopRun {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "StopRun";
 
     std::optional<StopMode> mode{};
 

@@ -17,7 +17,7 @@ namespace proctor {
 
 
 struct SubmitRun {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "SubmitRun";
 
     std::string benchmark_id{};
     PolicyInfo policy{};

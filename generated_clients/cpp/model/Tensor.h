@@ -12,7 +12,7 @@ namespace proctor {
 
 /// C order, little-endian; a bool is one byte, 0 or 1.
 struct Tensor {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Tensor";
 
     std::string dtype{};
     std::vector<std::int64_t> shape{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 
 struct TensorSpace {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "TensorSpace";
 
     std::string dtype{};
     std::vector<std::int32_t> shape{};

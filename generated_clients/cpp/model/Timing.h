@@ -11,7 +11,7 @@ namespace proctor {
 
 /// Server time of this turn, in seconds.
 struct Timing {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Timing";
 
     double total_s{};
     double queue_s{};

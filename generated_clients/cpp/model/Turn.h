@@ -18,7 +18,7 @@ namespace proctor {
 
 /// The answer to attach (seq 0) and to predict.
 struct Turn {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "Turn";
 
     std::string session_id{};
     std::int64_t seq{};

@@ -12,7 +12,7 @@ namespace proctor {
 
 /// One named vector of numbers, with every convention a policy could get wrong.
 struct VectorSpace {
-    using IsMessage = void;
+    static constexpr char const* schema_name = "VectorSpace";
 
     std::int32_t size{};
     std::string unit{}; // `rad`, `m`, `1`, or several joined by commas.

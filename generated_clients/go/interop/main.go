@@ -257,6 +257,23 @@ var scenarios = map[string]func(*Server, string) seen{
 			problemOf(chunk(s, run, turn, 7, Act(0)).Execute),
 		}}
 	},
+	// Every run that is listed is answered by what is no run.
+	"wrong_answers": func(s *Server, _ string) seen {
+		found := seen{}
+		for _, run := range ask(s.Control.ListRuns(s.Context).Execute).Runs {
+			_, _, err := s.Control.GetRun(s.Context, run.RunId).Execute()
+			var invalid *proctor.GenericOpenAPIError
+			switch {
+			case err == nil:
+				found[run.RunId] = "accepted"
+			case errors.As(err, &invalid):
+				found[run.RunId] = "bad_answer"
+			default:
+				must(0, err)
+			}
+		}
+		return seen{"errors": found}
+	},
 	"later_version": func(s *Server, _ string) seen {
 		service := ask(s.Control.DescribeService(s.Context).Execute)
 		benchmark := ask(s.Control.GetBenchmark(s.Context, "calibration").Execute)

@@ -19,6 +19,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import proctor.client.ApiException;
 import proctor.client.api.DataApi;
 import proctor.client.model.*;
 
@@ -273,6 +274,20 @@ public final class Interop {
                 problemOf(() -> predict(run, turn, 7, List.of(Worker.act(0))))));
     }
 
+    /** Every run that is listed is answered by what is no run. */
+    Object wrongAnswers() throws Exception {
+        Map<String, Object> errors = new TreeMap<>();
+        for (Run run : Worker.ask(() -> server.control.listRuns(null, null, null)).getRuns()) {
+            try {
+                server.control.getRun(run.getRunId(), null, null, null);
+                errors.put(run.getRunId(), "accepted");
+            } catch (ApiException error) {
+                errors.put(run.getRunId(), error.getCode() == 200 ? "bad_answer" : "refused");
+            }
+        }
+        return seen("errors", errors);
+    }
+
     Object laterVersion() throws Exception {
         Service service = Worker.ask(() -> server.control.describeService(null));
         Benchmark benchmark = Worker.ask(() -> server.control.getBenchmark("calibration", null));
@@ -349,6 +364,7 @@ public final class Interop {
             case "worker_limit": return workerLimit();
             case "stop_resume": return stopResume();
             case "problems": return problems();
+            case "wrong_answers": return wrongAnswers();
             case "later_version": return laterVersion();
             case "score": return score();
             case "vectors": return vectors(url);

@@ -196,6 +196,16 @@ private class Scenarios(private val url: String, token: String) {
         )
     }
 
+    /** Every run that is listed is answered by what is no run. */
+    fun wrongAnswers(): Seen = mapOf("errors" to ask { control.listRuns() }.runs.associate { run ->
+        run.runId to try {
+            control.getRun(run.runId)
+            "accepted"
+        } catch (_: InvalidAnswer) {
+            "bad_answer"
+        }
+    })
+
     fun laterVersion(): Seen {
         val service = ask { control.describeService() }
         val benchmark = ask { control.getBenchmark("calibration") }
@@ -269,6 +279,7 @@ private fun scenario(name: String, on: Scenarios): Seen = when (name) {
     "worker_limit" -> on.workerLimit()
     "stop_resume" -> on.stopResume()
     "problems" -> on.problems()
+    "wrong_answers" -> on.wrongAnswers()
     "later_version" -> on.laterVersion()
     "score" -> on.score()
     "vectors" -> on.vectors()

@@ -215,6 +215,18 @@ def scenario_score(server: Server, url: str) -> dict[str, Any]:
     }
 
 
+def scenario_wrong_answers(server: Server, url: str) -> dict[str, Any]:
+    """Every run that is listed is answered by what is no run."""
+    errors = {}
+    for run in server.ask(lambda: server.control.list_runs()).runs:
+        try:
+            server.control.get_run(run.run_id)
+            errors[run.run_id] = "accepted"
+        except pc.ApiException as error:
+            errors[run.run_id] = "refused" if error.status else "bad_answer"
+    return {"errors": errors}
+
+
 def scenario_later_version(server: Server, url: str) -> dict[str, Any]:
     service = server.ask(server.control.describe_service)
     benchmark = server.ask(lambda: server.control.get_benchmark("calibration"))

@@ -278,6 +278,20 @@ async fn problems(control: &Configuration) -> Seen {
     ]}))
 }
 
+/// Every run that is listed is answered by what is no run.
+async fn wrong_answers(control: &Configuration) -> Seen {
+    let mut errors = serde_json::Map::new();
+    for run in ask(|| control_api::list_runs(control, None, None, None)).await?.runs {
+        let error = match control_api::get_run(control, &run.run_id, None, None, None).await {
+            Ok(_) => "accepted",
+            Err(Error::Serde(_)) => "bad_answer",
+            Err(other) => return Err(Failure::from(other)),
+        };
+        errors.insert(run.run_id, json!(error));
+    }
+    Ok(json!({ "errors": errors }))
+}
+
 async fn later_version(control: &Configuration) -> Seen {
     let service = ask(|| control_api::describe_service(control, None)).await?;
     let benchmark = ask(|| control_api::get_benchmark(control, "calibration", None)).await?;
@@ -363,6 +377,7 @@ async fn main() {
         "worker_limit" => worker_limit(control).await,
         "stop_resume" => stop_resume(control).await,
         "problems" => problems(control).await,
+        "wrong_answers" => wrong_answers(control).await,
         "later_version" => later_version(control).await,
         "score" => score(control).await,
         "vectors" => Ok(vectors(url)),

@@ -8,7 +8,7 @@
 
 import { randomUUID } from "node:crypto";
 import {
-  Configuration, ControlApi, DataApi, FetchError, ResponseError,
+  Configuration, ControlApi, DataApi, FetchError, InvalidAnswer, ResponseError,
   type Action, type EpisodeResult, type Problem, type Run, type Turn,
 } from "../src";
 
@@ -53,7 +53,7 @@ export class Server {
         const wait = error.response.headers.get("Retry-After");
         throw new Refused(error.response.status, problem, wait ? Number(wait) : null);
       }
-      if (error instanceof FetchError || error instanceof TypeError) throw new Lost(String(error.cause ?? error));
+      if (error instanceof FetchError || error instanceof InvalidAnswer || error instanceof TypeError) throw new Lost(String(error.cause ?? error));
       throw error;
     }
   }

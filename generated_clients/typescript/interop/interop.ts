@@ -194,6 +194,18 @@ const scenarios: Record<string, (server: Server, url: string) => Promise<Seen>> 
     };
   },
 
+  /** Every run that is listed is answered by what is no run. */
+  async wrong_answers(server) {
+    const errors: Seen = {};
+    for (const { run_id: runId } of (await server.ask(() => server.control.listRuns())).runs) {
+      errors[runId] = await server.control.getRun({ runId }).then(() => "accepted", (error) => {
+        if (error instanceof api.InvalidAnswer) return "bad_answer";
+        throw error;
+      });
+    }
+    return { errors };
+  },
+
   async later_version(server) {
     const service = await server.ask(() => server.control.describeService());
     const benchmark = await server.ask(() => server.control.getBenchmark({ benchmarkId: "calibration" }));

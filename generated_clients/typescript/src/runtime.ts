@@ -4,6 +4,8 @@
  * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
  */
 
+import { valueOf } from './shapes';
+
 export const BASE_PATH = "http://127.0.0.1:8460".replace(/\/+$/, "");
 
 export interface ConfigurationParameters {
@@ -468,7 +470,7 @@ export class JSONApiResponse<T> {
     constructor(public raw: Response, private transformer: ResponseTransformer<T> = (jsonValue: any) => jsonValue) {}
 
     async value(): Promise<T> {
-        return this.transformer(await this.raw.json());
+        return this.transformer(valueOf(await this.raw.text()));
     }
 }
 

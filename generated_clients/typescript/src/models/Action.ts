@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -33,6 +34,7 @@ export function ActionFromJSONTyped(json: any, ignoreDiscriminator: boolean): Ac
     if (json == null) {
         return json;
     }
+    checkMembers('Action', json);
     return {
 
         'values': json['values'],

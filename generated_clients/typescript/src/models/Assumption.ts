@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -52,6 +53,7 @@ export function AssumptionFromJSONTyped(json: any, ignoreDiscriminator: boolean)
     if (json == null) {
         return json;
     }
+    checkMembers('Assumption', json);
     return {
 
         'size': json['size'] == null ? undefined : json['size'],

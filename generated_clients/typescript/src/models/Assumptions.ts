@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Assumption } from './Assumption';
 import {
     AssumptionFromJSON,
@@ -48,6 +49,7 @@ export function AssumptionsFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('Assumptions', json);
     return {
 
         'control_rate_hz': json['control_rate_hz'] == null ? undefined : json['control_rate_hz'],

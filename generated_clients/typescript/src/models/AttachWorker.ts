@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Player } from './Player';
 import {
     PlayerFromJSON,
@@ -60,6 +61,7 @@ export function AttachWorkerFromJSONTyped(json: any, ignoreDiscriminator: boolea
     if (json == null) {
         return json;
     }
+    checkMembers('AttachWorker', json);
     return {
 
         'attach_key': json['attach_key'],

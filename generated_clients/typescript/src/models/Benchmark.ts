@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { ObservationSpace } from './ObservationSpace';
 import {
     ObservationSpaceFromJSON,
@@ -166,6 +167,7 @@ export function BenchmarkFromJSONTyped(json: any, ignoreDiscriminator: boolean):
     if (json == null) {
         return json;
     }
+    checkMembers('Benchmark', json);
     return {
 
             ...json,

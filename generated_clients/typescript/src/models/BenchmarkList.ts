@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { BenchmarkSummary } from './BenchmarkSummary';
 import {
     BenchmarkSummaryFromJSON,
@@ -42,6 +43,7 @@ export function BenchmarkListFromJSONTyped(json: any, ignoreDiscriminator: boole
     if (json == null) {
         return json;
     }
+    checkMembers('BenchmarkList', json);
     return {
 
             ...json,

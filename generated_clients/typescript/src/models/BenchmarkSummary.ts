@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -54,6 +55,7 @@ export function BenchmarkSummaryFromJSONTyped(json: any, ignoreDiscriminator: bo
     if (json == null) {
         return json;
     }
+    checkMembers('BenchmarkSummary', json);
     return {
 
             ...json,

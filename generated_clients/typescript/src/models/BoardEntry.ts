@@ -5,6 +5,7 @@
  */
 
 import { mapValues, parseDate, parseDateTime, serializeDate, serializeDateTime } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { SelectionView } from './SelectionView';
 import {
     SelectionViewFromJSON,
@@ -161,6 +162,7 @@ export function BoardEntryFromJSONTyped(json: any, ignoreDiscriminator: boolean)
     if (json == null) {
         return json;
     }
+    checkMembers('BoardEntry', json);
     return {
 
             ...json,

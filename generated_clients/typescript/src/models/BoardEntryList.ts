@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { BoardEntry } from './BoardEntry';
 import {
     BoardEntryFromJSON,
@@ -47,6 +48,7 @@ export function BoardEntryListFromJSONTyped(json: any, ignoreDiscriminator: bool
     if (json == null) {
         return json;
     }
+    checkMembers('BoardEntryList', json);
     return {
 
             ...json,

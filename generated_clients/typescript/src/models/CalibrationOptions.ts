@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { CalibrationTask } from './CalibrationTask';
 import {
     CalibrationTaskFromJSON,
@@ -73,6 +74,7 @@ export function CalibrationOptionsFromJSONTyped(json: any, ignoreDiscriminator: 
     if (json == null) {
         return json;
     }
+    checkMembers('CalibrationOptions', json);
     return {
 
         'tasks': json['tasks'] == null ? undefined : ((json['tasks'] as Array<any>).map(CalibrationTaskFromJSON)),

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { ComparedTask } from './ComparedTask';
 import {
     ComparedTaskFromJSON,
@@ -97,6 +98,7 @@ export function ComparedRunFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('ComparedRun', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -49,6 +50,7 @@ export function ComparedTaskFromJSONTyped(json: any, ignoreDiscriminator: boolea
     if (json == null) {
         return json;
     }
+    checkMembers('ComparedTask', json);
     return {
 
             ...json,

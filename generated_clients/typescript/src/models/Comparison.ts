@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { ComparedRun } from './ComparedRun';
 import {
     ComparedRunFromJSON,
@@ -62,6 +63,7 @@ export function ComparisonFromJSONTyped(json: any, ignoreDiscriminator: boolean)
     if (json == null) {
         return json;
     }
+    checkMembers('Comparison', json);
     return {
 
             ...json,

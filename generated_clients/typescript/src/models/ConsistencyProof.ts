@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -44,6 +45,7 @@ export function ConsistencyProofFromJSONTyped(json: any, ignoreDiscriminator: bo
     if (json == null) {
         return json;
     }
+    checkMembers('ConsistencyProof', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues, parseDate, parseDateTime, serializeDate, serializeDateTime } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -39,6 +40,7 @@ export function EntryFlagFromJSONTyped(json: any, ignoreDiscriminator: boolean):
     if (json == null) {
         return json;
     }
+    checkMembers('EntryFlag', json);
     return {
 
             ...json,

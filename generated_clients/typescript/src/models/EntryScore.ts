@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { GroupScore } from './GroupScore';
 import {
     GroupScoreFromJSON,
@@ -84,6 +85,7 @@ export function EntryScoreFromJSONTyped(json: any, ignoreDiscriminator: boolean)
     if (json == null) {
         return json;
     }
+    checkMembers('EntryScore', json);
     return {
 
             ...json,

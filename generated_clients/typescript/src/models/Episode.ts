@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { EpisodeStatus } from './EpisodeStatus';
 import {
     EpisodeStatusFromJSON,
@@ -89,6 +90,7 @@ export function EpisodeFromJSONTyped(json: any, ignoreDiscriminator: boolean): E
     if (json == null) {
         return json;
     }
+    checkMembers('Episode', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Episode } from './Episode';
 import {
     EpisodeFromJSON,
@@ -47,6 +48,7 @@ export function EpisodeListFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('EpisodeList', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues, parseDate, parseDateTime, serializeDate, serializeDateTime } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Outcome } from './Outcome';
 import {
     OutcomeFromJSON,
@@ -127,6 +128,7 @@ export function EpisodeResultFromJSONTyped(json: any, ignoreDiscriminator: boole
     if (json == null) {
         return json;
     }
+    checkMembers('EpisodeResult', json);
     return {
 
             ...json,

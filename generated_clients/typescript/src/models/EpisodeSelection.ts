@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The part of a benchmark that is played, all of it where a member is absent; for the profile `subsets`.
  * @export
@@ -36,6 +37,7 @@ export function EpisodeSelectionFromJSONTyped(json: any, ignoreDiscriminator: bo
     if (json == null) {
         return json;
     }
+    checkMembers('EpisodeSelection', json);
     return {
 
         'tasks': json['tasks'] == null ? undefined : json['tasks'],

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The episode that the observation belongs to.
  * @export
@@ -64,6 +65,7 @@ export function EpisodeViewFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('EpisodeView', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
  * @export
@@ -44,6 +45,7 @@ export function FaultFromJSONTyped(json: any, ignoreDiscriminator: boolean): Fau
     if (json == null) {
         return json;
     }
+    checkMembers('Fault', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -38,6 +39,7 @@ export function FlagEntryFromJSONTyped(json: any, ignoreDiscriminator: boolean):
     if (json == null) {
         return json;
     }
+    checkMembers('FlagEntry', json);
     return {
 
         'flagged': json['flagged'],

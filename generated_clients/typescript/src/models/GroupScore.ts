@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { OutcomeCounts } from './OutcomeCounts';
 import {
     OutcomeCountsFromJSON,
@@ -52,6 +53,7 @@ export function GroupScoreFromJSONTyped(json: any, ignoreDiscriminator: boolean)
     if (json == null) {
         return json;
     }
+    checkMembers('GroupScore', json);
     return {
 
             ...json,

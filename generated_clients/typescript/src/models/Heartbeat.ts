@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -33,6 +34,7 @@ export function HeartbeatFromJSONTyped(json: any, ignoreDiscriminator: boolean):
     if (json == null) {
         return json;
     }
+    checkMembers('Heartbeat', json);
     return {
 
         'session_id': json['session_id'],

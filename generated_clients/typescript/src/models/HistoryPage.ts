@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { HistoryLeaf } from './HistoryLeaf';
 import {
     HistoryLeafFromJSON,
@@ -47,6 +48,7 @@ export function HistoryPageFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('HistoryPage', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * RGB or grey, row 0 on top; raw is height × width × channels bytes.
  * @export
@@ -54,6 +55,7 @@ export function ImageFromJSONTyped(json: any, ignoreDiscriminator: boolean): Ima
     if (json == null) {
         return json;
     }
+    checkMembers('Image', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * Recorded with the result, because it changes the score.
  * @export
@@ -43,6 +44,7 @@ export function ImageChoiceFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('ImageChoice', json);
     return {
 
         'codec': json['codec'],

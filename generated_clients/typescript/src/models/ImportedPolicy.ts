@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -39,6 +40,7 @@ export function ImportedPolicyFromJSONTyped(json: any, ignoreDiscriminator: bool
     if (json == null) {
         return json;
     }
+    checkMembers('ImportedPolicy', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * 95 % interval.
  * @export
@@ -39,6 +40,7 @@ export function IntervalFromJSONTyped(json: any, ignoreDiscriminator: boolean): 
     if (json == null) {
         return json;
     }
+    checkMembers('Interval', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { PublicKey } from './PublicKey';
 import {
     PublicKeyFromJSON,
@@ -42,6 +43,7 @@ export function KeyListFromJSONTyped(json: any, ignoreDiscriminator: boolean): K
     if (json == null) {
         return json;
     }
+    checkMembers('KeyList', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -111,6 +112,7 @@ export function LimitsFromJSONTyped(json: any, ignoreDiscriminator: boolean): Li
     if (json == null) {
         return json;
     }
+    checkMembers('Limits', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Tensor } from './Tensor';
 import {
     TensorFromJSON,
@@ -59,6 +60,7 @@ export function ObservationFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('Observation', json);
     return {
 
             ...json,

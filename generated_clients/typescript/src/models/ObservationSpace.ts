@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { TensorSpace } from './TensorSpace';
 import {
     TensorSpaceFromJSON,
@@ -66,6 +67,7 @@ export function ObservationSpaceFromJSONTyped(json: any, ignoreDiscriminator: bo
     if (json == null) {
         return json;
     }
+    checkMembers('ObservationSpace', json);
     return {
 
             ...json,

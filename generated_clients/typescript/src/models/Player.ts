@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * Who plays, by its own words; for the profile `attribution`.
  * @export
@@ -41,6 +42,7 @@ export function PlayerFromJSONTyped(json: any, ignoreDiscriminator: boolean): Pl
     if (json == null) {
         return json;
     }
+    checkMembers('Player', json);
     return {
 
         'name': json['name'],

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The `player` of an `attach_worker`.
  * @export
@@ -42,6 +43,7 @@ export function PlayerViewFromJSONTyped(json: any, ignoreDiscriminator: boolean)
     if (json == null) {
         return json;
     }
+    checkMembers('PlayerView', json);
     return {
 
             ...json,

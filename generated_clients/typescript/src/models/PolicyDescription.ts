@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Assumptions } from './Assumptions';
 import {
     AssumptionsFromJSON,
@@ -67,6 +68,7 @@ export function PolicyDescriptionFromJSONTyped(json: any, ignoreDiscriminator: b
     if (json == null) {
         return json;
     }
+    checkMembers('PolicyDescription', json);
     return {
 
             ...json,

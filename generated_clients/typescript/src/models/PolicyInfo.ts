@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -45,6 +46,7 @@ export function PolicyInfoFromJSONTyped(json: any, ignoreDiscriminator: boolean)
     if (json == null) {
         return json;
     }
+    checkMembers('PolicyInfo', json);
     return {
 
         'name': json['name'],

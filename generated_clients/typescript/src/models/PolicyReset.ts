@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The policy is ready for this attempt and no other.
  * @export
@@ -44,6 +45,7 @@ export function PolicyResetFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('PolicyReset', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { PolicyProtocol } from './PolicyProtocol';
 import {
     PolicyProtocolFromJSON,
@@ -72,6 +73,7 @@ export function PolicyServerFromJSONTyped(json: any, ignoreDiscriminator: boolea
     if (json == null) {
         return json;
     }
+    checkMembers('PolicyServer', json);
     return {
 
         'url': json['url'],

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The policy server of a run with mode `push`, with what was left open filled in, and without its key.
  * @export
@@ -67,6 +68,7 @@ export function PolicyServerViewFromJSONTyped(json: any, ignoreDiscriminator: bo
     if (json == null) {
         return json;
     }
+    checkMembers('PolicyServerView', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Action } from './Action';
 import {
     ActionFromJSON,
@@ -64,6 +65,7 @@ export function PredictFromJSONTyped(json: any, ignoreDiscriminator: boolean): P
     if (json == null) {
         return json;
     }
+    checkMembers('Predict', json);
     return {
 
         'session_id': json['session_id'],

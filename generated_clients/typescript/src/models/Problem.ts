@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { RunState } from './RunState';
 import {
     RunStateFromJSON,
@@ -108,6 +109,7 @@ export function ProblemFromJSONTyped(json: any, ignoreDiscriminator: boolean): P
     if (json == null) {
         return json;
     }
+    checkMembers('Problem', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -39,6 +40,7 @@ export function ProblemItemFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('ProblemItem', json);
     return {
 
             ...json,

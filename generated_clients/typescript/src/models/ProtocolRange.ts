@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -39,6 +40,7 @@ export function ProtocolRangeFromJSONTyped(json: any, ignoreDiscriminator: boole
     if (json == null) {
         return json;
     }
+    checkMembers('ProtocolRange', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues, parseDate, parseDateTime, serializeDate, serializeDateTime } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -54,6 +55,7 @@ export function PublicKeyFromJSONTyped(json: any, ignoreDiscriminator: boolean):
     if (json == null) {
         return json;
     }
+    checkMembers('PublicKey', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * What an entry says of itself; a member that is absent is not shown.
  * @export
@@ -58,6 +59,7 @@ export function PublishEntryFromJSONTyped(json: any, ignoreDiscriminator: boolea
     if (json == null) {
         return json;
     }
+    checkMembers('PublishEntry', json);
     return {
 
         'model_name': json['model_name'],

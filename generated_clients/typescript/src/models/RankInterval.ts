@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The ranks that an entry may have; absent for an entry that is flagged.
  * @export
@@ -39,6 +40,7 @@ export function RankIntervalFromJSONTyped(json: any, ignoreDiscriminator: boolea
     if (json == null) {
         return json;
     }
+    checkMembers('RankInterval', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { RankInterval } from './RankInterval';
 import {
     RankIntervalFromJSON,
@@ -68,6 +69,7 @@ export function RankedEntryFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('RankedEntry', json);
     return {
 
             ...json,

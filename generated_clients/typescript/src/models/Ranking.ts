@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { RankedEntry } from './RankedEntry';
 import {
     RankedEntryFromJSON,
@@ -87,6 +88,7 @@ export function RankingFromJSONTyped(json: any, ignoreDiscriminator: boolean): R
     if (json == null) {
         return json;
     }
+    checkMembers('Ranking', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues, parseDate, parseDateTime, serializeDate, serializeDateTime } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { RecordReplay } from './RecordReplay';
 import {
     RecordReplayFromJSON,
@@ -148,6 +149,7 @@ export function RecordImportFromJSONTyped(json: any, ignoreDiscriminator: boolea
     if (json == null) {
         return json;
     }
+    checkMembers('RecordImport', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { RecordImport } from './RecordImport';
 import {
     RecordImportFromJSON,
@@ -47,6 +48,7 @@ export function RecordImportListFromJSONTyped(json: any, ignoreDiscriminator: bo
     if (json == null) {
         return json;
     }
+    checkMembers('RecordImportList', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { ReplayDivergence } from './ReplayDivergence';
 import {
     ReplayDivergenceFromJSON,
@@ -66,6 +67,7 @@ export function RecordReplayFromJSONTyped(json: any, ignoreDiscriminator: boolea
     if (json == null) {
         return json;
     }
+    checkMembers('RecordReplay', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The first state that was another one; absent where every state was met.
  * @export
@@ -44,6 +45,7 @@ export function ReplayDivergenceFromJSONTyped(json: any, ignoreDiscriminator: bo
     if (json == null) {
         return json;
     }
+    checkMembers('ReplayDivergence', json);
     return {
 
             ...json,

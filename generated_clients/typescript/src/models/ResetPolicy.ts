@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Benchmark } from './Benchmark';
 import {
     BenchmarkFromJSON,
@@ -63,6 +64,7 @@ export function ResetPolicyFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('ResetPolicy', json);
     return {
 
             ...json,

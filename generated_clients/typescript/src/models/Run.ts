@@ -5,6 +5,7 @@
  */
 
 import { mapValues, parseDate, parseDateTime, serializeDate, serializeDateTime } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { RunState } from './RunState';
 import {
     RunStateFromJSON,
@@ -183,6 +184,7 @@ export function RunFromJSONTyped(json: any, ignoreDiscriminator: boolean): Run {
     if (json == null) {
         return json;
     }
+    checkMembers('Run', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Run } from './Run';
 import {
     RunFromJSON,
@@ -47,6 +48,7 @@ export function RunListFromJSONTyped(json: any, ignoreDiscriminator: boolean): R
     if (json == null) {
         return json;
     }
+    checkMembers('RunList', json);
     return {
 
             ...json,

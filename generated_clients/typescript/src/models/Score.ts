@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { RunState } from './RunState';
 import {
     RunStateFromJSON,
@@ -146,6 +147,7 @@ export function ScoreFromJSONTyped(json: any, ignoreDiscriminator: boolean): Sco
     if (json == null) {
         return json;
     }
+    checkMembers('Score', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * The `select` of a run, as it was submitted.
  * @export
@@ -37,6 +38,7 @@ export function SelectionViewFromJSONTyped(json: any, ignoreDiscriminator: boole
     if (json == null) {
         return json;
     }
+    checkMembers('SelectionView', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues, parseDate, parseDateTime, serializeDate, serializeDateTime } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Limits } from './Limits';
 import {
     LimitsFromJSON,
@@ -84,6 +85,7 @@ export function ServiceFromJSONTyped(json: any, ignoreDiscriminator: boolean): S
     if (json == null) {
         return json;
     }
+    checkMembers('Service', json);
     return {
 
             ...json,

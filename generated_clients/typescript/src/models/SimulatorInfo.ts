@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  *
  * @export
@@ -43,6 +44,7 @@ export function SimulatorInfoFromJSONTyped(json: any, ignoreDiscriminator: boole
     if (json == null) {
         return json;
     }
+    checkMembers('SimulatorInfo', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { StopMode } from './StopMode';
 import {
     StopModeFromJSON,
@@ -42,6 +43,7 @@ export function StopRunFromJSONTyped(json: any, ignoreDiscriminator: boolean): S
     if (json == null) {
         return json;
     }
+    checkMembers('StopRun', json);
     return {
 
         'mode': json['mode'] == null ? undefined : StopModeFromJSON(json['mode']),

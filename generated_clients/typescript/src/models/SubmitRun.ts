@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { EpisodeSelection } from './EpisodeSelection';
 import {
     EpisodeSelectionFromJSON,
@@ -115,6 +116,7 @@ export function SubmitRunFromJSONTyped(json: any, ignoreDiscriminator: boolean):
     if (json == null) {
         return json;
     }
+    checkMembers('SubmitRun', json);
     return {
 
         'benchmark_id': json['benchmark_id'],

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * C order, little-endian; a bool is one byte, 0 or 1.
  * @export
@@ -44,6 +45,7 @@ export function TensorFromJSONTyped(json: any, ignoreDiscriminator: boolean): Te
     if (json == null) {
         return json;
     }
+    checkMembers('Tensor', json);
     return {
 
             ...json,

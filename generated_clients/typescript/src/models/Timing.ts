@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * Server time of this turn, in seconds.
  * @export
@@ -54,6 +55,7 @@ export function TimingFromJSONTyped(json: any, ignoreDiscriminator: boolean): Ti
     if (json == null) {
         return json;
     }
+    checkMembers('Timing', json);
     return {
 
             ...json,

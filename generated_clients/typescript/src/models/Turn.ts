@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 import type { Lease } from './Lease';
 import {
     LeaseFromJSON,
@@ -142,6 +143,7 @@ export function TurnFromJSONTyped(json: any, ignoreDiscriminator: boolean): Turn
     if (json == null) {
         return json;
     }
+    checkMembers('Turn', json);
     return {
 
             ...json,

@@ -5,6 +5,7 @@
  */
 
 import { mapValues } from '../runtime';
+import { checkMembers } from '../shapes';
 /**
  * One named vector of numbers, with every convention a policy could get wrong.
  * @export
@@ -79,6 +80,7 @@ export function VectorSpaceFromJSONTyped(json: any, ignoreDiscriminator: boolean
     if (json == null) {
         return json;
     }
+    checkMembers('VectorSpace', json);
     return {
 
             ...json,

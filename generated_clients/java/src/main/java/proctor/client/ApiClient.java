@@ -5,6 +5,7 @@
 
 package proctor.client;
 
+import com.google.gson.JsonParseException;
 import okhttp3.*;
 import okhttp3.internal.http.HttpMethod;
 import okhttp3.internal.tls.OkHostnameVerifier;
@@ -1022,7 +1023,9 @@ public class ApiClient {
                     return JSON.deserialize(respBodyString, returnType);
                 } else {
                     // Use InputStream-based deserialize which supports responses > 2GB
-                    return JSON.deserialize(respBody.byteStream(), returnType);
+                    T message = JSON.deserialize(respBody.byteStream(), returnType);
+                    if (message == null) throw new JsonParseException("it is null");
+                    return message;
                 }
             } else if (returnType.equals(String.class)) {
                 String respBodyString = respBody.string();
@@ -1040,6 +1043,9 @@ public class ApiClient {
             }
         } catch (IOException e) {
             throw new ApiException(e);
+        } catch (RuntimeException e) {
+            String why = "the answer is no " + returnType.getTypeName() + ": " + e.getMessage();
+            throw new ApiException(why, e, response.code(), response.headers().toMultimap());
         }
     }
 

@@ -1,0 +1,150 @@
+"""The packages of clients/: `evaluate` where answers are lost, wrong or do not come.
+
+Each is judged as the Python client is, on the same server: exactly once, resume, and
+errors that say what is wrong, whether to repeat and what to do.
+"""
+
+from __future__ import annotations
+
+import socket
+import subprocess
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from reference_client import Observation, ProctorError, evaluate
+from tests.interop.clients import PACKAGES
+from tests.interop.proxy import Proxy
+from tests.interop.scenarios import SCENARIOS, Program, Server
+from tests.support.sim.calibration_action import calibration_action
+
+pytestmark = pytest.mark.slow("starts servers, compiles packages")
+
+# Sessions and `evaluate`: the server is killed, a run is stopped, a lease ends.
+FAULTS = ("lost_answer", "lost_session", "restart", "stop_resume", "wrong_answers")
+EXAMPLES = {
+    "typescript": ("node", "dist/clients/typescript/example/evaluate.js"),
+    "cpp": ("build/evaluate",),
+}
+SAFE = "to repeat it as it was is safe. [bad_answer]"
+
+
+@pytest.fixture(params=PACKAGES)
+def program(request: pytest.FixtureRequest) -> Program:
+    found = request.getfixturevalue(request.param)
+    assert isinstance(found, Program)
+    return found
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_an_evaluation_survives(name: str, server: Server, program: Program) -> None:
+    SCENARIOS[name](server, program)
+
+
+def runs_of(server: Server) -> set[str]:
+    return {run["run_id"] for run in server.read("/v1/runs?limit=1000")["runs"]}
+
+
+def test_an_evaluation_executes_nothing_twice(server: Server, program: Program) -> None:
+    lost = ("submit", "attach", "predict")
+    before = runs_of(server)
+    with Proxy(server.url, drop=lost) as proxy:
+        observed = program.play("score", proxy.url, server.token)
+    assert sorted(proxy.dropped_answers) == sorted(lost)
+    for kind in lost:
+        assert len(proxy.repeats(kind)) == 1, kind
+    assert runs_of(server) - before == {observed["run_id"]}
+    episodes = server.read(f"/v1/runs/{observed['run_id']}/episodes")["episodes"]
+    played = [(one["attempt"], one["result"]["steps"]) for one in episodes]
+    assert played == [(1, 2)] * 5
+
+
+def play_example(program: Program, *arguments: str) -> subprocess.CompletedProcess[str]:
+    package = PACKAGES[program.language.removesuffix("-evaluate")]
+    *interpreter, file = EXAMPLES[package.language]
+    command = [*interpreter, str(package.directory / file), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def test_the_example_plays_and_continues(server: Server, program: Program) -> None:
+    done = play_example(program, server.url, server.token)
+    assert done.stdout.splitlines()[-1] == "score 0.40625", done.stderr
+    run_id = done.stdout.split()[1].rstrip(":")
+    again = play_example(program, server.url, server.token, run_id)
+    assert again.stdout.splitlines()[-1] == "score 0.40625", again.stderr
+
+
+def test_errors_are_for_people(server: Server, program: Program) -> None:
+    refused = play_example(program, server.url, "not-a-token")
+    assert refused.returncode == 1
+    assert "[unauthenticated]" in refused.stderr
+    assert "In this " in refused.stderr, "it names what to change in the program"
+    assert "    at " not in refused.stderr, "a stack trace"
+    with socket.create_server(("127.0.0.1", 0)) as closed:
+        port = closed.getsockname()[1]
+    away = play_example(program, f"http://127.0.0.1:{port}", "token")
+    assert away.returncode == 1
+    assert f"http://127.0.0.1:{port} is unreachable (" in away.stderr
+    assert away.stderr.rstrip().endswith("[unreachable]")
+
+
+def with_wrong_rewards(answer: object) -> object:
+    """A turn whose rewards are no list; what is no turn stays as it is."""
+    if isinstance(answer, dict) and "rewards" in answer:
+        return {**answer, "rewards": "none"}
+    return answer
+
+
+WRONG: dict[str, Callable[[object], object]] = {
+    "a service": lambda _answer: {},
+    "a turn": with_wrong_rewards,
+}
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_a_wrong_answer_is_explained(
+    what: str, server: Server, program: Program
+) -> None:
+    with Proxy(server.url, alter=WRONG[what]) as proxy:
+        done = play_example(program, proxy.url, server.token)
+    assert done.returncode == 1
+    assert "sent an invalid response (" in done.stderr
+    assert ("rewards" if what == "a turn" else "is missing") in done.stderr
+    assert "Check that the URL is that of a Proctor server" in done.stderr
+    assert SAFE in done.stderr
+    assert "    at " not in done.stderr, "a stack trace"
+
+
+class Still:
+    """A policy that does not move."""
+
+    def reset(self, instruction: str) -> None:
+        """Nothing is remembered."""
+
+    def act(self, _observation: Observation) -> list[dict[str, list[float]]]:
+        return [calibration_action()]
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_the_python_client_explains_it_alike(what: str, server: Server) -> None:
+    """Its turns are MessagePack, so this is wrong in the other encoding."""
+    options: dict[str, Any] = {"tasks": ["count"], "max_steps": 4}
+    with (
+        Proxy(server.url, alter=WRONG[what]) as proxy,
+        pytest.raises(ProctorError) as caught,
+    ):
+        evaluate(
+            Still,
+            url=proxy.url,
+            token=server.token,
+            benchmark="calibration",
+            options=options,
+        )
+    error = caught.value
+    assert (error.code, error.retryable, error.side_effects) == (
+        *("bad_answer", False),
+        "possible",
+    )
+    assert "sent an invalid response (" in str(error)
+    assert SAFE in str(error)

@@ -1,0 +1,76 @@
+"""A server that answers with success what is not the message that was asked for.
+
+It lists runs rightly; each of them, asked for alone, is answered in another wrong way.
+It knows nothing of the protocol but two paths: what is right comes from another server.
+"""
+
+from __future__ import annotations
+
+import json
+import threading
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+import msgspec
+
+JSON, MSGPACK = "application/json", "application/msgpack"
+
+
+def answers(run: Mapping[str, Any]) -> dict[str, tuple[str, bytes]]:
+    """Name → media type and body, each wrong where `run` is right."""
+    without_progress = {name: run[name] for name in run if name != "progress"}
+    texts = {
+        "empty": "{}",
+        "html": "<html>",
+        "list": "[]",
+        "missing": json.dumps(without_progress),
+        "nothing": "",
+        "null": "null",
+        "wrong_type": json.dumps({**run, "progress": "half"}),
+        "wrong_type_inside": json.dumps(
+            {**run, "progress": {**run["progress"], "episodes_total": "eight"}}
+        ),
+    }
+    packed = msgspec.msgpack.encode
+    return {name: (JSON, text.encode()) for name, text in texts.items()} | {
+        "msgpack_empty": (MSGPACK, packed({})),
+        "msgpack_wrong_type": (MSGPACK, packed({**run, "progress": "half"})),
+    }
+
+
+@contextmanager
+def wrong_answers(page: Mapping[str, Any]) -> Iterator[str]:
+    """The URL of such a server. page: a RunList with a run at least."""
+    run = page["runs"][0]
+    wrong = answers(run)
+    listed = {**page, "runs": [{**run, "run_id": name} for name in wrong]}
+    right = {"/v1/runs": (JSON, json.dumps(listed).encode())}
+
+    class Handler(BaseHTTPRequestHandler):
+        protocol_version = "HTTP/1.1"
+
+        def do_GET(self) -> None:
+            path = self.path.partition("?")[0]
+            given = right.get(path) or wrong[path.rpartition("/")[2]]
+            media_type, body = given
+            self.send_response_only(200)
+            self.send_header("Content-Type", media_type)
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
+            """What was asked is of no interest."""
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    server.daemon_threads = True
+    thread = threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_address[1]}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
