@@ -197,3 +197,17 @@ def test_waiting_is_not_giving_up(
     first, last = proctor.err.splitlines()
     assert first.endswith("Trying again …")
     assert last.endswith("[unreachable]")
+
+
+@pytest.mark.parametrize(
+    ("flag", "known"), [("--tasks", "reach, push"), ("--split", "val_train, val_unse")]
+)
+def test_a_part_that_does_not_exist_is_named_by_its_flag(
+    proctor: ProctorCommand, flag: str, known: str
+) -> None:
+    """Expect the flag and what there is, and no word about the request."""
+    run = ["run", "--policy", "policies:best", "--benchmark", "tabletop_state"]
+    assert proctor(*run, "--no-dry-turn", flag, "nonsense") == 2
+    assert f"{flag} 'nonsense': there is {known}" in proctor.err
+    assert "`errors`" not in proctor.err
+    assert "/select" not in proctor.err
