@@ -60,6 +60,8 @@ _POINTERS = {
     "/idle_timeout_s": "--idle-timeout-s",
     "/images": "--images",
     "/options": "--options",
+    "/policy_server/url": "--push",
+    "/policy_server/model": "--model",
 }
 
 

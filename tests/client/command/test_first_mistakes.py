@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from reference_client import ProctorError
+from reference_client.command.exit_codes import message_of
 from tests.support.client.command import ProctorCommand, options
 from tests.support.servers import ReferenceServer
 
@@ -211,3 +213,12 @@ def test_a_part_that_does_not_exist_is_named_by_its_flag(
     assert f"{flag} 'nonsense': there is {known}" in proctor.err
     assert "`errors`" not in proctor.err
     assert "/select" not in proctor.err
+
+
+def test_only_what_a_flag_says_is_named_by_it() -> None:
+    """Expect the flag, what lies deeper behind it, and other pointers as they are."""
+    errors = [("/policy_server/url", "a"), ("/images/width", "b"), ("/selection", "c")]
+    error = ProctorError("invalid_request", "No. Correct what `errors` points at.",
+                         errors=errors)  # fmt: skip
+    said = "No. – --push a – --images /width b – /selection c [invalid_request]"
+    assert message_of(error) == said
