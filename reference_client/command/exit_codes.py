@@ -48,6 +48,20 @@ _ARGUMENTS = {
     "episodes=N ": "--episodes N ",
     "`name=": "`--name ",
     "`version=": "`--policy-version ",
+    # Of the protocol's texts, what names members of a problem document.
+    " Correct what `errors` points at.": "",
+    "Read `detail`: ": "",
+}
+# Where a refused request has what a flag says.
+_POINTERS = {
+    "/select/tasks": "--tasks",
+    "/select/splits": "--split",
+    "/max_workers": "--max-workers",
+    "/idle_timeout_s": "--idle-timeout-s",
+    "/images": "--images",
+    "/options": "--options",
+    "/policy_server/url": "--push",
+    "/policy_server/model": "--model",
 }
 
 
@@ -64,8 +78,16 @@ def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
 def message_of(error: ProctorError) -> str:
     """What happened and what to do, with flags in place of Python arguments."""
     parts = [with_flag_names(error.detail)]
-    parts += [f"{pointer} {text}" for pointer, text in error.errors]
+    parts += [f"{_with_flag(pointer)} {text}" for pointer, text in error.errors]
     return f"{' – '.join(parts)} [{error.code}]"
+
+
+def _with_flag(pointer: str) -> str:
+    """The flag in place of the beginning of a pointer into a request."""
+    for member, flag in _POINTERS.items():
+        if pointer == member or pointer.startswith(f"{member}/"):
+            return " ".join(filter(None, (flag, pointer.removeprefix(member))))
+    return pointer
 
 
 def with_flag_names(text: str) -> str:

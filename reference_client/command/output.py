@@ -251,6 +251,11 @@ def score_facts(
     )
 
 
+def _p_text(p_value: float) -> str:
+    """No p is 0, however many digits are shown."""
+    return "< 0.0001" if p_value < 0.0001 else f"= {p_value:.4f}"
+
+
 def part_text(select: SelectionView | None) -> str | None:
     """`tasks lift, push; splits test, and nothing else`; None is the whole."""
     if select is None:
@@ -362,7 +367,7 @@ def comparison_tables(
             if run.difference is None
             else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
             f"{run.mean:.4f} (plus is better)",
-            "successes": f"{alone}; p = {run.p_value:.4f} (exact McNemar)",
+            "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
             "release": _release(comparison, run, evidence),
         }

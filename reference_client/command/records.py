@@ -192,7 +192,11 @@ def _part_text(select: object) -> str | None:
     """Of the benchmark, if the run was not about the whole of it."""
     if not select:
         return None
-    text = msgspec.json.encode(select).decode()
+    try:
+        chosen = msgspec.convert(select, dict[str, list[str]])
+        text = "; ".join(f"{what} {', '.join(names)}" for what, names in chosen.items())
+    except msgspec.ValidationError:  # a record may say anything
+        text = msgspec.json.encode(select).decode()
     return f"{text[:200]}, and nothing else"
 
 

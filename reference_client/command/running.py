@@ -11,6 +11,7 @@ import contextlib
 import json
 import os
 import shlex
+import shutil
 import signal
 import sys
 import traceback
@@ -41,7 +42,7 @@ from reference_client.command.exit_codes import (
 )
 from reference_client.command.output import Printer, ProgressDisplay
 from reference_client.command.usage_error import UsageError
-from reference_client.errors import ProctorError, RunFailed
+from reference_client.errors import NOT_TRUSTED, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import (
@@ -142,7 +143,7 @@ def resume_command(
 
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
-    command = ["proctor", "run", "--run-id", run_id, "--policy", args.policy]
+    command = [_own_name(), "run", "--run-id", run_id, "--policy", args.policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
@@ -165,6 +166,16 @@ def resume_command(
     command += [f"--{name}" for name in ("processes", "view") if getattr(args, name)]
     command += ["--takeover"] if takeover else []
     return shlex.join(command)
+
+
+def _own_name() -> str:
+    """`proctor`; or as it was called, where a shell would not find it by that name."""
+    called = Path(sys.argv[0])
+    if called.name != "proctor" or not called.exists():
+        return "proctor"
+    found = shutil.which("proctor")
+    is_found = found is not None and called.samefile(found)
+    return "proctor" if is_found else sys.argv[0]
 
 
 class _EvaluationCommand:
@@ -346,7 +357,9 @@ class _EvaluationCommand:
                 value["resume"] = resume_command(
                     self._args, run_id, takeover=bool(left)
                 )
-                say(f"To continue:\n  {value['resume']}")
+                # A server that is not trusted has to be mended first.
+                when = "When that is done, to" if kind == NOT_TRUSTED else "To"
+                say(f"{when} continue:\n  {value['resume']}")
         return _EvaluationEnded(code, value)
 
 

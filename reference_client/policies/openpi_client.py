@@ -17,7 +17,7 @@ from typing import Any, Self, TypeVar
 from websockets.exceptions import InvalidURI, WebSocketException
 from websockets.sync.client import ClientConnection, connect
 
-from reference_client.errors import POLICY_FAILED, ProctorError
+from reference_client.errors import POLICY_FAILED, ProctorError, innermost_reason
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 
 PAUSE_S = 0.2
@@ -81,7 +81,9 @@ class OpenpiClient:
                 if self._is_closed:
                     raise self._failed("was left") from error
                 if time.monotonic() > deadline:
-                    raise self._failed(f"is unreachable ({error})") from error
+                    raise self._failed(
+                        f"is unreachable ({innermost_reason(error)})"
+                    ) from error
                 time.sleep(PAUSE_S)
 
     def _ensure_connected(self) -> ClientConnection:

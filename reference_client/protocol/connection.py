@@ -9,7 +9,7 @@ from urllib.parse import urlsplit
 
 from proctor_client import ApiClient, Configuration, ControlApi
 
-from reference_client.errors import BAD_ANSWER, ProctorError
+from reference_client.errors import NOT_TRUSTED, ProctorError
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.tls_context import client_context
@@ -41,11 +41,11 @@ class Connection:
     def data(self, endpoint: str) -> DataPlane:
         """The data plane at a run's `endpoint`, for one worker.
 
-        Raises ProctorError `bad_answer` if the token would be sent unencrypted.
+        Raises ProctorError `not_trusted` if the token would be sent unencrypted.
         """
         if self.url.startswith("https:") and not endpoint.startswith("https:"):
             raise ProctorError(
-                BAD_ANSWER,
+                NOT_TRUSTED,
                 f"The data endpoint {endpoint} of {self.url} is not HTTPS; refusing to "
                 "send the token. Ask the operator to set the server's public URL.",
             )

@@ -247,8 +247,10 @@ def test_an_old_python_is_refused(runner: Runner, tmp_path: Path) -> None:
 
 
 @slow
-def test_the_job_of_gitlab_judges(runner: Runner) -> None:
-    """All its commands, with the kit of the last commit of this repository."""
+def test_the_job_of_gitlab_judges(tmp_path: Path) -> None:
+    """All its commands in a folder where no kit has run before, with the kit of the
+    last commit of this repository."""
+    runner = Runner(tmp_path)
     given = {
         "PROCTOR_REPOSITORY": str(ROOT),
         "PROCTOR_REVISION": "HEAD",

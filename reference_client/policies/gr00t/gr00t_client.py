@@ -15,7 +15,12 @@ from typing import Any
 
 import numpy as np
 
-from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
+from reference_client.errors import (
+    POLICY_FAILED,
+    BadPolicy,
+    ProctorError,
+    innermost_reason,
+)
 from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
 from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
 
@@ -120,7 +125,9 @@ class Gr00tClient:
                 if self._is_closed:
                     raise self._failed("was left") from error
                 if time.monotonic() > deadline:
-                    raise self._failed(f"is unreachable ({error})") from error
+                    raise self._failed(
+                        f"is unreachable ({innermost_reason(error)})"
+                    ) from error
                 time.sleep(PAUSE_S)
 
     def _read(self, message: bytes) -> Any:

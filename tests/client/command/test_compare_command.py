@@ -119,6 +119,16 @@ def test_a_comparison_may_stop_before_the_end(proctor: ProctorCommand) -> None:
     assert (found["better"], found["wins"], found["compared"]) == ("run", 7, 7)
 
 
+def test_no_p_is_zero(proctor: ProctorCommand) -> None:
+    """Sixteen episodes, all lost: 2 of 65,536. Expect a bound, not four zeros."""
+    made = ["run", "--policy", "graded.py:graded", *options(*["score"] * 16)]
+    Path("scores").write_text("1 " * 16)
+    base = proctor.json(*made)["run_id"]
+    Path("scores").write_text("0 " * 16)
+    assert proctor("compare", base, proctor.json(*made)["run_id"]) == 1
+    assert "p < 0.0001 (exact McNemar)" in proctor.out
+
+
 def test_how_often_each_account_tried_is_shown(proctor: ProctorCommand) -> None:
     """Expect the runs played before, of both, where the server counts them."""
     first, second = run(proctor, "1 1 1"), run(proctor, "0 1 1")

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from reference_client import ProctorError
+from reference_client.command.exit_codes import message_of
 from tests.support.client.command import ProctorCommand, options
 from tests.support.servers import ReferenceServer
 
@@ -197,3 +199,26 @@ def test_waiting_is_not_giving_up(
     first, last = proctor.err.splitlines()
     assert first.endswith("Trying again …")
     assert last.endswith("[unreachable]")
+
+
+@pytest.mark.parametrize(
+    ("flag", "known"), [("--tasks", "reach, push"), ("--split", "val_train, val_unse")]
+)
+def test_a_part_that_does_not_exist_is_named_by_its_flag(
+    proctor: ProctorCommand, flag: str, known: str
+) -> None:
+    """Expect the flag and what there is, and no word about the request."""
+    run = ["run", "--policy", "policies:best", "--benchmark", "tabletop_state"]
+    assert proctor(*run, "--no-dry-turn", flag, "nonsense") == 2
+    assert f"{flag} 'nonsense': there is {known}" in proctor.err
+    assert "`errors`" not in proctor.err
+    assert "/select" not in proctor.err
+
+
+def test_only_what_a_flag_says_is_named_by_it() -> None:
+    """Expect the flag, what lies deeper behind it, and other pointers as they are."""
+    errors = [("/policy_server/url", "a"), ("/images/width", "b"), ("/selection", "c")]
+    error = ProctorError("invalid_request", "No. Correct what `errors` points at.",
+                         errors=errors)  # fmt: skip
+    said = "No. – --push a – --images /width b – /selection c [invalid_request]"
+    assert message_of(error) == said

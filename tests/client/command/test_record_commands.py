@@ -110,14 +110,22 @@ def test_a_file_is_not_replaced_unasked(
     assert path.read_text() == "mine"
 
 
+@pytest.mark.parametrize(
+    ("select", "text"),
+    [
+        ({"tasks": ["lift", "push"], "splits": ["test"]}, "tasks lift, push; splits t"),
+        ({"tasks": 3}, '{"tasks":3}'),
+    ],
+)
 def test_a_score_of_a_part_is_named_so(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], select: object, text: str
 ) -> None:
     path = tmp_path / "part.proctor"
-    select = {"select": {"tasks": ["lift"]}}
-    path.write_bytes(make_archive(Sample(change_score=select)))
+    path.write_bytes(make_archive(Sample(change_score={"select": select})))
     assert main(["verify", str(path)]) == 0
-    assert '{"tasks":["lift"]}, and nothing else' in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert f"  {text}" in out
+    assert ", and nothing else" in out
 
 
 def test_a_line_has_the_player_of_its_result() -> None:

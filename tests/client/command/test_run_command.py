@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import os
 import re
 import shlex
 import signal
@@ -69,6 +70,20 @@ def test_a_policy_error_is_one_line(
     assert answer_json["resume"].startswith(
         f"proctor run --run-id {answer_json['run_id']} --policy"
     )
+
+
+def test_a_command_to_type_is_named_as_it_was_called(
+    proctor: ProctorCommand, policy_folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As `.venv/bin/proctor`. Expect that name, and `proctor` once a shell finds it."""
+    program = policy_folder / "bin" / "proctor"
+    program.parent.mkdir()
+    program.touch(0o755)
+    monkeypatch.setattr("sys.argv", ["bin/proctor"])
+    run = ["run", "--policy", "policies:Wrong", *options("count")]
+    assert proctor.json(*run)["resume"].startswith("bin/proctor run --run-id ")
+    monkeypatch.setenv("PATH", str(program.parent), prepend=os.pathsep)
+    assert proctor.json(*run)["resume"].startswith("proctor run --run-id ")
 
 
 def test_debug_shows_where_a_policy_raises(proctor: ProctorCommand) -> None:

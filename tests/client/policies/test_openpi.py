@@ -280,7 +280,10 @@ def test_an_unreachable_policy_server_leaves_no_run(
     before = proctor.json("status")
     answer_json = proctor.json(*run("ws://127.0.0.1:9", "score"))
     assert proctor.code == 2
-    assert "ws://127.0.0.1:9 is unreachable" in answer_json["error"]["detail"]
+    assert (
+        "ws://127.0.0.1:9 is unreachable (Connection refused)."
+        in answer_json["error"]["detail"]
+    )
     assert proctor.json("status") == before
     with pytest.raises(ProctorError, match="invalid WebSocket URL"):
         OpenpiClient("ws://").infer({})

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import shlex
 import ssl
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 
+import httpx
 import pytest
 
 from reference_client import ProctorError, evaluate
 from reference_client.command.main import main
 from reference_client.protocol.http_connection import HttpConnection
 from reference_client.protocol.tls_context import VARIABLES, client_context
+from tests.support.client.command import options
 from tests.support.client.policies import GradedPolicy
 from tests.support.kit.null_servers import Request, canned_answers
 from tests.support.server.certificates import create_certificate
+from tests.support.servers import ReferenceServer
 
 
 @pytest.fixture(autouse=True)
@@ -43,18 +48,44 @@ class Handler(BaseHTTPRequestHandler):
         """Write no log."""
 
 
-@pytest.fixture(scope="module")
-def tls_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
+class Gateway(Handler):
+    """Passes requests on to a server that does not know of it."""
+
+    upstream = ""
+
+    def do_GET(self) -> None:
+        body = self.rfile.read(int(self.headers["Content-Length"] or 0))
+        url, headers = f"{self.upstream}{self.path}", dict(self.headers)
+        sent = httpx.request(self.command, url, headers=headers, content=body)
+        self.send_response(sent.status_code)
+        for name in ("Content-Type", "Proctor-Version"):
+            self.send_header(name, sent.headers[name])
+        self.send_header("Content-Length", str(len(sent.content)))
+        self.end_headers()
+        self.wfile.write(sent.content)
+
+    do_POST = do_GET  # noqa: N815 - as the library calls it
+
+
+@contextlib.contextmanager
+def serve_tls(
+    folder: Path, handler: type[BaseHTTPRequestHandler]
+) -> Iterator[tuple[str, Path]]:
     """A server for `localhost` that no authority knows: its URL and certificate."""
-    folder = tmp_path_factory.mktemp("tls")
     pem, context = create_certificate(folder, "localhost")
-    server = HTTPServer(("127.0.0.1", 0), Handler)
+    server = HTTPServer(("127.0.0.1", 0), handler)
     server.socket = context.wrap_socket(server.socket, server_side=True)
     thread = threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True)
     thread.start()
     yield f"https://localhost:{server.server_port}", pem
     server.shutdown()
     server.server_close()
+
+
+@pytest.fixture(scope="module")
+def tls_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
+    with serve_tls(tmp_path_factory.mktemp("tls"), Handler) as served:
+        yield served
 
 
 def benchmarks(capsys: pytest.CaptureFixture[str], *flags: str) -> tuple[int, str]:
@@ -108,6 +139,28 @@ def test_the_flag_names_certificates(
     code, written = benchmarks(capsys, "--url", url, "--ca", str(pem), "--json")
     assert code == 0
     assert json.loads(written)[0]["benchmark_id"] == "calibration"
+
+
+@pytest.mark.usefixtures("policy_folder")
+def test_an_endpoint_without_tls_has_to_be_mended_before_the_run_goes_on(
+    server: ReferenceServer,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A proxy speaks TLS, the server behind it has no public URL. Expect the cause,
+    what to do, and that the command which continues comes after it."""
+    monkeypatch.setattr(Gateway, "upstream", server.url)
+    with serve_tls(tmp_path, Gateway) as (url, pem):
+        flags = ["--url", url, "--ca", str(pem), "--policy", "policies:Graded"]
+        code = main(["run", *flags, *options("count")])
+        captured = capsys.readouterr()
+    assert code == 2
+    refusal, mended, command = captured.err.splitlines()[-3:]
+    assert "is not HTTPS; refusing to send the token" in refusal
+    assert refusal.endswith("set the server's public URL. [not_trusted]")
+    assert mended == "When that is done, to continue:"
+    assert "--run-id" in shlex.split(command)
 
 
 @pytest.mark.parametrize("name", VARIABLES)

@@ -296,6 +296,16 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         assert client.get(path).json()["rows"] == []
 
 
+def test_a_leaderboard_without_entries_says_nothing_of_episodes(
+    server: ReferenceServer,
+) -> None:
+    """Of a benchmark of 64 episodes. Expect no word that these were too few."""
+    reader = PageReader(server.url, "alice")
+    shown = reader.text("/pages/benchmarks/tabletop_state/leaderboard")
+    assert "No entry yet" in shown
+    assert "too few" not in shown
+
+
 def test_runs_of_others_are_not_published(server: ReferenceServer, run_id: str) -> None:
     bob = PageReader(server.url, "bob")
     form = {**PUBLISHED, "csrf": bob.csrf(), "sure": "yes"}
