@@ -13,8 +13,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from gym_aloha.env import AlohaEnv
 from gymnasium.spaces import Box
+
+from reference_sim.mujoco import rendering
+
+rendering.find_backend()  # dm_control reads it while it is imported
+
+from gym_aloha.env import AlohaEnv  # noqa: E402
 
 ARM_JOINTS = 6
 GRIPPER = np.array([[0.0, 1.0]])  # closed, open

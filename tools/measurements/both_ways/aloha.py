@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from typing import Any
 
-import gym_aloha  # noqa: F401 - registers the environments
 import gymnasium
 import numpy as np
 import numpy.typing as npt
 
+from reference_sim.mujoco import rendering
 from tools.measurements.both_ways.compared_benchmark import EXAMPLES, ComparedBenchmark
-from tools.measurements.both_ways.hand_over import HandOver
+
+rendering.find_backend()  # dm_control reads it while it is imported
+
+import gym_aloha  # noqa: E402, F401 - registers the environments
+
+from tools.measurements.both_ways.hand_over import HandOver  # noqa: E402
 
 REGISTERED = {
     "transfer_cube": "gym_aloha/AlohaTransferCube-v0",
