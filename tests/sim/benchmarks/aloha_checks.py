@@ -40,11 +40,11 @@ def digest_of(plan: dict[str, object], task: str, seed: int) -> str:
     simulator, digest = GymnasiumSimulator(plan), hashlib.sha256()
     rng = np.random.default_rng(3)
     simulator.reset(task, seed)
-    (action,) = simulator.actions
-    for _ in range(20):
+    start = simulator.observe().state["agent_pos"]
+    for _ in range(5):
         digest.update(simulator.observe().images["pixels.top"].tobytes())
         digest.update(simulator.state_bytes())
-        simulator.step({"action": rng.uniform(action.low, action.high).tolist()})
+        simulator.step({"action": (start + rng.uniform(-0.1, 0.1, 14)).tolist()})
     return digest.hexdigest()
 
 
@@ -84,6 +84,27 @@ def test_angles_beyond_the_declared_bounds_are_executed(
     assert simulator.observe().state["agent_pos"][2] == pytest.approx(
         START_ELBOW, abs=0.02
     )
+
+
+def test_arms_that_are_driven_too_hard_end_the_episode(
+    found: dict[str, object],
+) -> None:
+    """Targets from all over the bounds, by which the simulation diverges.
+
+    Expect an end without success, and another episode after it.
+    """
+    simulator, rng = GymnasiumSimulator(found["plan"]), np.random.default_rng(3)  # type: ignore[arg-type]
+    simulator.reset("transfer_cube", 4)
+    (space,) = simulator.actions
+    for _ in range(20):
+        action = rng.uniform(space.low, space.high).tolist()
+        outcome = simulator.step({"action": action})
+        if outcome.terminated:
+            break
+    assert outcome.terminated
+    assert not outcome.success
+    simulator.reset("transfer_cube", 5)
+    assert not simulator.step({"action": action}).terminated
 
 
 def test_an_expert_plays_the_same_directly_and_by_the_protocol() -> None:
