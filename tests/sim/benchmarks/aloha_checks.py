@@ -107,6 +107,7 @@ def test_arms_that_are_driven_too_hard_end_the_episode(
     assert not simulator.step({"action": action}).terminated
 
 
+@pytest.mark.slow("starts a server")
 def test_an_expert_plays_the_same_directly_and_by_the_protocol() -> None:
     """One episode from its pictures. Expect success, every observation to agree."""
     served = play_by_protocol(COMPARED, episodes=1)

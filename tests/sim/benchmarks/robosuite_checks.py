@@ -61,6 +61,7 @@ def test_two_processes_play_the_same_episode(found: dict[str, object]) -> None:
     assert one == again != other
 
 
+@pytest.mark.slow("starts a server")
 def test_an_expert_plays_the_same_directly_and_by_the_protocol() -> None:
     """Two episodes. Expect success, and every observation to agree."""
     served = play_by_protocol(COMPARED, episodes=2)
