@@ -181,7 +181,7 @@ def _serving(file: Path) -> Iterator[str]:
             yield server.stdout.readline().split()[-1]
         finally:
             server.terminate()
-            server.wait()
+            server.communicate()  # closes the pipe as well
 
 
 def max_steps_of(compared: ComparedBenchmark) -> int:
