@@ -43,8 +43,9 @@ conformance-policy: setup ## Judge a policy server at URL; PROCTOR_POLICY_KEY, A
 	@$(python) -m conformance.policy --url "$$URL" $(ARGS)
 
 # These need an older MuJoCo than ours, and so an environment of their own.
-apart := $(findstring metaworld,$(BENCHMARK))$(findstring gymnasium_robotics,$(BENCHMARK))
-serving := .venv$(if $(apart),-metaworld,$(if $(wildcard requirements/own.in),-own))
+apart := $(patsubst gym_%,%,$(firstword $(foreach name,gym_aloha robosuite metaworld,\
+	$(findstring $(name),$(subst gymnasium_robotics,metaworld,$(BENCHMARK))))))
+serving := .venv$(if $(apart),-$(apart),$(if $(wildcard requirements/own.in),-own))
 serve: $(serving)/ready ## Run the reference server
 #                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/host/benchmarks.md
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
@@ -55,8 +56,11 @@ add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d]
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
-metaworld-table: metaworld ## Play its experts both ways, rewrite their page
-	@OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/measurements/metaworld_table.py $(ARGS)
+metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/measurements/metaworld_table.py $(ARGS) ## Play its experts both ways, rewrite their page
+aloha: .venv-aloha/ready ## Install gym-aloha apart
+aloha-check: aloha; @.venv-aloha/bin/python -m pytest tests/sim/benchmarks/aloha_checks.py ## Run the tests that need gym-aloha
+robosuite: .venv-robosuite/ready ## Install robosuite apart
+robosuite-check: robosuite; @.venv-robosuite/bin/python -m pytest tests/sim/benchmarks/robosuite_checks.py ## Run the tests that need robosuite
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
 lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*checks.py ## Run the tests that need LeRobot
 
@@ -67,10 +71,8 @@ test: setup programs .venv-cluster/ready .venv-site/ready lint generate-check ##
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .
 	@$(python) -m mypy
-generate: .venv-generate/ready ## Rewrite models and clients from spec/
-	@.venv-generate/bin/python tools/generate.py
-generate-check: .venv-generate/ready ## Fail if generated files differ from spec/
-	@.venv-generate/bin/python tools/generate.py --check
+generate: .venv-generate/ready; @.venv-generate/bin/python tools/generate.py ## Rewrite models and clients from spec/
+generate-check: .venv-generate/ready; @.venv-generate/bin/python tools/generate.py --check ## Fail if generated files differ from spec/
 programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tests
 .venv/proxies/ready: .venv/ready tools/browser.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
 client: .venv-generate/ready ## Write a client in LANGUAGE=csharp or any other
@@ -85,8 +87,7 @@ lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 	@sh tools/lock.sh $(ARGS)
 dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
 
-kill-matrix: setup ## Judge the kit on broken servers, rewrite its page
-	@$(python) -m tests.mutants.kill --write
+kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers, rewrite its page
 false-alarms: setup ## Run the kit on right servers again and again
 #                   RUNS=... BUSY=1 (every run on a busy machine) ARGS=--write
 	@$(python) -m tools.measurements.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
@@ -100,8 +101,7 @@ attack: setup ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1 ARGS=--write
 	@$(python) -m tests.attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
 chaos: setup; @$(python) -m tests.chaos --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; ARGS='--rounds 100 --write'
-experts: setup ## Measure the scripted experts, rewrite their page
-	@$(python) tools/experts.py --write $(ARGS)
+experts: setup; @$(python) tools/experts.py --write $(ARGS) ## Measure the scripted experts, rewrite their page
 bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their page
 	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth && $(python) -m benchmarks.page_speed && $(python) -m benchmarks.recording_cost
 

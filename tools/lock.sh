@@ -1,9 +1,9 @@
 #!/bin/sh
 # Resolves requirements/*.in into hashed locks for every platform: `make lock`. Versions
 # that are locked stay; ARGS=--upgrade takes the newest. `kit`, `client`, `server`,
-# `generate` and `cluster` take the versions of `dev`; `metaworld` needs another MuJoCo,
-# `lerobot` has torch and `bench` has the peers, so they are resolved alone. A lock names
-# no index, no path and no machine.
+# `generate` and `cluster` take the versions of `dev`; `metaworld`, `aloha` and `robosuite`
+# need another MuJoCo, `lerobot` has torch and `bench` has the peers, so they are resolved
+# alone. A lock names no index, no path and no machine.
 set -eu
 uv=$PWD/.venv/bin/uv
 # A machine's own index or folder of wheels must not decide which hashes are locked.
@@ -28,6 +28,8 @@ lock server --constraints dev.txt "$@"
 lock generate --constraints dev.txt "$@"
 lock cluster --constraints dev.txt "$@"
 lock metaworld --overrides metaworld-overrides.txt "$@"
+lock aloha --overrides aloha-overrides.txt "$@"
+lock robosuite --overrides robosuite-overrides.txt "$@"
 lock lerobot --excludes lerobot-excludes.txt "$@"
 lock bench "$@"
 lock site "$@"

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Makes an environment equal to its lock: `sh tools/setup.sh dev` (.venv), `generate`,
-# `bench`, `cluster`, `lerobot`, `metaworld`, `site` or `own` (.venv-NAME). uv does the
-# work; here is what uv cannot do: pip brings uv itself, by the hash in the lock, to a
-# machine that has nothing but Python, and root on Debian or Ubuntu gets the GL libraries
-# that camera images need. PYTHON names the Python to use; otherwise the first that is new
-# enough.
+# Makes an environment equal to its lock: `sh tools/setup.sh dev` (.venv), `aloha`,
+# `bench`, `cluster`, `generate`, `lerobot`, `metaworld`, `own`, `robosuite` or `site`
+# (.venv-NAME). uv does the work; here is what uv cannot do: pip brings uv itself, by the
+# hash in the lock, to a machine that has nothing but Python, and root on Debian or Ubuntu
+# gets the GL libraries that camera images need. PYTHON names the Python to use; otherwise
+# the first that is new enough.
 set -eu
 name=$1
 environment=.venv-$name
@@ -55,7 +55,7 @@ fi
 # The lock is complete: nothing is resolved, nothing is compiled.
 "$uv" pip sync --quiet --python "$environment" --require-hashes --no-build \
     "requirements/$name.txt"
-case $name in cluster | dev | lerobot | metaworld | own)
+case $name in aloha | cluster | dev | lerobot | metaworld | own | robosuite)
     "$uv" pip install --quiet --python "$environment" --no-deps --no-build-isolation \
         --editable .
     provide_rendering

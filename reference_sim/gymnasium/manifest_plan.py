@@ -266,7 +266,7 @@ def _versions(modules: Sequence[str]) -> dict[str, str]:
     owners = importlib.metadata.packages_distributions()
     found = {owner for top in tops for owner in owners.get(top, ())}
     loaded = {owner for top in sys.modules for owner in owners.get(top, ())}
-    found |= {
-        engine for engine in _ENGINES if engine in {one.lower() for one in loaded}
-    }
+    # A package may write itself otherwise than its index does: dm_control.
+    spelled = {owner.lower().replace("_", "-") for owner in loaded}
+    found |= {engine for engine in _ENGINES if engine in spelled}
     return {name: installed_version(name) for name in sorted(found)}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import subprocess
 import sys
 from pathlib import Path
@@ -229,6 +230,16 @@ def test_what_changes_the_score_changes_the_manifest() -> None:
         {"score": {"return_from": 0.0, "return_to": 1.0}},
     ):
         assert simulator(**change) != plain
+
+
+def test_an_engine_is_found_however_its_package_is_spelled(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The index has dm-control, the package says dm_control."""
+    owners = {"numpy": ["dm_control"]}
+    monkeypatch.setattr(importlib.metadata, "packages_distributions", lambda: owners)
+    packages = look("ValidEnv")["manifest"]["simulator"]["packages"]
+    assert packages.keys() == {"dm-control"}
 
 
 # --- images ---

@@ -20,8 +20,6 @@ from collections.abc import Coroutine
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
-import asyncpg
-
 from tests.support.processes import descendants
 from tests.support.waiting import wait_until
 
@@ -160,6 +158,10 @@ class PostgresqlServer:
         """The rows of the last of these statements, run in one transaction."""
 
         async def run() -> list[tuple[Any, ...]]:
+            # Environments apart import this module with the fixtures, and have no such
+            # package.
+            import asyncpg
+
             connection = await asyncpg.connect(
                 user="postgres", password=PASSWORD, host=str(self._data), database=name
             )

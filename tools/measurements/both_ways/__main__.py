@@ -1,0 +1,50 @@
+"""A benchmark by the protocol and in a loop of its own: every episode is the same.
+
+`PYTHON -m tools.measurements.both_ways push_t`, `aloha` or `panda_lift`, where PYTHON
+is that of the environment that has the package. An expert plays the split
+`practice` twice. Ends with 1 if the steps, the success, the return or one observation
+of one episode differ.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import sys
+
+from tools.measurements.both_ways.compared_benchmark import ComparedBenchmark
+from tools.measurements.both_ways.play import (
+    differing,
+    max_steps_of,
+    play_by_protocol,
+    play_directly,
+)
+
+NAMES = ("aloha", "panda_lift", "push_t")
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        prog="python -m tools.measurements.both_ways", description=__doc__
+    )
+    parser.add_argument("compared", choices=NAMES)
+    parser.add_argument("--episodes", type=int, help="only the first ones")
+    chosen = parser.parse_args()
+    module = importlib.import_module(f"tools.measurements.both_ways.{chosen.compared}")
+    compared: ComparedBenchmark = module.COMPARED
+    served = play_by_protocol(compared, chosen.episodes)
+    direct = play_directly(compared, sorted(served.outcomes), max_steps_of(compared))
+    for (task, seed), outcome in direct.outcomes.items():
+        print(f"{task}, seed {seed}: {outcome}")
+        if outcome != served.outcomes[task, seed]:
+            print(f"  by protocol {served.outcomes[task, seed]}")
+    different = differing(direct, served)
+    print(
+        f"{len(served.outcomes)} episodes, {len(different)} differ; turns a second: "
+        f"{direct.turns_per_s:.1f} directly, {served.turns_per_s:.1f} by protocol"
+    )
+    return 1 if different or not served.outcomes else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
