@@ -79,7 +79,25 @@ def send_endless_heads(target: Target) -> Report:
             report.answers[str(ending.status or "closed")] += 1
             if not ending.is_closed:
                 report.violations.append(f"{name}: {ending}")
+        _send_split_lines(target, report)
     return report
+
+
+def _send_split_lines(target: Target, report: Report) -> None:
+    """Empty lines before a request, whose last byte comes later; it is answered."""
+    report.sent += 1
+    with target.client(timeout_s=10.0) as client:
+        connection = client.connect()
+        connection.sendall(b"\r\n\r")
+        time.sleep(0.05)
+        connection.sendall(b"\n" + GET)
+        try:
+            answer = connection.recv(64)
+        except TimeoutError:
+            answer = b""
+    report.answers[answer[9:12].decode("ascii", "replace") or "no answer"] += 1
+    if not answer.startswith(b"HTTP/1.1 200"):
+        report.violations.append(f"split empty lines: {answer!r}")
 
 
 def open_slow_connections(target: Target) -> Report:
