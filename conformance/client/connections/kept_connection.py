@@ -64,19 +64,20 @@ class BodySource(Protocol):
     def close_unless_idle(self) -> None:
         """Keep the connection if the body was read to its end."""
 
-    def shut_down(self) -> None:
-        """End a read in progress, from another thread."""
-
 
 class HttpResponse:
     """The head of a response, and its body as it arrives."""
 
     def __init__(
-        self, connection: BodySource, status: int, headers: httpx.Headers
+        self,
+        connection: BodySource,
+        sock: socket.socket,
+        status: int,
+        headers: httpx.Headers,
     ) -> None:
         self.status, self.headers = status, headers
         self.body: bytes | None = None
-        self._connection = connection
+        self._connection, self._sock = connection, sock
 
     def read(self) -> bytes:
         """Read all of the body; decodes it if it is compressed."""
@@ -96,8 +97,13 @@ class HttpResponse:
         self._connection.close_unless_idle()
 
     def shut_down(self) -> None:
-        """End it from another thread than the one that reads it."""
-        self._connection.shut_down()
+        """End it from another thread than the one that reads it.
+
+        Harmless when it has ended: the connection may carry other requests since then,
+        but over another socket.
+        """
+        with contextlib.suppress(OSError):
+            self._sock.shutdown(socket.SHUT_RDWR)
 
 
 def can_be_stale(error: BaseException) -> bool:
@@ -144,7 +150,7 @@ class KeptConnection:
             raise
         self._has_answer = True
         headers = httpx.Headers(event.headers.raw_items())
-        return HttpResponse(self, event.status_code, headers)
+        return HttpResponse(self, sock, event.status_code, headers)
 
     def was_closed_before_use(self, error: BaseException) -> bool:
         """Say whether the other side closed a kept connection as it was used again.
@@ -168,12 +174,6 @@ class KeptConnection:
             self._idle_since = time.monotonic()
         elif self._h11.our_state is not h11.IDLE:
             self.close()
-
-    def shut_down(self) -> None:
-        """End a read in progress, from another thread."""
-        if (sock := self._sock) is not None:
-            with contextlib.suppress(OSError):
-                sock.shutdown(socket.SHUT_RDWR)
 
     def close(self) -> None:
         """Close it; the next request opens another one."""

@@ -3,9 +3,7 @@
 Has the interface of KeptConnection.
 """
 
-import contextlib
 import http.cookiejar
-import socket
 import ssl
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -45,7 +43,9 @@ class ProxiedConnection:
         )
         response = self._response = self._client.send(built, stream=True)
         self._has_answer = True
-        return HttpResponse(self, response.status_code, response.headers)
+        network = response.extensions["network_stream"]
+        sock = network.get_extra_info("socket")
+        return HttpResponse(self, sock, response.status_code, response.headers)
 
     def _trace(self, event: str, _info: dict[str, Any]) -> None:
         if event == "connection.connect_tcp.started":
@@ -64,13 +64,6 @@ class ProxiedConnection:
         """Close the response; the client keeps its connection if it was read."""
         if self._response is not None:
             self._response.close()
-
-    def shut_down(self) -> None:
-        """End a read in progress, from another thread."""
-        if self._response is not None:
-            network = self._response.extensions["network_stream"]
-            with contextlib.suppress(OSError):
-                network.get_extra_info("socket").shutdown(socket.SHUT_RDWR)
 
     def close(self) -> None:
         """Close all of its connections."""

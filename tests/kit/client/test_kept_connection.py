@@ -5,6 +5,7 @@ import gzip
 import socket
 import threading
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import httpx
@@ -83,6 +84,37 @@ def test_the_pool_closes_what_it_keeps() -> None:
     with connect(server) as connections:
         read(connections, request(server))
     assert server.was_closed.wait(TIMEOUT_S)
+
+
+def test_an_answer_that_has_ended_ends_no_later_request() -> None:
+    arrived, is_ended = threading.Event(), threading.Event()
+
+    def serve() -> None:
+        last = SHORT.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n")
+        for number in range(2):
+            connection, _ = listener.accept()
+            with connection:
+                connection.recv(2**16)
+                if number:
+                    arrived.set()
+                    is_ended.wait(TIMEOUT_S)
+                connection.sendall(last)
+
+    with (
+        socket.create_server(("127.0.0.1", 0)) as listener,
+        ThreadPoolExecutor(2) as threads,
+        contextlib.closing(Connections()) as connections,
+    ):
+        threads.submit(serve)
+        url = httpx.URL(f"http://127.0.0.1:{listener.getsockname()[1]}/")
+        sent = HttpRequest("GET", url, {}, None, TIMEOUT_S)
+        first = connections.to(url).send(sent)
+        assert first.read() == b"{}"
+        second = threads.submit(read, connections, sent)
+        assert arrived.wait(TIMEOUT_S)
+        first.shut_down()
+        is_ended.set()
+        assert second.result(TIMEOUT_S) == b"{}"
 
 
 def test_a_body_arrives_in_chunks_and_compressed() -> None:
