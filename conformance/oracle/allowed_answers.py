@@ -109,6 +109,12 @@ def _attach(rules: Rules, model: RunModel, request: Attach) -> Iterator[AllowedA
         yield refusal("ATT-003", model, "worker_busy")
     elif current is not None and is_busy:
         yield from _take_over(model, current, request)
+    for old in model.sessions:
+        # One that is done, and whose worker attached again, may count as live for its
+        # key, too.
+        is_left = old.status == "superseded" and old.is_done
+        if is_left and (old.worker, old.key) == (request.worker, request.key):
+            yield AllowedAnswer("ATT-002", 200, lambda _: model, same_turn=old.turn)
     if to != "refused" and not is_busy:
         yield from _enter(rules, model, request, to)
 

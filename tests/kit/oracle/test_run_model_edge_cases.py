@@ -166,6 +166,18 @@ def test_a_session_that_is_done_holds_no_slot() -> None:
         advance_all(one_is_done, (Attach("c", "k3"), limit_reached()))
 
 
+def test_a_done_session_may_be_given_to_its_key_after_a_later_one() -> None:
+    """Whether it still counts as live for its key is the server's choice."""
+    body = {"session_id": "s3", "seq": 0, "executed_steps": 0, "rewards": []}
+    later = AnswerSummary(200, None, body | {"done": True})
+    two = advance_all(two_sessions(), LAST, (Attach("a", "k3"), later))
+    assert advance_all(two, (Attach("a", "k1"), LAST[1])) == two
+    assert advance_all(two, (Attach("a", "k1"), refused("worker_busy"))) == two
+    for worker, key, answer in (("a", "k1", later), ("b", "k1", LAST[1])):
+        with pytest.raises(Deviation):
+            advance_all(two, (Attach(worker, key), answer))
+
+
 def test_of_several_refusals_of_attach_any_is_allowed() -> None:
     full = two_sessions()
     for code in ("worker_busy", "worker_limit"):
