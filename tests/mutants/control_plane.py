@@ -521,7 +521,7 @@ def rounds_the_bounds_of_a_score() -> None:
     put(run_views, "score_of", wrong)
 
 
-@mutant("SCORE-010")
+@mutant("SCORE-010", "SCORE-014")
 def shows_another_state_beside_the_score() -> None:
     """A dashboard calls a run that was stopped running."""
     right = scoring.score_of

@@ -111,7 +111,7 @@ def stop_misses_a_session_that_is_opening() -> None:
     put(SessionExecutor, "_begin", slow_begin)
 
 
-@mutant("MODEL-002", tries=4)
+@mutant("MODEL-002", "DET-003", tries=4)
 def detach_misses_a_session_in_a_turn() -> None:
     """A worker that is detached during its turn keeps its episode."""
     right, play = SessionExecutor.detach, SessionExecutor._play

@@ -61,7 +61,7 @@ def commits_to_no_seeds() -> None:
     put(Benchmarks, "view", wrong)
 
 
-@mutant("BEN-005")
+@mutant("BEN-005", "AUTH-005", "ERR-008", "ERR-017", "SEAL-002")
 def hashes_open_and_sealed_seeds_alike() -> None:
     """Runs of other episodes are compared as if they were of the same ones."""
     right = benchmarks.digest

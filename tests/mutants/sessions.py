@@ -57,7 +57,18 @@ def replaces_a_live_session_without_takeover() -> None:
     replace_guard(right, wrong)
 
 
-@mutant("ATT-004", "ATT-016", "ATT-019", "ATT-020", "ATT-021")
+@mutant(
+    "ATT-004",
+    "ATT-016",
+    "ATT-019",
+    "ATT-020",
+    "ATT-021",
+    "ATR-003",
+    "ATR-004",
+    "ATR-006",
+    "EPI-011",
+    "SCORE-002",
+)
 def restarts_the_episode_on_takeover() -> None:
     """A takeover is a second attempt: retrying for luck pays."""
     right = effects.open_session
