@@ -10,7 +10,6 @@ import asyncio
 import os
 import signal
 import sys
-import time
 from collections.abc import Awaitable, Callable, Iterator
 from functools import partial
 from pathlib import Path
@@ -35,6 +34,7 @@ from tests.support.server.server_parts import (
 from tests.support.servers import ReferenceServer
 from tests.support.sim.calibration_action import calibration_action as action
 from tests.support.sim.ray_cluster import RayCluster
+from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts a Ray cluster")
 
@@ -53,18 +53,14 @@ def cluster() -> Iterator[RayCluster]:
 def _leaves_nothing(cluster: RayCluster) -> Iterator[None]:
     yield
     left = (cluster.living_actors, cluster.actor_processes, launchers)
-    wait_until(lambda: not any(found() for found in left))
+    wait_until(
+        lambda: not any(found() for found in left), "nothing is left", DEADLINE_S
+    )
 
 
 async def until(holds: Callable[[], bool]) -> None:
-    await asyncio.to_thread(wait_until, holds)
-
-
-def wait_until(holds: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + DEADLINE_S
-    while not holds():
-        assert time.monotonic() < deadline, "did not come true in time"
-        time.sleep(0.02)
+    """Asked in a thread, as Ray's answers take time."""
+    await asyncio.to_thread(wait_until, holds, "it came true", DEADLINE_S)
 
 
 def launchers() -> list[str]:

@@ -26,6 +26,7 @@ from reference_sim.process.pool import (
 from reference_sim.process.simulator_main import NewFrameMemory
 from reference_sim.process.simulator_process import ForkStarter
 from tests.support.sim.calibration_action import calibration_action as action
+from tests.support.waiting import wait_in_loop
 
 DEADLINE_S = 30.0
 WORLD = benchmark_registry.resolve("calibration").world
@@ -49,20 +50,15 @@ def with_pool(
             pids = [process.pid for process in pool._processes]
             await pool.close()
         assert (pool.busy, pool.idle) == (0, 0)
-        await wait_until(lambda: not any(pid and exists(pid) for pid in pids))
+        await wait_in_loop(
+            lambda: not any(pid and exists(pid) for pid in pids), DEADLINE_S
+        )
 
     asyncio.run(run())
 
 
 async def begin(handle: SimulatorHandle, task: str, max_steps: int = 100) -> None:
     await handle.begin(task, 1000, max_steps=max_steps, success_rule="any_step")
-
-
-async def wait_until(holds: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + DEADLINE_S
-    while not holds():
-        assert time.monotonic() < deadline, "did not come true in time"
-        await asyncio.sleep(0.01)
 
 
 def exists(pid: int | None) -> bool:
@@ -279,9 +275,9 @@ def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
 def test_spare_processes_are_started_and_replaced() -> None:
     async def scenario(pool: SimulatorPool) -> None:
         assert pool.idle == 0
-        await wait_until(lambda: pool.idle == 2)
+        await wait_in_loop(lambda: pool.idle == 2, DEADLINE_S)
         await pool.acquire(WORLD)
-        await wait_until(lambda: pool.idle == 2)
+        await wait_in_loop(lambda: pool.idle == 2, DEADLINE_S)
 
     with_pool(scenario, spares=2)
 
@@ -294,7 +290,7 @@ def test_a_crash_is_a_fault_and_frees_the_slot(fork: bool) -> None:
         with pytest.raises(SimulatorFault, match="died"):
             await handle.play([action(), action(fault=1)], observe_all=False)
         assert pool.busy == 0
-        await wait_until(lambda: not exists(handle.pid))
+        await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
         with pytest.raises(SimulatorFault):
             await handle.observe()
         await handle.release()
@@ -347,7 +343,7 @@ def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
         os.kill(handle.pid, signal.SIGSTOP)  # as deaf as a process can be
         with pytest.raises(SimulatorFault, match="no step for"):
             await handle.play([action()], observe_all=False)
-        await wait_until(lambda: not exists(handle.pid))
+        await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
 
     with_pool(scenario, turn_timeout_s=2.0, fork=fork)
 
@@ -375,7 +371,7 @@ def test_discarding_ends_a_running_play(fork: bool) -> None:
         assert pool.busy == 0
         with pytest.raises(SimulatorFault, match="discarded"):
             await playing
-        await wait_until(lambda: not exists(handle.pid))
+        await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
 
     with_pool(scenario, fork=fork)
 
@@ -387,7 +383,7 @@ def test_a_cancelled_play_ends_its_process() -> None:
         play = handle.play([action(delay_s=5)], observe_all=False)
         with pytest.raises(asyncio.TimeoutError):
             await asyncio.wait_for(play, 0.05)
-        await wait_until(lambda: not exists(handle.pid))
+        await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
         assert pool.busy == 0
 
     with_pool(scenario)
@@ -415,7 +411,7 @@ def test_a_dead_fork_server_is_replaced() -> None:
         assert isinstance(pool._starter, ForkStarter)
         assert pool._starter.fork_server_pid is not None
         os.kill(pool._starter.fork_server_pid, signal.SIGKILL)
-        await wait_until(lambda: not exists(handle.pid))
+        await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
         with pytest.raises(SimulatorFault):
             await handle.observe()
         await begin(await pool.acquire(WORLD), "count")

@@ -10,7 +10,6 @@ import os
 import signal
 import socket
 import threading
-import time
 from collections.abc import Callable, Coroutine
 from pathlib import Path
 from typing import Any, cast
@@ -37,6 +36,7 @@ from reference_sim.process.ray.ray_pool import RayPool, check_cluster, parse_res
 from reference_sim.process.ray.simulator_actor import SimulatorActor
 from tests.support.sim.actors_without_ray import LauncherWithoutRay
 from tests.support.sim.calibration_action import calibration_action as action
+from tests.support.waiting import wait_in_loop
 
 DEADLINE_S = 60.0
 WORLD = benchmark_registry.resolve("calibration").world
@@ -58,13 +58,6 @@ def with_pool(scenario: Scenario, room: int, **settings: Any) -> None:
         assert launcher.requested == 0
 
     asyncio.run(run())
-
-
-async def wait_until(holds: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + DEADLINE_S
-    while not holds():
-        assert time.monotonic() < deadline, "did not come true in time"
-        await asyncio.sleep(0.01)
 
 
 async def begin(handle: SimulatorHandle, task: str) -> None:
@@ -106,7 +99,7 @@ def test_a_full_cluster_refuses_and_the_request_stays() -> None:
             assert launcher.requested == 1
         fullness.append(pool.is_full)
         launcher.add_room()
-        await wait_until(lambda: pool.idle == 1)
+        await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
         fullness.append(pool.is_full)
         assert fullness == [False, True, False]
         second = await pool.acquire(WORLD)
@@ -119,7 +112,7 @@ def test_a_full_cluster_refuses_and_the_request_stays() -> None:
 def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         waiting = asyncio.create_task(pool.acquire(WORLD))
-        await wait_until(lambda: launcher.requested == 1)
+        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
         pool._placed_at = asyncio.get_running_loop().time() + DEADLINE_S
         assert not (await asyncio.wait([waiting], timeout=0.5))[0]
         launcher.add_room()
@@ -132,7 +125,7 @@ def test_who_waits_gets_what_is_returned() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         first = await pool.acquire(WORLD)
         waiting = asyncio.create_task(pool.acquire(WORLD))
-        await wait_until(lambda: launcher.requested == 1)
+        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
         await first.release()
         assert (await waiting).pid == first.pid
 
@@ -146,7 +139,7 @@ def test_who_stops_waiting_leaves_nothing_lent(leaves_first: bool) -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         first = await pool.acquire(WORLD)
         waiting = asyncio.create_task(pool.acquire(WORLD))
-        await wait_until(lambda: launcher.requested == 1)
+        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
         if leaves_first:
             waiting.cancel()
         await first.release()
@@ -169,12 +162,14 @@ def test_no_more_are_lent_than_the_setting_allows() -> None:
 
 def test_idle_simulators_are_given_back_but_for_the_spares() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
-        await wait_until(lambda: pool.idle == 1)
+        await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
         lent = [await pool.acquire(WORLD) for _ in range(3)]
-        await wait_until(lambda: len(launcher.actors) == 4)
+        await wait_in_loop(lambda: len(launcher.actors) == 4, DEADLINE_S)
         for handle in lent:
             await handle.release()
-        await wait_until(lambda: pool.idle == 1 and len(launcher.actors) == 1)
+        await wait_in_loop(
+            lambda: pool.idle == 1 and len(launcher.actors) == 1, DEADLINE_S
+        )
 
     with_pool(scenario, room=4, spares=1, idle_s=0.2)
 
@@ -185,7 +180,7 @@ def test_a_request_without_a_caller_ends(monkeypatch: pytest.MonkeyPatch) -> Non
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         with pytest.raises(NoCapacity):
             await pool.acquire(WORLD)
-        await wait_until(lambda: launcher.requested == 0)
+        await wait_in_loop(lambda: launcher.requested == 0, DEADLINE_S)
 
     with_pool(scenario, room=0, place_s=0.1, idle_s=0.2)
 
@@ -236,7 +231,7 @@ def test_a_lost_cluster_is_no_fault() -> None:
         launcher.is_joined = True
         with pytest.raises(SimulatorFault, match="cannot be reached"):
             await pool.check_start()
-        await wait_until(lambda: launcher.is_open)
+        await wait_in_loop(lambda: launcher.is_open, DEADLINE_S)
         await pool.check_start()
         await pool.acquire(WORLD)
 
