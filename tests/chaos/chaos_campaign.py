@@ -7,7 +7,6 @@ import itertools
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path
 from random import Random
 from typing import Any, Self
@@ -18,6 +17,7 @@ from tests.attack.raw_client import Answer, NoAnswer, RawClient
 from tests.chaos.chaos_cluster import ChaosCluster
 from tests.chaos.chaos_faults import FAULTS, Fault
 from tests.chaos.chaos_player import ChaosPlayer
+from tests.chaos.chaos_rounds import Counts, Round
 from tests.chaos.push_player import PushPlayer, scripted_policy
 from tests.chaos.write_audit import WriteAudit
 
@@ -27,31 +27,6 @@ GOING_MAX_S = 60.0
 # Turns of each player after a fault, and after its repair.
 AFTER_FAULT, AFTER_REPAIR = 5, 2
 TRACEBACK_CHARACTERS = 3000
-
-
-@dataclass
-class Round:
-    """waits_s: of each player, the longest time without success since the fault."""
-
-    number: int
-    fault: Fault
-    waits_s: list[float] = field(default_factory=list)
-    findings: list[str] = field(default_factory=list)
-
-
-@dataclass
-class Counts:
-    """Of a whole campaign.
-
-    operations: turns, starts and changes of push runs. compared: turns with two
-    answers. writes: of runs and episodes, that were judged.
-    """
-
-    runs: int = 0
-    operations: int = 0
-    claims: int = 0
-    compared: int = 0
-    writes: int = 0
 
 
 class Campaign:
@@ -107,7 +82,8 @@ class Campaign:
     def play_fault(self, number: int, fault: Fault, chance: Random) -> Round:
         played = Round(number, fault)
         happens = fault.happens(self._cluster, chance)
-        since = next(happens)
+        broken = next(happens)
+        played.count, since = broken.count, broken.since
         self._wait_for_operations(since, AFTER_FAULT, played)
         ended_at = time.monotonic()
         played.waits_s = [

@@ -2,6 +2,7 @@
 
 A fault is a generator. What precedes its `yield` makes it; it yields the time from
 which on a cluster has to go on, and repairs what is broken when it is resumed.
+A long campaign ends when what is promised in `PROMISED` has been broken so often.
 """
 
 from __future__ import annotations
@@ -11,9 +12,11 @@ import os
 import signal
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from random import Random
 
+from tests.attack.attacked_server import AttackedServer
 from tests.chaos.chaos_cluster import ChaosCluster
 from tests.chaos.links import Link
 from tests.support.processes import descendants
@@ -21,17 +24,41 @@ from tests.support.server.postgresql_server import LIBFAKETIME
 
 # Files of a full disk; days of a clock.
 FULL_AT, DAY_S = 4096, 86_400.0
-Happens = Callable[[ChaosCluster, Random], Iterator[float]]
+NODES_KILLED, SIMULATORS_KILLED = "nodes killed", "simulators killed"
+DATABASES_KILLED = "PostgreSQL killed"
+PAUSES, PARTITIONS = "pauses beyond the lease", "partitions"
+PROMISED = {
+    NODES_KILLED: 1000,
+    SIMULATORS_KILLED: 1000,
+    DATABASES_KILLED: 100,
+    PAUSES: 100,
+    PARTITIONS: 50,
+}
+
+
+@dataclass(frozen=True)
+class Broken:
+    """since: the time from which on a cluster has to go on. count: of its promise."""
+
+    since: float
+    count: int = 1
+
+
+Happens = Callable[[ChaosCluster, Random], Iterator[Broken]]
 
 
 @dataclass(frozen=True)
 class Fault:
-    """does: for the table. weight: how often it is chosen beside the others."""
+    """does: for the table. weight: how often it is chosen beside the others.
+
+    promise: what it counts for, of PROMISED.
+    """
 
     name: str
     does: str
     happens: Happens
     weight: int = 1
+    promise: str = ""
 
 
 def _wait_until(moment: float) -> None:
@@ -51,86 +78,95 @@ def _number(cluster: ChaosCluster, chance: Random) -> int:
 
 
 def _kill_nodes(count: int, with_: signal.Signals) -> Happens:
-    def happens(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    def happens(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
         nodes = chance.sample(cluster.nodes, count)
         for node in nodes:
             node.process.send_signal(with_)
         since = time.monotonic()
         for node in nodes:
             node.end(with_)
-        yield since
+        yield Broken(since, count)
         for node in nodes:
             node.start()
 
     return happens
 
 
-def _restart_node(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
-    """At once: it takes its own place."""
-    node = chance.choice(cluster.nodes)
-    since = time.monotonic()
-    node.end(signal.SIGKILL)
-    node.start()
-    yield since
+def _restart_nodes(count: int) -> Happens:
+    """At once: each takes its own place."""
+
+    def happens(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
+        nodes = chance.sample(cluster.nodes, count)
+        since = time.monotonic()
+        for node in nodes:
+            node.process.send_signal(signal.SIGKILL)
+        for node in nodes:
+            node.end(signal.SIGKILL)
+        with ThreadPoolExecutor() as executor:
+            list(executor.map(AttackedServer.start, nodes))
+        yield Broken(since, count)
+
+    return happens
 
 
-def _pause_node(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+def _pause_node(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     node, pause_s = chance.choice(cluster.nodes), _beyond_lease(cluster, chance)
     since = time.monotonic()
     node.process.send_signal(signal.SIGSTOP)
     try:
-        yield since
+        yield Broken(since, int(pause_s > cluster.lease_s))
         _wait_until(since + pause_s)
     finally:
         node.process.send_signal(signal.SIGCONT)
 
 
-def _kill_simulators(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
-    since = time.monotonic()
+def _kill_simulators(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
+    since, killed = time.monotonic(), 0
     for _ in range(3):
         found = chance.choice(cluster.nodes).simulators()
         if found:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(chance.choice(found), signal.SIGKILL)
-    yield since
+                killed += 1
+    yield Broken(since, killed)
 
 
 # --- the database ---
 
 
-def _restart_database(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+def _restart_database(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     cluster.postgresql.kill()
     time.sleep(chance.choice((0.0, 0.3, 1.5)) * cluster.lease_s)
     cluster.postgresql.start()
-    yield time.monotonic()
+    yield Broken(time.monotonic())
 
 
-def _pause_database(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+def _pause_database(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     pause_s = _beyond_lease(cluster, chance)
     cluster.signal_database(signal.SIGSTOP)
     try:
         time.sleep(pause_s)
     finally:
         cluster.signal_database(signal.SIGCONT)
-    yield time.monotonic()
+    yield Broken(time.monotonic(), int(pause_s > cluster.lease_s))
 
 
-def _kill_backend(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+def _kill_backend(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     """PostgreSQL ends all its other processes then, and recovers."""
     found = sorted(descendants(cluster.postgresql.process.pid))
     since = time.monotonic()
     with contextlib.suppress(ProcessLookupError):
         os.kill(chance.choice(found), signal.SIGKILL)
-    yield since
+    yield Broken(since)
 
 
-def _fill_disk(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+def _fill_disk(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     """Nothing of it grows: it ends itself at the next write of its log."""
     lasts_s = _beyond_lease(cluster, chance)
     cluster.limit_database_files(FULL_AT)
     time.sleep(lasts_s)
     cluster.limit_database_files(None)
-    yield time.monotonic()
+    yield Broken(time.monotonic())
 
 
 # --- clocks ---
@@ -141,20 +177,20 @@ def _jump_s(chance: Random) -> float:
     return chance.choice((-1, 1)) * chance.choice((2.0, 60.0, 3600.0, 400 * DAY_S))
 
 
-def _shift_clocks(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+def _shift_clocks(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     """Of each node by another time: what counts is the clock of the database."""
     since = time.monotonic()
     for number in range(len(cluster.nodes)):
         cluster.shift_clock(number, _jump_s(chance))
-    yield since
+    yield Broken(since)
     for number in range(len(cluster.nodes)):
         cluster.shift_clock(number, 0)
 
 
-def _shift_database_clock(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+def _shift_database_clock(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     since = time.monotonic()
     cluster.postgresql.shift_clock(_jump_s(chance))
-    yield since
+    yield Broken(since)
     cluster.postgresql.shift_clock(0)
 
 
@@ -169,19 +205,19 @@ def _disturb(
 ) -> Happens:
     """is_over_first: the cluster has to go on when the fault is over."""
 
-    def happens(cluster: ChaosCluster, chance: Random) -> Iterator[float]:
+    def happens(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
         links = links_of(cluster, _number(cluster, chance))
         lasts_s = _beyond_lease(cluster, chance)
         since = time.monotonic()
         cluster.links.call(*(lambda link=link: change(link) for link in links))
         try:
             if not is_over_first:
-                yield since
+                yield Broken(since)
             _wait_until(since + lasts_s)
         finally:
             cluster.links.call(*(link.heal for link in links))
         if is_over_first:
-            yield time.monotonic()
+            yield Broken(time.monotonic())
 
     return happens
 
@@ -198,18 +234,23 @@ FAULTS = {
     fault.name: fault
     for fault in (
         Fault("node killed", "SIGKILL, started when all go on",
-              _kill_nodes(1, signal.SIGKILL), 4),
+              _kill_nodes(1, signal.SIGKILL), 4, NODES_KILLED),
         Fault("two nodes killed", "SIGKILL of two of three",
-              _kill_nodes(2, signal.SIGKILL)),
-        Fault("node restarted", "SIGKILL, started again at once", _restart_node, 2),
+              _kill_nodes(2, signal.SIGKILL), 1, NODES_KILLED),
+        Fault("node restarted", "SIGKILL, started again at once",
+              _restart_nodes(1), 2, NODES_KILLED),
+        Fault("all nodes restarted", "SIGKILL of three, started again at once",
+              _restart_nodes(3), 2, NODES_KILLED),
         Fault("node ended", "SIGTERM", _kill_nodes(1, signal.SIGTERM)),
-        Fault("node paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_node, 4),
-        Fault("simulators killed", "SIGKILL of three", _kill_simulators, 2),
+        Fault("node paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_node, 4, PAUSES),
+        Fault("simulators killed", "SIGKILL of three", _kill_simulators, 2,
+              SIMULATORS_KILLED),
         Fault("database restarted", "killed; away for up to 1.5 leases",
-              _restart_database, 2),
-        Fault("database paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_database, 2),
+              _restart_database, 2, DATABASES_KILLED),
+        Fault("database paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_database, 2,
+              PAUSES),
         Fault("database process killed", "SIGKILL; PostgreSQL recovers",
-              _kill_backend, 2),
+              _kill_backend, 2, DATABASES_KILLED),
         Fault("database disk full", "writes fail for up to 2.5 leases", _fill_disk, 2),
         Fault("node clocks jump", "each by 2 s to 400 days, forth or back",
               _shift_clocks, 2),
@@ -222,13 +263,13 @@ FAULTS = {
         Fault("node – nodes cut", "others do not reach it",
               _disturb(lambda c, n: [c.peers[n]], Link.cut), 2),
         Fault("node – nodes lost", "no byte from others passes",
-              _disturb(lambda c, n: [c.peers[n]], Link.hold), 2),
+              _disturb(lambda c, n: [c.peers[n]], Link.hold), 2, PARTITIONS),
         Fault("node – database cut", "connections closed",
               _disturb(lambda c, n: [c.databases[n]], Link.cut), 2),
         Fault("node – database lost", "no byte passes",
-              _disturb(lambda c, n: [c.databases[n]], Link.hold), 3),
+              _disturb(lambda c, n: [c.databases[n]], Link.hold), 3, PARTITIONS),
         Fault("node partitioned", "no byte to or from it passes",
-              _disturb(lambda c, n: c.ways(n), Link.hold), 2),
+              _disturb(lambda c, n: c.ways(n), Link.hold), 2, PARTITIONS),
         Fault("answers lost", "a fifth, to players and to nodes",
               _disturb(lambda c, _: [*c.fronts, *c.peers], _lose_answers,
                        is_over_first=True), 2),

@@ -9,23 +9,24 @@ from datetime import UTC, datetime
 
 from tests.attack import reliability_page
 from tests.attack.verdicts import percentile
-from tests.chaos.chaos_campaign import NODES, Counts, Round
-from tests.chaos.chaos_faults import FAULTS
+from tests.chaos.chaos_campaign import NODES
+from tests.chaos.chaos_faults import FAULTS, PROMISED
+from tests.chaos.chaos_rounds import Counts, Round, broken_so_far
 from tools.measurements.git_commit import read_commit
 
 # The last part of the page; what precedes it is left as it is.
 HEADING = "\n## A cluster\n"
+GOING_P99_S = 10.0
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """Under which rounds were played. load: of the machine before them."""
+    """Under which rounds were played. load: of the machine before half of them."""
 
     seed: int
     players: int
     lease_s: float
     load: float
-    counts: Counts
 
 
 def round_line(played: Round) -> str:
@@ -41,7 +42,7 @@ def round_line(played: Round) -> str:
 
 def summary(rounds: Sequence[Round], conditions: Conditions) -> Iterator[str]:
     """What was found, and the times of all rounds."""
-    counts = conditions.counts
+    counts = sum((one.counts for one in rounds), Counts())
     waits = [wait for one in rounds for wait in one.waits_s]
     findings = sum(len(one.findings) for one in rounds)
     yield (
@@ -82,13 +83,38 @@ def write(rounds: Sequence[Round], conditions: Conditions) -> None:
         "a limit of the size of its files, at which PostgreSQL ends.\n\n"
         f"Written by `make chaos ARGS=--write` on commit {commit} of {date}: "
         f"{conditions.players} players, lease {conditions.lease_s:g} s,\n"
-        f"{os.cpu_count()} processors shared with other programs, load before it "
-        f"{conditions.load:.1f}.\n\n"
+        f"{os.cpu_count()} processors shared with other programs, load before half of "
+        f"the rounds {conditions.load:.1f} or less.\n\n"
     )
     text = head + "\n\n".join(summary(rounds, conditions)) + "\n\n"
+    text += "\n".join(_promises(rounds)) + "\n\n"
     text += "\n".join(_table(rounds)) + "\n"
     page = reliability_page.PAGE
     page.write_text(page.read_text().partition(HEADING)[0] + text)
+
+
+def _promises(rounds: Sequence[Round]) -> Iterator[str]:
+    """How often each was to be broken, and was: `--long` goes on until it was."""
+    broken = broken_so_far(rounds)
+    waits = [wait for one in rounds for wait in one.waits_s]
+    findings = sum(len(one.findings) for one in rounds)
+    yield "| promised | measured | verdict |"
+    yield "|---|--:|---|"
+    for promise, count in PROMISED.items():
+        verdict = _verdict(findings == 0, broken[promise] >= count)
+        what = f"{count:,} {promise}: no result lost, doubled, rescored"
+        yield f"| {what} | {broken[promise]:,} | {verdict} |"
+    p99_s = percentile(waits, 0.99)
+    yield (
+        f"| All go on with a p99 of at most {GOING_P99_S:g} s | {p99_s:.1f} s "
+        f"| {_verdict(p99_s <= GOING_P99_S, True)} |"
+    )
+
+
+def _verdict(is_kept: bool, is_whole: bool) -> str:
+    if not is_kept:
+        return "**broken**"
+    return "kept" if is_whole else "kept in part"
 
 
 def _table(rounds: Sequence[Round]) -> Iterator[str]:

@@ -16,9 +16,17 @@ from tests.attack import reliability_page
 from tests.attack.raw_client import Answer
 from tests.attack.watcher import History
 from tests.chaos import chaos_page
-from tests.chaos.chaos_campaign import Campaign, Counts, Round
+from tests.chaos.chaos_campaign import Campaign
 from tests.chaos.chaos_cluster import ChaosCluster
-from tests.chaos.chaos_faults import FAULTS, FULL_AT
+from tests.chaos.chaos_faults import FAULTS, FULL_AT, NODES_KILLED, PROMISED
+from tests.chaos.chaos_rounds import (
+    ROUNDS_MIN,
+    Counts,
+    KeptRounds,
+    Round,
+    broken_so_far,
+    faults_to_play,
+)
 from tests.chaos.push_player import PushPlayer
 from tests.chaos.write_audit import WriteAudit
 from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
@@ -161,12 +169,50 @@ def test_the_table_replaces_an_earlier_one_and_nothing_else(
     monkeypatch.setattr(reliability_page, "PAGE", tmp_path / "page.md")
     reliability_page.PAGE.write_text("# Reliability\n\n## Long runs\n\nBy hand.\n")
     played = Round(0, FAULTS["node killed"], [0.5, 6.0], ["a result was lost"])
-    conditions = chaos_page.Conditions(1, 2, 5.0, 0.5, Counts(3, 2000, 4))
+    played.count = 1
+    conditions = chaos_page.Conditions(1, 2, 5.0, 0.5)
     assert "BROKEN" in chaos_page.round_line(played)
     for _ in range(2):
         chaos_page.write([played], conditions)
         text = reliability_page.PAGE.read_text()
         assert text.startswith("# Reliability\n\n## Long runs\n\nBy hand.\n\n## A clus")
         assert text.count("## A cluster") == 1
+        assert (
+            "| 1,000 nodes killed: no result lost, doubled, rescored | 1 | **b" in text
+        )
+        assert "at most 10 s | 6.0 s | kept |" in text
         assert "| node killed | SIGKILL, started when all go on | 1 | 0.5 |" in text
         assert text.endswith("| 6.0 | 1 |\n")
+
+
+# --- a long campaign ---
+
+
+def _played(name: str, count: int, number: int = 0) -> Round:
+    return Round(number, FAULTS[name], [0.5], [], count, Counts(1, 2, 3, 4, 5))
+
+
+def test_a_long_campaign_ends_when_all_was_tried() -> None:
+    rarely = [_played(name, 1) for name in FAULTS for _ in range(ROUNDS_MIN)]
+    left = faults_to_play(rarely)
+    assert {FAULTS[name].promise for name in left} == set(PROMISED)
+    missing = PROMISED[NODES_KILLED] - broken_so_far(rarely)[NODES_KILLED]
+    assert "node killed" in faults_to_play(
+        [*rarely, _played("node killed", missing - 1)]
+    )
+    enough = [*rarely, _played("node killed", missing)]
+    assert not {"node killed", "two nodes killed"} & set(faults_to_play(enough))
+    most = [_played(left_over, 1000) for left_over in left]
+    assert faults_to_play([*rarely, *most]) == []
+    assert faults_to_play([*rarely[:-1], *most]) == [rarely[-1].fault.name]
+
+
+def test_a_long_campaign_goes_on_where_it_ended(tmp_path: Path) -> None:
+    file = tmp_path / "var" / "chaos.jsonl"
+    kept = KeptRounds({"commit": "a", "seed": 1}, file)
+    kept.add(_played("node killed", 1, number=7), 2.5)
+    KeptRounds({"commit": "b", "seed": 1}, file).add(_played("node ended", 1), 0.0)
+    again = KeptRounds({"commit": "a", "seed": 1}, file)
+    assert again.rounds == kept.rounds
+    assert again.loads == [2.5]
+    assert KeptRounds({"commit": "a", "seed": 2}, file).rounds == []
