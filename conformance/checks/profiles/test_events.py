@@ -295,7 +295,8 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
 
 @requirement("EVT-007")
 def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) -> None:
-    """Unknown event ids: invented, malformed, of another run, and beyond the last.
+    """Unknown event ids: invented, malformed, of another run, beyond the last, and one
+    of the run with another character at each place in turn.
 
     Expect `invalid_request`; an id of the run itself is accepted.
     """
@@ -308,6 +309,7 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
     # Ids may be numbers that each run counts: five episodes count beyond one.
     others = [foreign[-1], *(id_ for id_ in foreign[:1] if id_ not in known)]
     others += [re.sub(r"\d+", lambda found: str(int(found[0]) + 1000), own, count=1)]
+    others += [f"{own[:at]}_{own[at + 1 :]}" for at in range(len(own))]
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, *others):
         if wrong == own:
             continue  # of letters alone
