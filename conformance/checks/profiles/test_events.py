@@ -7,9 +7,10 @@ when a stream ends it reconnects with the last id.
 import contextlib
 import itertools
 import re
+import string
 import time
 import uuid
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -293,10 +294,21 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
             expect.equal(again.first_status(), 200, f"status at the last id, {state}")
 
 
+def altered_ids(known: str) -> Iterator[str]:
+    """Give ids that resemble an id of a run, and that no server gave to an event."""
+    for at in range(len(known)):
+        yield f"{known[:at]}_{known[at + 1 :]}"
+    beginning = known.rstrip(string.digits)
+    if beginning != known and beginning:
+        yield beginning
+    for found in re.finditer(r"[^A-Za-z0-9](?=.)", known):
+        yield from (known[: found.end()], known[found.end() :])
+
+
 @requirement("EVT-007")
 def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) -> None:
     """Unknown event ids: invented, malformed, of another run, beyond the last, and one
-    of the run with another character at each place in turn.
+    of the run with another character at each place in turn, or only a part of it.
 
     Expect `invalid_request`; an id of the run itself is accepted.
     """
@@ -309,7 +321,7 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
     # Ids may be numbers that each run counts: five episodes count beyond one.
     others = [foreign[-1], *(id_ for id_ in foreign[:1] if id_ not in known)]
     others += [re.sub(r"\d+", lambda found: str(int(found[0]) + 1000), own, count=1)]
-    others += [f"{own[:at]}_{own[at + 1 :]}" for at in range(len(own))]
+    others += altered_ids(own)
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, *others):
         if wrong == own:
             continue  # of letters alone
