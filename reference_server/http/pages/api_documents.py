@@ -48,6 +48,15 @@ class ApiDocuments:
         """The JSON of an answer. Raises Problem."""
         return msgspec.json.decode(await self.read(*path, **query))
 
+    async def pages(self, *path: str, **query: object) -> AsyncIterator[Any]:
+        """Each page of a list, from the cursor of the query on. Raises Problem."""
+        page = await self.get(*path, **query)
+        yield page
+        while (cursor := page["next_cursor"]) is not None:
+            await asyncio.sleep(0)  # turns are played between two pages
+            page = await self.get(*path, **query | {"cursor": cursor})
+            yield page
+
     async def read(self, *path: str, **query: object) -> bytes:
         """The bytes of an answer. Raises Problem."""
         body = bytearray()

@@ -93,8 +93,12 @@ async def _ranking(call: PageCall) -> tuple[dict[str, Any], dict[str, Any]]:
 async def _other_manifests(call: PageCall) -> list[tuple[str, int]]:
     """Manifests of the benchmark that have public entries, and how many each has."""
     chosen = {"benchmark_id": call.path("benchmark_id"), "limit": ROWS_MAX}
-    found = await call.api.get("entries", **chosen)
-    public = [one["manifest_sha256"] for one in found["entries"] if one["is_public"]]
+    public = [
+        entry["manifest_sha256"]
+        async for page in call.api.pages("entries", **chosen)
+        for entry in page["entries"]
+        if entry["is_public"]
+    ]
     return Counter(public).most_common(MANIFESTS_MAX)
 
 
@@ -159,18 +163,15 @@ async def find_entry(
     """Whether the run may have an entry here, and the one that it has."""
     if run["state"] != "completed":
         return False, None
-    chosen: dict[str, object] = {"benchmark_id": run["benchmark_id"], "limit": ROWS_MAX}
-    while True:
-        try:
-            found = await api.get("entries", **chosen)
-        except Problem:  # this server has no leaderboard
-            return False, None
-        for entry in found["entries"]:
-            if entry["run_id"] == run["run_id"]:
-                return True, entry
-        if found["next_cursor"] is None:
-            return True, None
-        chosen["cursor"] = found["next_cursor"]
+    chosen = {"benchmark_id": run["benchmark_id"], "limit": ROWS_MAX}
+    try:
+        async for page in api.pages("entries", **chosen):
+            for entry in page["entries"]:
+                if entry["run_id"] == run["run_id"]:
+                    return True, entry
+    except Problem:  # this server has no leaderboard
+        return False, None
+    return True, None
 
 
 async def publish(call: PageCall, form: Mapping[str, str]) -> Response:

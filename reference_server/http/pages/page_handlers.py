@@ -80,18 +80,16 @@ class PageHandlers:
     async def show_runs(self, call: PageCall) -> str:
         """The runs that fit, and from where the next page goes on."""
         selected = {name: call.query(name) for name in ("benchmark", "policy", "state")}
-        cursor = call.query("cursor")
+        start = {"cursor": cursor} if (cursor := call.query("cursor")) else {}
         found: list[Document] = []
-        searched = 0
-        while len(found) < ROWS and searched < RUNS_SEARCHED_MAX:
-            limits = {"limit": ROWS} | ({"cursor": cursor} if cursor else {})
-            page = await call.api.get("runs", **limits)
+        searched, following = 0, ""
+        async for page in call.api.pages("runs", limit=ROWS, **start):
             searched += len(page["runs"])
             found += [run for run in page["runs"] if _fits(run, selected)]
-            cursor = page["next_cursor"]
-            if cursor is None:
+            if len(found) >= ROWS or searched >= RUNS_SEARCHED_MAX:
+                if cursor := page["next_cursor"]:
+                    following = f"?{urlencode(selected | {'cursor': cursor})}"
                 break
-        following = f"?{urlencode(selected | {'cursor': cursor})}" if cursor else ""
         return render_page(
             "runs", LINKS, csrf=call.csrf, runs=found, selected=selected,
             states=("queued", "ready", "running", "stopping", "stopped", "failed",
@@ -242,13 +240,9 @@ class PageHandlers:
             self._lists.move_to_end(key)
             return kept
         found: list[Document] = []
-        cursor: str | None = ""
-        while cursor is not None:
-            more = {"limit": EPISODES_PER_CALL} | ({"cursor": cursor} if cursor else {})
-            page = await call.api.get("runs", run["run_id"], "episodes", **more)
+        path = ("runs", run["run_id"], "episodes")
+        async for page in call.api.pages(*path, limit=EPISODES_PER_CALL):
             found += page["episodes"]
-            cursor = page["next_cursor"]
-            await asyncio.sleep(0)  # turns are played between two parts
         listed = _EpisodeList(found)
         if run["state"] == "completed":
             _keep(self._lists, key, listed, LISTS_KEPT)
