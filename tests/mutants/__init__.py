@@ -7,7 +7,9 @@ kit has to fail exactly those, no more and no fewer.
 
 from __future__ import annotations
 
+import importlib
 import inspect
+import pkgutil
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -71,38 +73,8 @@ def _check_parameters(right: Callable[..., object], wrong: Callable[..., Any]) -
 
 
 def load() -> dict[str, Mutant]:
-    """All mutants, by name."""
-    from tests.mutants import (  # noqa: F401 - importing them registers them
-        answers,
-        board,
-        chat,
-        cluster,
-        compare,
-        connections,
-        control_plane,
-        deletion,
-        ebench,
-        episodes,
-        events,
-        faults,
-        flageval,
-        histories,
-        http_messages,
-        idempotency,
-        invalid_requests,
-        lifecycle,
-        long_lists,
-        players,
-        push,
-        record,
-        record_import,
-        restarts,
-        sealed_seeds,
-        sessions,
-        shown_members,
-        simulators,
-        subsets,
-        turns,
-    )
-
+    """All mutants, by name: those of each file in a folder of this one."""
+    for module in pkgutil.walk_packages(__path__, f"{__name__}."):
+        if not module.ispkg and module.name.count(".") > __name__.count(".") + 1:
+            importlib.import_module(module.name)  # which registers its mutants
     return MUTANTS

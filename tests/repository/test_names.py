@@ -137,7 +137,7 @@ MORE_SIBLINGS = {
     "spec/vectors/record": "a file for each way in which a record can be broken",
     "tests": "a folder for each package, and what judges the kit",
     "tests/kit": "a folder for each package of the kit, and runs of it as a whole",
-    "tests/mutants": "a file for each area of the rules",
+    "tests/mutants/profiles": "a file of mutants for each profile",
     "tests/repository": "a test for each page and each rule on the repository",
     "tests/server": "a folder for each part of the server, and tests of the whole",
     "tests/support": "a folder for each package, and what starts servers",

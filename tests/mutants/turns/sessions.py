@@ -28,7 +28,7 @@ from reference_server.runs.session_resources import ResourceManager, SessionReso
 from reference_server.views import turn_view
 from reference_server.views.run_views import timestamp
 from tests.mutants import mutant, put
-from tests.mutants.turns import no_guard, replace_guard
+from tests.mutants.turns.predict import no_guard, replace_guard
 
 
 @mutant(

@@ -11,7 +11,7 @@ from reference_server.rules.lifecycle import Attach, Refuse, Verdict
 from reference_server.rules.run import Run, RunHead, Session
 from reference_server.views import run_views
 from tests.mutants import mutant, put
-from tests.mutants.turns import no_guard, replace_guard
+from tests.mutants.turns.predict import no_guard, replace_guard
 
 
 @mutant("ATR-001", "ATR-002")

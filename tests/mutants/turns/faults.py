@@ -10,7 +10,7 @@ from reference_server.rules.lifecycle import Command, Predict, Verdict, decide
 from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 from reference_server.runs import session_executor
 from tests.mutants import mutant, put
-from tests.mutants.turns import change_turn
+from tests.mutants.turns.predict import change_turn
 
 
 @mutant("FAULT-007")

@@ -12,7 +12,7 @@ from reference_server.rules.run import Episode, Run, Session, SessionEnd
 from reference_server.storage import rows
 from reference_server.views import turn_view
 from tests.mutants import mutant, put
-from tests.mutants.turns import change_turn
+from tests.mutants.turns.predict import change_turn
 
 
 @mutant("ATR-003", "ATR-004", "EPI-001")

@@ -22,7 +22,7 @@ from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import Store
 from tests.mutants import mutant, put
-from tests.mutants.turns import replace_guard
+from tests.mutants.turns.predict import replace_guard
 
 # Longer than the kit waits for a change, shorter than its long polls.
 LATE_S = 3.0

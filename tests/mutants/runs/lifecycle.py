@@ -14,7 +14,7 @@ from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
 from tests.mutants import MUTANTS, Mutant, put
 
-SPEC = Path(__file__).parents[2] / "spec" / "openapi.yaml"
+SPEC = Path(__file__).parents[3] / "spec" / "openapi.yaml"
 
 # Cells through which the kit must go to reach anything else. A server that refuses them
 # is seen by their own row; whatever else fails with them stands here.

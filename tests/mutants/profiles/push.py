@@ -17,7 +17,7 @@ from reference_server.rules import effects, lifecycle
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run, Session
 from tests.mutants import mutant, put
-from tests.mutants.turns import no_guard, replace_guard
+from tests.mutants.turns.predict import no_guard, replace_guard
 
 
 @mutant("PUSH-001")

@@ -13,7 +13,7 @@ from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.service import RunService
 from reference_server.views import run_views
 from tests.mutants import mutant, put
-from tests.mutants.control_plane import spoil_run
+from tests.mutants.runs.control_plane import spoil_run
 
 
 @mutant("BEN-004")

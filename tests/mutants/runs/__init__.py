@@ -1,0 +1,1 @@
+"""Mutants of runs: their states, episodes, scores and lists."""

@@ -1,0 +1,1 @@
+"""Mutants of tokens, limits, encodings, and what carries requests and answers."""

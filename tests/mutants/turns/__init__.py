@@ -1,0 +1,1 @@
+"""Mutants of sessions and turns, and of the simulator behind them."""
