@@ -25,6 +25,7 @@ from reference_server.http.connections.connection_limits import (
     ConnectionLimits,
     shared_address,
 )
+from reference_server.http.connections.joined_answer import JoinedAnswer
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.system.counters import COUNTERS
@@ -79,6 +80,7 @@ class BoundedConnection(HttpToolsProtocol):
         self._body_began_at = 0.0
         self._held = b""
         self._is_feeding_chunks = False
+        self._answer: JoinedAnswer
 
     # --- what the event loop calls ---
 
@@ -202,6 +204,8 @@ class BoundedConnection(HttpToolsProtocol):
         if _names_two_hosts(self.headers):
             return self._refuse(400)
         super().on_headers_complete()
+        self._answer = JoinedAnswer(self.transport)
+        self.cycle.transport = self._answer  # type: ignore[assignment]
         self._phase = _BODY
         self._body_left = _declared_length(self.headers)
         self._body_size = self._body_framing = 0
@@ -224,6 +228,7 @@ class BoundedConnection(HttpToolsProtocol):
             self._become_idle()
 
     def on_response_complete(self) -> None:
+        self._answer.flush()
         self.server_state.total_requests += 1
         if self.cycle.body:
             self.cycle.body = bytearray()  # the operation did not want it
