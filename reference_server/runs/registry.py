@@ -19,7 +19,6 @@ import asyncio
 import contextvars
 import logging
 import time
-from bisect import bisect_left, insort
 from collections import Counter, OrderedDict, deque
 from collections.abc import Awaitable, Callable, Sequence
 from functools import partial
@@ -50,6 +49,7 @@ from reference_server.runs import steady_clock
 from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.places import Places
 from reference_server.runs.run_log import RunLog, new_results
+from reference_server.runs.run_queue import RunQueue
 from reference_server.storage.store import (
     OwnershipLost,
     RunIsKept,
@@ -120,9 +120,8 @@ class RunRegistry:
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._recent_episodes = 0
-        self._queued: dict[str, int] = {}  # their numbers, by id
-        self._queue: list[int] = []  # the same numbers, the next one first
-        self._queued_at: dict[int, float] = {}  # wall time, by the same numbers
+        self._queue = RunQueue()
+        self._queue_has_changed = False  # since other nodes were told
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
@@ -241,7 +240,7 @@ class RunRegistry:
         if self.is_elsewhere(head):
             return True  # all that this node can know
         # What is known to be in the queue leaves it only in memory.
-        is_stable = head.state in RESTING_STATES or head.run_id in self._queued
+        is_stable = head.state in RESTING_STATES or head.run_id in self._queue
         return is_stable and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
@@ -502,12 +501,12 @@ class RunRegistry:
         """RUN-008: 1 is next; None unless queued."""
         if run.state not in WAITING_STATES:
             return None
-        return 1 + bisect_left(self._queue, run.number)
+        return self._queue.position(run.number)
 
     def count_open(self) -> dict[str, int]:
         """How many runs have not ended, by state."""
         played = Counter(run.state for run in list(self._in_memory.values()))
-        counts: dict[str, int] = {"queued": len(self._queued)}
+        counts: dict[str, int] = {"queued": len(self._queue)}
         # What has a live session is in memory.
         counts |= {"running": played["running"], "stopping": played["stopping"]}
         counts["ready"] = max(0, self.usage.count_open() - sum(counts.values()))
@@ -515,9 +514,8 @@ class RunRegistry:
 
     def oldest_queued_s(self) -> float:
         """How long the first of the queue has waited; 0 without one."""
-        if not self._queue:
-            return 0.0
-        return max(0.0, time.time() - self._queued_at[self._queue[0]])
+        queued_at_wall = self._queue.oldest_queued_at_wall()
+        return 0.0 if queued_at_wall is None else max(0.0, time.time() - queued_at_wall)
 
     def _index_by_state(self, run: Run, state: State | None) -> None:
         """With a place, in the queue, or nowhere, as the state says; None: unknown."""
@@ -539,19 +537,20 @@ class RunRegistry:
         """In the queue or not; those behind it have moved (RUN-008)."""
         if is_queued:
             self._places.wait(run)
-        if is_queued == (run.run_id in self._queued):
+        if is_queued == (run.run_id in self._queue):
             return
         if is_queued:
-            self._queued[run.run_id] = run.number
-            insort(self._queue, run.number)
-            self._queued_at[run.number] = run.updated_at_wall
+            self._queue.put(run)
         else:
-            number = self._queued.pop(run.run_id)
-            del self._queue[bisect_left(self._queue, number)]
-            del self._queued_at[number]
+            self._queue.remove(run.run_id)
+        self._queue_has_changed = True
+        self._wake_behind(run.number)
+
+    def _wake_behind(self, number: int) -> None:
+        """Runs that wait behind that number have another place in the queue."""
         # Rarely as many wait for a change as there are in the queue.
         for run_id in list(self._change_events):
-            if self._queued.get(run_id, 0) > run.number:
+            if self._queue.is_behind(run_id, number):
                 self._wake(run_id)
 
     def _wake(self, run_id: str, *, is_elsewhere: bool = False) -> None:
@@ -760,9 +759,7 @@ class RunRegistry:
         for run_id in self._places.run_ids():
             self._places.leave(run_id)
         self.usage.forget_open()
-        self._queued.clear()
         self._queue.clear()
-        self._queued_at.clear()
         for run_id in list(self._change_events):
             self._wake(run_id, is_elsewhere=True)
 
