@@ -20,10 +20,10 @@ import contextvars
 import logging
 import time
 from collections import Counter, OrderedDict, deque
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
-from weakref import WeakValueDictionary
+from weakref import WeakSet, WeakValueDictionary
 
 from reference_server.rules import effects
 from reference_server.rules.capacity import Quota, WaitingRun
@@ -36,6 +36,7 @@ from reference_server.rules.lifecycle import (
     STATES_AFTER_RESTART,
     WAITING_STATES,
 )
+from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.rules.run_owner import OwnedElsewhere
@@ -43,6 +44,7 @@ from reference_server.rules.submission import (
     KeyUse,
     key_conflict,
     may_see_run,
+    queue_s,
     queue_until,
 )
 from reference_server.runs import steady_clock
@@ -50,6 +52,7 @@ from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.places import Places
 from reference_server.runs.run_log import RunLog, new_results
 from reference_server.runs.run_queue import RunQueue
+from reference_server.storage.node_store import OwnedRun, StoredQueue
 from reference_server.storage.store import (
     OwnershipLost,
     RunIsKept,
@@ -80,6 +83,10 @@ class RunChange(asyncio.Event):
 
     is_elsewhere = False
 
+    def __init__(self, run_id: str) -> None:
+        super().__init__()
+        self.run_id = run_id
+
 
 class Ownership(Protocol):
     """This server as one of several that share the database."""
@@ -92,14 +99,27 @@ class Ownership(Protocol):
         """Become the owner, unless another node is it; whether this one is it now."""
 
 
+class OtherQueues(Protocol):
+    """What waits at the other nodes of a cluster."""
+
+    async def refresh(self) -> None:
+        """Call `note_queue` with what waits at all nodes by now."""
+
+    async def take(self, run_id: str) -> bool:
+        """Become the owner of a run that waits there; whether it worked."""
+
+    def tell(self) -> None:
+        """Let the others know that what waits here has changed."""
+
+
 class RunRegistry:
     """All runs of this server, by id.
 
     active_max: places of runs that are played or about to be. unused_s: when others
     wait, how long a run without a worker keeps its place. quota: of each account.
     on_run_lost: ends the sessions of a run whose write failed. on_change: is called
-    with a run whose state may have changed. ownership: None for a server that has
-    the database for itself.
+    with a run whose state may have changed. ownership, other_queues: None for a server
+    that has the database for itself.
     """
 
     def __init__(
@@ -112,8 +132,10 @@ class RunRegistry:
         unused_s: float = 120.0,
         quota: Quota | None = None,
         ownership: Ownership | None = None,
+        other_queues: OtherQueues | None = None,
     ) -> None:
         self._store, self._ownership = store, ownership
+        self._other_queues = other_queues
         self._on_run_lost, self._on_change = on_run_lost, on_change
         self._places = Places(active_max, unused_s)
         self.usage = AccountUsage(quota or Quota())
@@ -123,6 +145,10 @@ class RunRegistry:
         self._queue = RunQueue()
         self._queue_has_changed = False  # since other nodes were told
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
+        self._waiting_elsewhere: set[str] = set()  # ids; this node may take them
+        self._to_take: set[str] = set()  # those of them that have a place here
+        self._taken: WeakSet[Run] = WeakSet()  # runs that other nodes have now
+        self._handed_over: WeakSet[Run] = WeakSet()  # those of them that were stored
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
         self._deleting: dict[str, asyncio.Task[None]] = {}
@@ -216,6 +242,8 @@ class RunRegistry:
         A run that is not in memory stays out of it, and no more of it is read than is
         shown: the size and the number of finished runs cost nothing.
         """
+        if run_id in self._queue:
+            await self._know_queue()
         if run_id not in self._in_memory:
             found = await self._store.read_window(run_id, start, end, scored)
             if found is not None and self._is_current(found[0]):
@@ -227,8 +255,8 @@ class RunRegistry:
         return await self.render_when_stored(run, lambda run: view(run, window(run)))
 
     def has(self, run_id: str) -> bool:
-        """Whether the run is in memory."""
-        return run_id in self._in_memory
+        """Whether the run is in memory, and no other node may take it."""
+        return run_id in self._in_memory and run_id not in self._queue
 
     def is_elsewhere(self, head: RunHead) -> bool:
         """Whether another node acts for the run, or will."""
@@ -302,12 +330,15 @@ class RunRegistry:
                 self._admit()
         if is_stored:
             self._life.log_submitted(run)
+            if run in self._handed_over:  # another node had room for it
+                return True
             if run.lost:  # `drop_all` meanwhile: the node that claims it plays it
                 text = "The node lost its lease. Repeat with the same Idempotency-Key."
                 raise Refused("unavailable", text)
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
+            self._tell_queue()
         return is_stored
 
     async def _read_foreign(self, run_id: str) -> Run:
@@ -333,6 +364,8 @@ class RunRegistry:
 
         Without an account those of all (AUTH-008).
         """
+        if self._queue:
+            await self._know_queue()
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
@@ -355,6 +388,8 @@ class RunRegistry:
     ) -> Rendered:
         """What `view` makes of the run, once all of that is stored."""
         while True:
+            if run.state in WAITING_STATES:
+                await self._know_queue()
             rendered = view(run)
             if await self.is_stored(run):
                 return rendered
@@ -364,11 +399,12 @@ class RunRegistry:
         """Whether the run as it is now is on disk, as soon as that is known.
 
         Waits for the last write that was begun, and for none that begins meanwhile.
+        What another node has taken since then was stored before.
         """
         saving = self._saving.get(run.run_id)
         if saving is not None:
             await asyncio.wait([saving])
-        return not run.lost
+        return not run.lost or run in self._handed_over
 
     async def commit(self, run: Run) -> None:
         """Store what changed, then wake the requests that wait for it (CRASH-001).
@@ -376,6 +412,8 @@ class RunRegistry:
         A caller that is cancelled does not take the write with it.
         """
         if not await asyncio.shield(self.commit_later(run)):
+            if run in self._taken:
+                raise OwnedElsewhere(run.run_id)
             raise Refused("unavailable", "The run could not be stored.")
 
     def commit_later(self, run: Run) -> asyncio.Task[bool]:
@@ -420,6 +458,7 @@ class RunRegistry:
             del self._deleting[run.run_id]
             self._wake(run.run_id)
             self._admit()
+            self._tell_queue()
 
     async def ended_since(
         self, before_wall: float, after: int
@@ -432,7 +471,7 @@ class RunRegistry:
 
     def change_event(self, run_id: str) -> RunChange:
         """The next change of what get_run shows; take it before reading the run."""
-        return self._change_events.setdefault(run_id, RunChange())
+        return self._change_events.setdefault(run_id, RunChange(run_id))
 
     async def wait_for_change(self, change: RunChange, timeout_s: float) -> bool:
         """Wait for a change; whether there was one in time."""
@@ -443,7 +482,7 @@ class RunRegistry:
             return False
         self.refuse_if_ending()
         if change.is_elsewhere:
-            raise Refused("unavailable", "Another node has taken over the run.")
+            raise OwnedElsewhere(change.run_id)
         return True
 
     def notify(self, run: Run) -> None:
@@ -496,6 +535,91 @@ class RunRegistry:
             heads = await self._store.heads(ids[start : start + HEADS_PER_READ])
             found += [run_id for run_id, head in heads.items() if head.is_push]
         return found
+
+    # --- the queues of other nodes ---
+
+    def queued_ids(self) -> list[str]:
+        """Of the runs of this server that wait."""
+        return self._queue.ids()
+
+    def held_no_more(self) -> list[str]:
+        """Ids of runs that their submitters held in the queue, and that wait now."""
+        now_wall = steady_clock.now_wall()
+        return [
+            run.run_id
+            for run in self._places.waiting_here()
+            if 0 < run.queue_until_wall <= now_wall and run.run_id in self._queue
+        ]
+
+    def queue_until(self, submission: Submission) -> float:
+        """Until when a run that is submitted or resumed now is held in the queue.
+
+        0 in a cluster if it is not held: any node may take it then, whatever its clock.
+        """
+        held_s = queue_s(submission)
+        if self._other_queues is not None and held_s <= 0:
+            return 0.0
+        return steady_clock.now_wall() + held_s
+
+    def places_of_accounts(self) -> dict[str, int]:
+        """How many places each account has here."""
+        return self._places.counts()
+
+    def note_queue(self, seen: StoredQueue) -> None:
+        """What waits at all nodes by now, and what became of others of `queued_ids`."""
+        assert self._ownership is not None, "without it there is no other node"
+        me, elsewhere = self._ownership.node_id, []
+        for one in (*seen.queued, *seen.left):
+            if one.owner != me:
+                self._forget_taken(one)
+        for one in seen.queued:
+            if one.owner != me:
+                elsewhere.append(one.run.number)
+            elif one.run.run_id not in self._queue and not self._knows(one.run.run_id):
+                self.load_in_background(one.run.run_id)
+        changed = self._queue.note_elsewhere(elsewhere)
+        if changed is not None:
+            self._wake_behind(changed)
+
+    def note_waiting_elsewhere(
+        self, waiting: Sequence[WaitingRun], places: Mapping[str, int]
+    ) -> None:
+        """What other nodes let this one take, and what accounts have there."""
+        waiting = [run for run in waiting if not self._knows(run.run_id)]
+        self._waiting_elsewhere = {run.run_id for run in waiting}
+        self._places.note_elsewhere(waiting, places)
+        self._admit()
+
+    def _knows(self, run_id: str) -> bool:
+        """Whether the run is here, or on its way."""
+        known = (self._in_memory, self._loading, self._admitted, self._reload_timers)
+        return any(run_id in some for some in known)
+
+    def _forget_taken(self, taken: OwnedRun) -> None:
+        """A run of another node, which may have been one of this."""
+        run_id = taken.run.run_id
+        run = self._in_memory.get(run_id)
+        if run is not None:
+            if run.fence < taken.fence and run.owner != taken.owner:
+                if run_id not in self._saving and not run.lost:
+                    self._handed_over.add(run)
+                self._drop(run)
+        elif run_id in self._queue:
+            self._wake(run_id, is_elsewhere=True)
+            self.usage.note_open(taken.run.account, run_id, is_open=False)
+            self._places.leave(run_id)
+            self._note_queued(taken.run, is_queued=False)
+
+    async def _know_queue(self) -> None:
+        """RUN-008: what waits before a run may wait at another node."""
+        if self._other_queues is not None:
+            await self._other_queues.refresh()
+
+    def _tell_queue(self) -> None:
+        """Once what has changed in the queue is stored."""
+        if self._queue_has_changed and self._other_queues is not None:
+            self._queue_has_changed = False
+            self._other_queues.tell()
 
     def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
@@ -586,6 +710,8 @@ class RunRegistry:
             if not self._apply_admission(run):
                 self._index_by_state(run, run.state)
         else:
+            if run_id in self._waiting_elsewhere:
+                self._to_take.add(run_id)
             self._admitted.append(run_id)
             if len(self._admitted) == 1:
                 self.run_in_background(self._load_admitted())
@@ -603,9 +729,12 @@ class RunRegistry:
         while self._admitted and not self._closed:
             run_id = self._admitted[0]
             try:
-                run = self._in_memory.get(run_id) or await self._load(run_id)
-                if run is not None:
-                    await self.is_stored(run)
+                if await self._is_taken(run_id):
+                    run = self._in_memory.get(run_id) or await self._load(run_id)
+                    if run is not None:
+                        await self.is_stored(run)
+            except OwnedElsewhere:  # taken by another node that has room
+                self._places.leave(run_id)
             except StoreFailed as error:
                 self._failures.report("a run could not be loaded", str(error))
                 self._reload_later(run_id)
@@ -614,6 +743,22 @@ class RunRegistry:
                 self._places.leave(run_id)
             finally:
                 self._admitted.popleft()
+
+    async def _is_taken(self, run_id: str) -> bool:
+        """Whether a run that got a place here is this server's own by now."""
+        if run_id not in self._to_take:
+            return True
+        self._to_take.discard(run_id)
+        assert self._other_queues is not None, "without them nothing waits there"
+        is_taken = False
+        try:
+            is_taken = await self._other_queues.take(run_id)
+        finally:
+            if not is_taken:
+                self._places.leave(run_id)
+                self._admit()
+        self._queue_has_changed = is_taken
+        return is_taken
 
     def _check_capacity_in(self, wait_s: float | None) -> None:
         """Admit again then: when a hold in the queue ends, or a place is unused."""
@@ -676,6 +821,7 @@ class RunRegistry:
             if self._saving.get(run.run_id) is asyncio.current_task():
                 del self._saving[run.run_id]
             self.notify(run)
+            self._tell_queue()
 
     async def _load(self, run_id: str) -> Run | None:
         """The run from the store, read once for all concurrent requests."""
@@ -712,6 +858,7 @@ class RunRegistry:
                 loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()
             )
             self._in_memory[loaded.run_id] = loaded
+            self._waiting_elsewhere.discard(loaded.run_id)
             has_place = loaded.run_id in self._places
             if not (has_place and self._apply_admission(loaded)):
                 self._index_by_state(loaded, loaded.state)
@@ -760,12 +907,15 @@ class RunRegistry:
             self._places.leave(run_id)
         self.usage.forget_open()
         self._queue.clear()
+        self._waiting_elsewhere.clear()
+        self._to_take.clear()
         for run_id in list(self._change_events):
             self._wake(run_id, is_elsewhere=True)
 
     def _drop(self, run: Run) -> None:
         """Another node acts for the run: this one forgets it, and ends its sessions."""
         if not run.lost:
+            self._taken.add(run)
             self._wake(run.run_id, is_elsewhere=True)
             self.usage.note_open(run.account, run.run_id, is_open=False)
             self._forget(run)
