@@ -23,7 +23,7 @@ from collections import Counter, OrderedDict, deque
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
-from weakref import WeakSet, WeakValueDictionary
+from weakref import WeakKeyDictionary, WeakSet, WeakValueDictionary
 
 from reference_server.rules import effects
 from reference_server.rules.capacity import Quota, WaitingRun
@@ -148,6 +148,7 @@ class RunRegistry:
         self._waiting_elsewhere: set[str] = set()  # ids; this node may take them
         self._to_take: set[str] = set()  # those of them that have a place here
         self._taken: WeakSet[Run] = WeakSet()  # runs that other nodes have now
+        self._not_opened: WeakKeyDictionary[Run, Refused] = WeakKeyDictionary()
         self._handed_over: WeakSet[Run] = WeakSet()  # those of them that were stored
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
@@ -411,19 +412,40 @@ class RunRegistry:
 
         A caller that is cancelled does not take the write with it.
         """
-        if not await asyncio.shield(self.commit_later(run)):
-            if run in self._taken:
-                raise OwnedElsewhere(run.run_id)
-            raise Refused("unavailable", "The run could not be stored.")
+        await self._wait_until_stored(run, self.commit_later(run))
 
-    def commit_later(self, run: Run) -> asyncio.Task[bool]:
+    async def commit_opened(self, run: Run) -> None:
+        """Store a run that counts as open again, or refuse that.
+
+        LIM-007: in a cluster, by what the account has open on every node, in the
+        transaction that stores the run.
+        """
+        if self._ownership is None:
+            await self.commit(run)
+            return
+        saving = self.commit_later(run, self.usage.check_opened)
+        await self._wait_until_stored(run, saving)
+
+    async def _wait_until_stored(self, run: Run, saving: asyncio.Task[bool]) -> None:
+        if await asyncio.shield(saving):
+            return
+        if (refused := self._not_opened.pop(run, None)) is not None:
+            raise refused
+        if run in self._taken:
+            raise OwnedElsewhere(run.run_id)
+        raise Refused("unavailable", "The run could not be stored.")
+
+    def commit_later(
+        self, run: Run, check: Callable[[Quota], None] | None = None
+    ) -> asyncio.Task[bool]:
         """Begin to store what changed (a lease that ended, an admission).
 
-        The task never raises; its result is whether the run was stored.
+        The task never raises; its result is whether the run was stored. check: as for
+        Store.save.
         """
         # RUN-021: a clock that is set back does not set the run back.
         run.updated_at_wall = max(run.updated_at_wall, time.time())
-        saving = asyncio.ensure_future(self._save(run))
+        saving = asyncio.ensure_future(self._save(run, check))
         self._saving[run.run_id] = saving
         self.run_in_background(saving)
         return saving
@@ -492,11 +514,6 @@ class RunRegistry:
             self._index_by_state(run, run.state)
         self._wake(run.run_id)
         self._admit()
-
-    async def check_open_elsewhere(self, account: str) -> None:
-        """LIM-007: in a cluster, what the account has open on every node."""
-        if self._ownership is not None:
-            self.usage.check_open_runs((await self._store.usage_of(account)).open_runs)
 
     def open_again(self, run: Run) -> None:
         """LIM-007: a resume makes a run count at once, or is refused."""
@@ -798,11 +815,17 @@ class RunRegistry:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    async def _save(self, run: Run) -> bool:
-        scored = new_results(run)
+    async def _save(
+        self, run: Run, check: Callable[[Quota], None] | None = None
+    ) -> bool:
+        scored, checks = new_results(run), () if check is None else (check,)
         try:
             with timed(COUNTERS.database_writes):
-                await self._store.save(run)
+                await self._store.save(run, *checks)
+        except Refused as refused:  # by the check
+            self._not_opened[run] = refused
+            self._evict(run)
+            return False
         except OwnershipLost as error:
             self._failures.report("a run was stored by another node", str(error))
             self._drop(run)

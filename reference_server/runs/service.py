@@ -169,12 +169,9 @@ class RunService:
         """The run, in the queue again; unchanged when it goes on already."""
         run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
-            await self.registry.check_open_elsewhere(run.account)
-            run = await self._run_accepting(account, run_id, Resume())
-        if changes_state(run, "resume_run"):
             self.registry.open_again(run)
             effects.resume(run, self.registry.queue_until(run.submission))
-            await self.registry.commit(run)
+            await self.registry.commit_opened(run)
         return run
 
     async def delete_run(self, account: str, run_id: str) -> None:

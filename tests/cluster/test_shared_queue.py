@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import Any
 import httpx
 import pytest
 
-from tests.support.server.cluster_nodes import Cluster, attach, pause, predict
+from tests.support.server.cluster_nodes import Cluster, attach, predict
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import submit
 from tests.support.waiting import wait_until
@@ -46,3 +47,172 @@ def test_a_node_with_room_takes_what_waits_at_another(cluster: Cluster) -> None:
     turn = attach(first, run_id)
     assert predict(second, run_id, turn, score=0.5, end=1).json()["done"]
     assert "took run" in cluster.nodes[1].log()
+
+
+def stop(client: httpx.Client, run_id: str) -> None:
+    answer = client.post(f"/v1/runs/{run_id}/stop", json={"mode": "abort"})
+    assert answer.status_code == 200, answer.text
+
+
+def positions(client: httpx.Client, *run_ids: str) -> list[int | None]:
+    return [view(client, run_id)["queue_position"] for run_id in run_ids]
+
+
+def fill(cluster: Cluster) -> list[str]:
+    """Give every node the one run that it plays."""
+    run_ids = [submit(client, "score") for client in cluster.clients]
+    for client, run_id in zip(cluster.clients, run_ids, strict=True):
+        wait_for_state(client, run_id, "ready")
+    return run_ids
+
+
+def test_places_in_the_queue_count_what_waits_at_every_node(cluster: Cluster) -> None:
+    """Expect it in the answer to each submission, at every node and in every list."""
+    fill(cluster)
+    run_ids = []
+    for number in range(6):
+        body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+        client = cluster.clients[number % 2]
+        made = client.post("/v1/runs", json=body).json()
+        assert (made["state"], made["queue_position"]) == ("queued", number + 1)
+        run_ids.append(made["run_id"])
+    for client in cluster.clients:
+        assert positions(client, *run_ids) == [1, 2, 3, 4, 5, 6]
+        listed = client.get("/v1/runs", params={"limit": 6}).json()["runs"]
+        assert [one["queue_position"] for one in listed] == [6, 5, 4, 3, 2, 1]
+    stop(cluster.clients[1], run_ids[0])
+    for client in cluster.clients:
+        assert positions(client, *run_ids) == [None, 1, 2, 3, 4, 5]
+
+
+def test_who_waits_sees_a_change_of_the_queue_at_another_node(cluster: Cluster) -> None:
+    fill(cluster)
+    first, second = cluster.clients
+    ahead, behind = submit(first, "score"), submit(second, "score")
+
+    def wait_for_change(client: httpx.Client) -> Any:
+        etag = client.get(f"/v1/runs/{behind}").headers["ETag"]
+        headers = {"If-None-Match": etag, "Prefer": "wait=20"}
+        return threads.submit(client.get, f"/v1/runs/{behind}", headers=headers)
+
+    with ThreadPoolExecutor(2) as threads:
+        waiting = [wait_for_change(client) for client in cluster.clients]
+        stop(first, ahead)
+        answers = [one.result() for one in waiting]
+    assert [one.json()["queue_position"] for one in answers] == [1, 1]
+
+
+def test_who_waits_for_a_run_follows_it_to_the_node_that_takes_it(
+    cluster: Cluster,
+) -> None:
+    """A long poll at each node, over the one that had the run and the one that has."""
+    playing = fill(cluster)
+    first, second = cluster.clients
+    run_id = submit(first, "score")
+    etag = view_with_etag(first, run_id)
+    headers = {"If-None-Match": etag, "Prefer": "wait=20"}
+    with ThreadPoolExecutor(2) as threads:
+        waiting = [
+            threads.submit(client.get, f"/v1/runs/{run_id}", headers=headers)
+            for client in cluster.clients
+        ]
+        stop(second, playing[1])
+        answers = [one.result() for one in waiting]
+    assert [one.status_code for one in answers] == [200, 200]
+    assert {one.json()["state"] for one in answers} == {"ready"}
+    assert "proctor-run-moved" not in answers[0].headers
+    assert f"took run {run_id}" in cluster.nodes[1].log()
+    for client in (first, second):
+        stop(client, run_id)
+
+
+def view_with_etag(client: httpx.Client, run_id: str) -> str:
+    return str(client.get(f"/v1/runs/{run_id}").headers["ETag"])
+
+
+def test_the_next_run_is_that_of_one_server(cluster: Cluster) -> None:
+    """Only one of the nodes gets a place again and again: it takes the oldest."""
+    playing = fill(cluster)[1]
+    first, second = cluster.clients
+    run_ids = [submit((first, second, first)[n % 3], "score") for n in range(6)]
+    for number, run_id in enumerate(run_ids):
+        stop(first, playing)
+        wait_for_state(second, run_id, "ready")
+        states = [view(second, later)["state"] for later in run_ids[number + 1 :]]
+        assert set(states) <= {"queued"}
+        playing = run_id
+
+
+def test_an_account_that_has_places_at_every_node_gives_one_back(
+    cluster: Cluster,
+) -> None:
+    """Of alice's runs none is played; bob has none, and his waits at one node."""
+    fill(cluster)
+    with cluster.nodes[0].client("bob") as bob:
+        run_id = submit(bob, "score")
+        wait_for_state(bob, run_id, "ready")
+
+
+def test_places_go_to_the_account_that_has_fewest_at_all_nodes(
+    cluster: Cluster,
+) -> None:
+    """Bob's run is younger than alice's. His waits at one node, hers at the other."""
+    first, second = cluster.clients
+    playing = fill(cluster)
+    for client, run_id in zip(cluster.clients, playing, strict=True):
+        attach(client, run_id)
+    older = submit(second, "score")
+    with cluster.nodes[0].client("bob") as bob:
+        younger = submit(bob, "score")
+        assert positions(bob, younger) == [2]
+        stop(first, playing[1])
+        wait_for_state(bob, younger, "ready")
+    assert view(first, older)["state"] == "queued"
+
+
+def test_a_run_that_is_held_leaves_the_queue_in_time_at_another_node(
+    cluster: Cluster,
+) -> None:
+    first = cluster.clients[0]
+    submit(first, "score")
+    options = {"tasks": ["score"], "queue_s": 1.5}
+    body = {
+        "benchmark_id": "calibration",
+        "policy": {"name": "p"},
+        "options": options,
+    }
+    began = time.monotonic()
+    run_id = first.post("/v1/runs", json=body).json()["run_id"]
+    wait_for_state(first, run_id, "ready")
+    assert time.monotonic() - began >= 1.5
+    assert f"took run {run_id}" in cluster.nodes[1].log()
+
+
+def test_no_run_too_many_is_let_in_when_both_nodes_have_room_at_once(
+    cluster: Cluster, database: UsedDatabase
+) -> None:
+    """What is ready is stopped at either node, until nothing waits any more.
+
+    Expect each run to have been ready once, and never more of them than places.
+    """
+    run_ids = {submit(cluster.clients[n % 2], "score") for n in range(20)}
+    active: list[int] = []
+    over: set[str] = set()
+
+    def stop_what_is_ready(client: httpx.Client) -> None:
+        while len(over) < len(run_ids):
+            query = "SELECT run_id FROM runs WHERE state = 'ready'"
+            ready = [str(row[0]) for row in database.execute(query)]
+            active.append(len(ready))
+            for run_id in ready:
+                answer = client.post(f"/v1/runs/{run_id}/stop", json={"mode": "abort"})
+                assert answer.status_code == 200, answer.text
+                over.add(run_id)
+
+    with ThreadPoolExecutor(2) as threads:
+        list(threads.map(stop_what_is_ready, cluster.clients))
+    assert over == run_ids
+    assert max(active) == 2
+    found = database.execute("SELECT state, fence FROM runs")
+    assert {state for state, _ in found} == {"stopped"}
+    assert max(fence for _, fence in found) <= 3
