@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
-from typing import Any
+from concurrent.futures import Future, ThreadPoolExecutor
+from typing import Any, TypeAlias
 
 import httpx
 import pytest
@@ -14,18 +14,56 @@ import pytest
 from tests.support.server.cluster_nodes import Cluster, attach, predict
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import submit
+from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts two servers")
 
+SharedCluster: TypeAlias = tuple[Cluster, UsedDatabase]
+
+
+OPEN_RUNS_MAX = 25
+
+
+@pytest.fixture(
+    scope="module",
+    params=["sqlite", pytest.param("postgresql", marks=pytest.mark.slow("PostgreSQL"))],
+)
+def shared_cluster(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[SharedCluster]:
+    """Two nodes; each plays one run at once."""
+    folder = tmp_path_factory.mktemp("cluster")
+    used = UsedDatabase.of_file(folder / "proctor.sqlite")
+    if request.param == "postgresql":
+        server: PostgresqlServer = request.getfixturevalue("postgresql")
+        used = UsedDatabase(server.create(), server=server)
+    with Cluster.of(
+        folder,
+        used.url,
+        PROCTOR_MAX_ACTIVE_RUNS="1",
+        PROCTOR_MAX_OPEN_RUNS=str(OPEN_RUNS_MAX),
+    ) as cluster:
+        yield cluster, used
+
 
 @pytest.fixture
-def cluster(tmp_path: Path, database: UsedDatabase) -> Iterator[Cluster]:
-    """Two nodes; each plays one run at once."""
-    with Cluster.of(
-        tmp_path, database.url, PROCTOR_MAX_ACTIVE_RUNS="1", PROCTOR_LOG_LEVEL="info"
-    ) as cluster:
-        yield cluster
+def cluster(shared_cluster: SharedCluster) -> Cluster:
+    """No run is open."""
+    cluster, used = shared_cluster
+    query = (
+        "SELECT account, run_id FROM runs WHERE state IN ('queued', 'ready', 'running')"
+    )
+    with cluster.nodes[0].client("bob") as bob:
+        clients = {"alice": cluster.clients[0], "bob": bob}
+        for account, run_id in used.execute(query):
+            stop(clients[str(account)], str(run_id))
+    return cluster
+
+
+@pytest.fixture
+def used(shared_cluster: SharedCluster) -> UsedDatabase:
+    return shared_cluster[1]
 
 
 def view(client: httpx.Client, run_id: str) -> dict[str, Any]:
@@ -56,6 +94,15 @@ def stop(client: httpx.Client, run_id: str) -> None:
 
 def positions(client: httpx.Client, *run_ids: str) -> list[int | None]:
     return [view(client, run_id)["queue_position"] for run_id in run_ids]
+
+
+def wait_for_change(
+    threads: ThreadPoolExecutor, client: httpx.Client, run_id: str
+) -> Future[httpx.Response]:
+    """A long poll of the run, from what this client sees now."""
+    etag = client.get(f"/v1/runs/{run_id}").headers["ETag"]
+    headers = {"If-None-Match": etag, "Prefer": "wait=20"}
+    return threads.submit(client.get, f"/v1/runs/{run_id}", headers=headers)
 
 
 def fill(cluster: Cluster) -> list[str]:
@@ -90,13 +137,8 @@ def test_who_waits_sees_a_change_of_the_queue_at_another_node(cluster: Cluster) 
     first, second = cluster.clients
     ahead, behind = submit(first, "score"), submit(second, "score")
 
-    def wait_for_change(client: httpx.Client) -> Any:
-        etag = client.get(f"/v1/runs/{behind}").headers["ETag"]
-        headers = {"If-None-Match": etag, "Prefer": "wait=20"}
-        return threads.submit(client.get, f"/v1/runs/{behind}", headers=headers)
-
     with ThreadPoolExecutor(2) as threads:
-        waiting = [wait_for_change(client) for client in cluster.clients]
+        waiting = [wait_for_change(threads, one, behind) for one in (first, second)]
         stop(first, ahead)
         answers = [one.result() for one in waiting]
     assert [one.json()["queue_position"] for one in answers] == [1, 1]
@@ -109,13 +151,8 @@ def test_who_waits_for_a_run_follows_it_to_the_node_that_takes_it(
     playing = fill(cluster)
     first, second = cluster.clients
     run_id = submit(first, "score")
-    etag = view_with_etag(first, run_id)
-    headers = {"If-None-Match": etag, "Prefer": "wait=20"}
     with ThreadPoolExecutor(2) as threads:
-        waiting = [
-            threads.submit(client.get, f"/v1/runs/{run_id}", headers=headers)
-            for client in cluster.clients
-        ]
+        waiting = [wait_for_change(threads, one, run_id) for one in (first, second)]
         stop(second, playing[1])
         answers = [one.result() for one in waiting]
     assert [one.status_code for one in answers] == [200, 200]
@@ -124,10 +161,6 @@ def test_who_waits_for_a_run_follows_it_to_the_node_that_takes_it(
     assert f"took run {run_id}" in cluster.nodes[1].log()
     for client in (first, second):
         stop(client, run_id)
-
-
-def view_with_etag(client: httpx.Client, run_id: str) -> str:
-    return str(client.get(f"/v1/runs/{run_id}").headers["ETag"])
 
 
 def test_the_next_run_is_that_of_one_server(cluster: Cluster) -> None:
@@ -189,7 +222,7 @@ def test_a_run_that_is_held_leaves_the_queue_in_time_at_another_node(
 
 
 def test_no_run_too_many_is_let_in_when_both_nodes_have_room_at_once(
-    cluster: Cluster, database: UsedDatabase
+    cluster: Cluster, used: UsedDatabase
 ) -> None:
     """What is ready is stopped at either node, until nothing waits any more.
 
@@ -202,7 +235,7 @@ def test_no_run_too_many_is_let_in_when_both_nodes_have_room_at_once(
     def stop_what_is_ready(client: httpx.Client) -> None:
         while len(over) < len(run_ids):
             query = "SELECT run_id FROM runs WHERE state = 'ready'"
-            ready = [str(row[0]) for row in database.execute(query)]
+            ready = [str(row[0]) for row in used.execute(query)]
             active.append(len(ready))
             for run_id in ready:
                 answer = client.post(f"/v1/runs/{run_id}/stop", json={"mode": "abort"})
@@ -213,6 +246,29 @@ def test_no_run_too_many_is_let_in_when_both_nodes_have_room_at_once(
         list(threads.map(stop_what_is_ready, cluster.clients))
     assert over == run_ids
     assert max(active) == 2
-    found = database.execute("SELECT state, fence FROM runs")
-    assert {state for state, _ in found} == {"stopped"}
-    assert max(fence for _, fence in found) <= 3
+    found = used.execute("SELECT run_id, state, fence FROM runs")
+    owned = {run_id: fence for run_id, state, fence in found if state == "stopped"}
+    assert max(owned[run_id] for run_id in run_ids) <= 2  # taken once at most
+
+
+def test_resumes_at_the_same_moment_open_no_run_too_many(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    """Room is for four of them."""
+    first, second = cluster.clients
+    resumed = [submit(first, "score") for _ in range(12)]
+    for run_id in resumed:
+        stop(second, run_id)
+    for _ in range(OPEN_RUNS_MAX - 4):
+        submit(second, "score")
+
+    def resume(number: int) -> str:
+        client = cluster.clients[number % 2]
+        answer = client.post(f"/v1/runs/{resumed[number]}/resume")
+        return str(answer.json().get("code", answer.status_code))
+
+    with ThreadPoolExecutor(12) as threads:
+        outcomes = Counter(threads.map(resume, range(12)))
+    assert outcomes == {"200": 4, "quota_exceeded": 8}
+    query = "SELECT count(*) FROM runs WHERE state IN ('queued', 'ready', 'running')"
+    assert used.execute(query)[0][0] == OPEN_RUNS_MAX
