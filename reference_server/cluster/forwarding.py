@@ -14,6 +14,7 @@ import contextlib
 import hmac
 import logging
 import re
+import time
 from collections.abc import AsyncIterator, Callable
 from typing import Any
 
@@ -21,6 +22,7 @@ import httpcore
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from reference_server.cluster.followed_stream import FollowedStream
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.reachability import Reachability
 from reference_server.http.dispatch import PATH_PATTERNS
@@ -53,6 +55,8 @@ KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 # How often a request follows a run that moves, and how much of it is kept for that.
 MOVES_MAX, REPEATED_BYTES_MAX = 3, 2**16
+# Between two tries to go on with an event stream.
+FOLLOW_PAUSE_S = 0.2
 _MOVED, _REFUSED = MOVED_HEADER.lower().encode(), 503
 CONNECTIONS_MAX = 1000
 # At least so long, and for a lease, a busy node may be silent and is still waited for.
@@ -256,6 +260,11 @@ class RepeatableRequest:
         self._messages: list[Message] = []
         self._size, self.is_short = 0, True
 
+    @property
+    def has_no_reader(self) -> bool:
+        """Whether the client has left, as far as that was received."""
+        return any(one["type"] == "http.disconnect" for one in self._messages[-1:])
+
     def read(self) -> Receive:
         """What receives all of it, once more."""
         at = 0
@@ -328,7 +337,37 @@ class RunForwarding:
         if is_passed_on:  # the node that did that repeats it
             await self._answer(scope, receive, send, is_passed_on=True)
             return
-        request, run_id, moves = RepeatableRequest(receive), _run_id(scope), 0
+        request, stream = RepeatableRequest(receive), FollowedStream(send)
+        await self._answer_or_repeat(scope, request, stream.send)
+        if stream.can_go_on:
+            await self._follow(scope, request, stream)
+        await stream.end()
+
+    async def _follow(
+        self, scope: Scope, request: RepeatableRequest, stream: FollowedStream
+    ) -> None:
+        """Send what follows an event stream that ended before its run has.
+
+        Its next node may not be known before a lease has ended.
+        """
+        membership = self._connections.membership
+        sent_at = _now()
+        while stream.can_go_on and not request.has_no_reader and membership.claims:
+            began, last_id = _now(), stream.last_id
+            behind = stream.scope_behind(scope)
+            await self._answer_or_repeat(behind, request, stream.send)
+            if stream.last_id != last_id or _now() - began > FOLLOW_PAUSE_S:
+                sent_at = _now()
+            elif _now() - sent_at > 2 * membership.lease_s + SILENT_S:
+                return
+            else:
+                await asyncio.sleep(FOLLOW_PAUSE_S)
+
+    async def _answer_or_repeat(
+        self, scope: Scope, request: RepeatableRequest, send: Send
+    ) -> None:
+        """Answer a request; if its run moves meanwhile, by its new node."""
+        run_id, moves = _run_id(scope), 0
 
         def may_repeat() -> bool:
             return run_id is not None and request.is_short and moves < MOVES_MAX
@@ -339,7 +378,7 @@ class RunForwarding:
                 await self._answer(scope, request.read(), send_here)
             except _RunMoved:
                 moves += 1
-                membership.note_moved(run_id or "")
+                self._connections.membership.note_moved(run_id or "")
             else:
                 return
 
@@ -412,6 +451,10 @@ class PageForwarding:
         with contextlib.suppress(StoreFailed):
             return await membership.find_node(node_id)
         return None
+
+
+def _now() -> float:
+    return time.monotonic()
 
 
 def _run_id(scope: Scope) -> str | None:

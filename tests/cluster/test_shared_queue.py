@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections import Counter
 from collections.abc import Iterator
@@ -272,3 +273,47 @@ def test_resumes_at_the_same_moment_open_no_run_too_many(
     assert outcomes == {"200": 4, "quota_exceeded": 8}
     query = "SELECT count(*) FROM runs WHERE state IN ('queued', 'ready', 'running')"
     assert used.execute(query)[0][0] == OPEN_RUNS_MAX
+
+
+def test_an_event_stream_follows_a_run_to_the_node_that_takes_it(
+    cluster: Cluster,
+) -> None:
+    """One stream at the node that had the run, one that it is passed on from.
+
+    Expect the same events in both, each once, without a reader that reconnects.
+    """
+    playing = fill(cluster)
+    first, second = cluster.clients
+    run_id = submit(first, "score", "score")
+    with ThreadPoolExecutor(2) as threads:
+        reading = [
+            threads.submit(read_events, client, run_id) for client in (first, second)
+        ]
+        stop(second, playing[1])
+        wait_for_state(first, run_id, "ready")
+        turn = attach(first, run_id)
+        for _ in range(2):
+            turn = predict(second, run_id, turn, score=0.5, end=1).json()
+        seen = [one.result(30) for one in reading]
+    assert turn["done"]
+    assert f"took run {run_id}" in cluster.nodes[1].log()
+    for events in seen:
+        ids = [one["id"] for one in events]
+        assert len(set(ids)) == len(ids)
+        assert [one["event"] for one in events].count("episode") == 2
+        states = [one["data"].get("state") for one in events if one["event"] == "run"]
+        assert (states[0], states[-1]) == ("queued", "completed")
+    assert seen[0][-1]["id"] == seen[1][-1]["id"]
+
+
+def read_events(client: httpx.Client, run_id: str) -> list[dict[str, Any]]:
+    """All events of one stream, until it ends."""
+    events: list[dict[str, Any]] = [{}]
+    with client.stream("GET", f"/v1/runs/{run_id}/events") as stream:
+        for line in stream.iter_lines():
+            name, _, value = line.partition(": ")
+            if not line and "id" in events[-1]:
+                events.append({})
+            elif name in ("event", "id", "data"):
+                events[-1][name] = json.loads(value) if name == "data" else value
+    return events[:-1]
