@@ -14,6 +14,7 @@ import asyncio
 import contextlib
 import contextvars
 import logging
+import time
 from collections import Counter
 from collections.abc import Awaitable, Callable
 
@@ -37,6 +38,8 @@ PATH = "/node/queue"
 LOOK_S = 1.0
 # From one read for other nodes to the next: they may say something at any moment.
 PAUSE_S = 0.02
+# A long queue takes a node no more of its time than that, however many ask for it.
+LONG_QUEUE, RESTS_AFTER_READ = 200, 4
 # Of a node that says nothing for so long the places are those that it last said.
 TIMEOUT_S = 0.5
 
@@ -73,7 +76,7 @@ class SharedQueue:
         self._places: dict[str, dict[str, int]] = {}  # of accounts, by node
         self._let_go: set[str] = set()  # runs that others may take since then
         self._look_is_due, self._tell_is_due = asyncio.Event(), asyncio.Event()
-        self._read_lock = asyncio.Lock()
+        self._read_lock, self._read_not_before = asyncio.Lock(), 0.0
         self._next_read: asyncio.Task[StoredQueue] | None = None
         self._tasks: list[asyncio.Task[None]] = []
         self._failures = RepeatedFailures(log)
@@ -131,10 +134,15 @@ class SharedQueue:
 
     async def _read_next(self) -> StoredQueue:
         async with self._read_lock:
+            await asyncio.sleep(self._read_not_before - time.monotonic())
             self._next_read = None
-            registry = self._registry()
+            registry, began = self._registry(), time.monotonic()
             seen = await self._nodes.queue(registry.queued_ids())
             registry.note_queue(seen)
+            if len(seen.queued) > LONG_QUEUE:
+                took_s = time.monotonic() - began
+                rest_s = min(LOOK_S, RESTS_AFTER_READ * took_s)
+                self._read_not_before = time.monotonic() + rest_s
             return seen
 
     async def _look(self) -> None:
