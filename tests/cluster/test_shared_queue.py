@@ -12,7 +12,13 @@ from typing import Any, TypeAlias
 import httpx
 import pytest
 
-from tests.support.server.cluster_nodes import Cluster, attach, predict
+from tests.support.server.cluster_nodes import (
+    Cluster,
+    attach,
+    go_on,
+    pause,
+    predict,
+)
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import submit
 from tests.support.server.postgresql_server import PostgresqlServer
@@ -317,3 +323,29 @@ def read_events(client: httpx.Client, run_id: str) -> list[dict[str, Any]]:
             elif name in ("event", "id", "data"):
                 events[-1][name] = json.loads(value) if name == "data" else value
     return events[:-1]
+
+
+def test_a_run_that_waits_at_a_paused_node_is_let_in_by_another(
+    cluster: Cluster,
+) -> None:
+    """When the node goes on, it has lost the run for good."""
+    playing = fill(cluster)
+    first, second = cluster.clients
+    run_id = submit(first, "score")
+    pause(cluster.nodes[0])
+    try:
+        stop(second, playing[1])
+        wait_for_change_to_ready(second, run_id)
+        turn = attach(second, run_id)
+        assert predict(second, run_id, turn, score=1, end=1).json()["done"]
+    finally:
+        go_on(cluster.nodes[0])
+    wait_for_state(first, run_id, "completed")
+
+
+def wait_for_change_to_ready(client: httpx.Client, run_id: str) -> None:
+    def state() -> str | None:
+        found = client.get(f"/v1/runs/{run_id}").json()
+        return str(found["state"]) if "state" in found else None
+
+    wait_until(lambda: state() == "ready", "the run is ready")
