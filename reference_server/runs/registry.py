@@ -750,8 +750,9 @@ class RunRegistry:
                     run = self._in_memory.get(run_id) or await self._load(run_id)
                     if run is not None:
                         await self.is_stored(run)
-            except OwnedElsewhere:  # taken by another node that has room
+            except OwnedElsewhere:  # another node that has room came first
                 self._places.leave(run_id)
+                self._admit()
             except StoreFailed as error:
                 self._failures.report("a run could not be loaded", str(error))
                 self._reload_later(run_id)

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 import sqlalchemy as sa
 
+from reference_server.rules import effects
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -30,8 +31,10 @@ class Ownership:
 
     node_id = "first"
 
+    claims = True
+
     async def claim(self, _run_id: str) -> bool:
-        return True
+        return self.claims
 
 
 @dataclass
@@ -277,6 +280,33 @@ def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
             assert (run.run_id, run.state, run.fence) == ("run_2", "ready", 2)
             assert runs.registry.places_of_accounts() == {"alice": 1}
             assert others.told == 1
+
+    asyncio.run(scenario())
+
+
+def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
+    tmp_path: Path,
+) -> None:
+    """It waited here and is not in memory; this node finds out when it loads it."""
+
+    async def scenario() -> None:
+        async with opened(tmp_path, OtherQueues()) as runs:
+            runs.ownership.claims = False
+            run_ids = [f"run_{number}" for number in range(6)]
+            for run_id in run_ids:
+                await runs.registry.add(calibration_run(run_id=run_id), None, "")
+            gc.collect()
+            change = "UPDATE runs SET owner = 'other', fence = 2 WHERE run_id = 'run_4'"
+            async with runs.store.write() as connection:
+                await connection.execute(sa.text(change))
+            first = await runs.registry.get("run_0")
+            effects.stop(first, "abort", 0.0)
+            await runs.registry.commit(first)
+            async with asyncio.timeout(10):
+                while (changed := await runs.changed.get()).run_id != "run_5" or (
+                    changed.state != "ready"
+                ):
+                    pass
 
     asyncio.run(scenario())
 
