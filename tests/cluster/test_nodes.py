@@ -274,8 +274,9 @@ def test_a_reader_whose_node_is_paused_signs_in_at_another(cluster: Cluster) -> 
         go_on(cluster.nodes[0])
 
 
-def test_the_path_for_nodes_answers_no_client(cluster: Cluster) -> None:
-    answer = cluster.clients[0].post("/node/views", json={})
+@pytest.mark.parametrize("path", ["/node/views", "/node/queue"])
+def test_the_paths_for_nodes_answer_no_client(cluster: Cluster, path: str) -> None:
+    answer = cluster.clients[0].post(path, json={"has_changed": True})
     assert answer.json()["code"] == "not_found"
 
 
