@@ -47,6 +47,11 @@ class Places:
         here = self._waiting.items()
         return [run for run_id, run in here if run_id not in self._elsewhere]
 
+    def is_due(self, run_id: str, now_wall: float) -> bool:
+        """Whether the run waits for a place and for nothing else."""
+        run = self._waiting.get(run_id)
+        return run is not None and run.queue_until_wall <= now_wall
+
     def counts(self) -> dict[str, int]:
         """How many places each account has here."""
         return dict(self._places)

@@ -243,8 +243,7 @@ class RunRegistry:
         A run that is not in memory stays out of it, and no more of it is read than is
         shown: the size and the number of finished runs cost nothing.
         """
-        if run_id in self._queue:
-            await self._know_queue()
+        await self._know_queue(run_id)
         if run_id not in self._in_memory:
             found = await self._store.read_window(run_id, start, end, scored)
             if found is not None and self._is_current(found[0]):
@@ -365,8 +364,8 @@ class RunRegistry:
 
         Without an account those of all (AUTH-008).
         """
-        if self._queue:
-            await self._know_queue()
+        if self._queue and self._other_queues is not None:
+            await self._other_queues.refresh()
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
@@ -389,8 +388,7 @@ class RunRegistry:
     ) -> Rendered:
         """What `view` makes of the run, once all of that is stored."""
         while True:
-            if run.state in WAITING_STATES:
-                await self._know_queue()
+            await self._know_queue(run.run_id)
             rendered = view(run)
             if await self.is_stored(run):
                 return rendered
@@ -627,9 +625,11 @@ class RunRegistry:
             self._places.leave(run_id)
             self._note_queued(taken.run, is_queued=False)
 
-    async def _know_queue(self) -> None:
+    async def _know_queue(self, run_id: str) -> None:
         """RUN-008: what waits before a run may wait at another node."""
-        if self._other_queues is not None:
+        if self._other_queues is None or run_id not in self._queue:
+            return
+        if self._places.is_due(run_id, steady_clock.now_wall()):
             await self._other_queues.refresh()
 
     def _tell_queue(self) -> None:

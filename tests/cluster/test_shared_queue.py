@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import threading
 import time
 from collections import Counter
 from collections.abc import Iterator
@@ -22,6 +23,7 @@ from tests.support.server.cluster_nodes import (
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import submit
 from tests.support.server.postgresql_server import PostgresqlServer
+from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts two servers")
@@ -292,9 +294,12 @@ def test_an_event_stream_follows_a_run_to_the_node_that_takes_it(
     first, second = cluster.clients
     run_id = submit(first, "score", "score")
     with ThreadPoolExecutor(2) as threads:
+        began = [threading.Event() for _ in range(2)]
         reading = [
-            threads.submit(read_events, client, run_id) for client in (first, second)
+            threads.submit(read_events, client, run_id, event)
+            for client, event in zip((first, second), began, strict=True)
         ]
+        assert all(event.wait(TIMEOUT_S) for event in began)
         stop(second, playing[1])
         wait_for_state(first, run_id, "ready")
         turn = attach(first, run_id)
@@ -312,14 +317,17 @@ def test_an_event_stream_follows_a_run_to_the_node_that_takes_it(
     assert seen[0][-1]["id"] == seen[1][-1]["id"]
 
 
-def read_events(client: httpx.Client, run_id: str) -> list[dict[str, Any]]:
-    """All events of one stream, until it ends."""
+def read_events(
+    client: httpx.Client, run_id: str, began: threading.Event
+) -> list[dict[str, Any]]:
+    """All events of one stream, until it ends; began: is set after the first one."""
     events: list[dict[str, Any]] = [{}]
     with client.stream("GET", f"/v1/runs/{run_id}/events") as stream:
         for line in stream.iter_lines():
             name, _, value = line.partition(": ")
             if not line and "id" in events[-1]:
                 events.append({})
+                began.set()
             elif name in ("event", "id", "data"):
                 events[-1][name] = json.loads(value) if name == "data" else value
     return events[:-1]
