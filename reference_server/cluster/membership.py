@@ -21,6 +21,7 @@ from reference_server.rules.lifecycle import (
     OPEN_STATES,
     RESTART_REASON,
     STATES_AFTER_RESTART,
+    STATES_WITH_CAPACITY,
 )
 from reference_server.rules.run_owner import (
     RENEWALS_PER_LEASE,
@@ -262,7 +263,7 @@ class Membership:
         return True
 
     async def take(self, run_id: str, fence: int) -> bool:
-        """Become the owner of a run that waits, at whichever node; whether it worked.
+        """Let in a run that waits, at whichever node, as its owner; whether it worked.
 
         fence: of the run as it was seen. Raises StoreFailed.
         """
@@ -271,7 +272,8 @@ class Membership:
         await self.ensure_lease()
         me = self.node_id
         try:
-            is_taken = await self._nodes.take(run_id, me, fence)
+            after = STATES_WITH_CAPACITY
+            is_taken = await self._nodes.take(run_id, me, fence, after)
         except StoreFailed:
             self._unsure.add(run_id)
             raise

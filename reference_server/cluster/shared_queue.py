@@ -105,19 +105,23 @@ class SharedQueue:
             self._failures.report("a node cannot read the queue", str(error))
 
     async def take(self, run_id: str) -> bool:
-        """Whether a run that waited elsewhere is this node's now. Raises StoreFailed.
+        """Whether a run that waited elsewhere is let in here. Raises StoreFailed.
 
         If it is not, the next look shows what became of it.
         """
         fence = self._fences.pop(run_id, None)
         is_taken = fence is not None and await self._membership.take(run_id, fence)
         if not is_taken:
-            self._look_is_due.set()
+            self.look()
         return is_taken
 
     def tell(self) -> None:
         """What waits here has changed, and is stored."""
         self._tell_is_due.set()
+
+    def look(self) -> None:
+        """There is a place here for what waits."""
+        self._look_is_due.set()
 
     # --- what waits ---
 
@@ -159,7 +163,8 @@ class SharedQueue:
             if one.owner != me and one.run.queue_until_wall <= 0
         ]
         self._fences = {one.run.run_id: one.fence for one in elsewhere}
-        if seen.queued:
+        waiting = {one.run.account for one in seen.queued}
+        if waiting and len(waiting | registry.places_of_accounts().keys()) > 1:
             await self._ask_for_places()
         places = sum(map(Counter, self._places.values()), Counter[str]())
         registry.note_waiting_elsewhere([one.run for one in elsewhere], places)

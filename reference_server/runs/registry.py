@@ -106,10 +106,13 @@ class OtherQueues(Protocol):
         """Call `note_queue` with what waits at all nodes by now."""
 
     async def take(self, run_id: str) -> bool:
-        """Become the owner of a run that waits there; whether it worked."""
+        """Let in a run that waits there, as its owner; whether it worked."""
 
     def tell(self) -> None:
         """Let the others know that what waits here has changed."""
+
+    def look(self) -> None:
+        """Call `note_waiting_elsewhere` soon: there is a place for what waits."""
 
 
 class RunRegistry:
@@ -599,11 +602,14 @@ class RunRegistry:
     def note_waiting_elsewhere(
         self, waiting: Sequence[WaitingRun], places: Mapping[str, int]
     ) -> None:
-        """What other nodes let this one take, and what accounts have there."""
+        """What other nodes let this one take, and the places of accounts there.
+
+        By that, and by what waits here, the next runs get the places that are free.
+        """
         waiting = [run for run in waiting if not self._knows(run.run_id)]
         self._waiting_elsewhere = {run.run_id for run in waiting}
         self._places.note_elsewhere(waiting, places)
-        self._admit()
+        self._admit(knows_all=True)
 
     def _knows(self, run_id: str) -> bool:
         """Whether the run is here, or on its way."""
@@ -700,18 +706,22 @@ class RunRegistry:
             event.is_elsewhere = is_elsewhere
             event.set()
 
-    def _admit(self, new: Run | None = None) -> None:
+    def _admit(self, new: Run | None = None, *, knows_all: bool = False) -> None:
         """Let runs in while there is capacity.
 
         new: one that is not stored yet; its place is taken, and storing it is left to
-        the caller.
+        the caller. In a cluster others wait for what `note_waiting_elsewhere` says.
         """
         if self._closed:
             return
         now, now_wall = time.monotonic(), steady_clock.now_wall()
         is_new = new is not None and new.state in WAITING_STATES
         unstored = WaitingRun.of(new) if new is not None and is_new else None
-        if self._places.can_change(now, unstored):
+        if not self._places.can_change(now, unstored):
+            pass
+        elif self._other_queues is not None and not (is_new or knows_all):
+            self._other_queues.look()
+        else:
             for waiting in self._places.share(now, now_wall, unstored):
                 run = new if waiting is unstored else None
                 self._let_in(waiting.run_id, run)
@@ -746,10 +756,14 @@ class RunRegistry:
         while self._admitted and not self._closed:
             run_id = self._admitted[0]
             try:
-                if await self._is_taken(run_id):
-                    run = self._in_memory.get(run_id) or await self._load(run_id)
-                    if run is not None:
-                        await self.is_stored(run)
+                is_from_elsewhere = run_id in self._to_take
+                if is_from_elsewhere and not await self._take(run_id):
+                    continue
+                run = self._in_memory.get(run_id) or await self._load(run_id)
+                if run is not None and is_from_elsewhere:
+                    self._life.log_taken(run)
+                if run is not None:
+                    await self.is_stored(run)
             except OwnedElsewhere:  # another node that has room came first
                 self._places.leave(run_id)
                 self._admit()
@@ -762,10 +776,8 @@ class RunRegistry:
             finally:
                 self._admitted.popleft()
 
-    async def _is_taken(self, run_id: str) -> bool:
-        """Whether a run that got a place here is this server's own by now."""
-        if run_id not in self._to_take:
-            return True
+    async def _take(self, run_id: str) -> bool:
+        """Whether a run of another node that got a place here is this one's now."""
         self._to_take.discard(run_id)
         assert self._other_queues is not None, "without them nothing waits there"
         is_taken = False
@@ -775,7 +787,8 @@ class RunRegistry:
             if not is_taken:
                 self._places.leave(run_id)
                 self._admit()
-        self._queue_has_changed = is_taken
+        self._queue_has_changed |= is_taken
+        self._tell_queue()
         return is_taken
 
     def _check_capacity_in(self, wait_s: float | None) -> None:

@@ -209,19 +209,32 @@ class NodeStore:
 
         return await self._store.read(fetch)
 
-    async def take(self, run_id: str, node_id: str, fence: int) -> bool:
-        """Make a node in the list the owner of a run that waits, at whichever node.
+    async def take(
+        self,
+        run_id: str,
+        node_id: str,
+        fence: int,
+        states_with_capacity: Mapping[State, State],
+    ) -> bool:
+        """Let in a run that waits, with a node in the list as its owner.
 
-        fence: as it was when the run was seen. False if another node came first, or the
-        run waits no more, or is held by its submitter. Whether its owner lives is of no
-        matter: it stores nothing more of the run.
+        fence: as it was when the run was seen, at whichever node. False if another node
+        came first, or the run waits no more, or is held by its submitter. Whether its
+        owner lives is of no matter: it stores nothing more of the run.
         """
+        now, before = _Now(), _runs.c.updated_at_wall
         taken = (
             _runs.update()
             .where(_runs.c.run_id == run_id, _fence == fence, _IS_THERE)
-            .where(_IS_QUEUED, ~_IS_HELD)
+            .where(_runs.c.state.in_(states_with_capacity), ~_IS_HELD)
             .where(sa.exists().where(_nodes.c.node_id == node_id))
-            .values(owner=node_id, fence=fence + 1)
+            .values(
+                owner=node_id,
+                fence=fence + 1,
+                state=sa.case(dict(states_with_capacity), value=_runs.c.state),
+                reason=None,
+                updated_at_wall=sa.case((before > now, before), else_=now),  # RUN-021
+            )
         )
         async with self._store.write_of_node() as connection:
             return (await connection.execute(taken)).rowcount == 1

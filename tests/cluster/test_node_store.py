@@ -15,7 +15,11 @@ import sqlalchemy as sa
 from reference_server.cluster import membership as membership_module
 from reference_server.cluster.membership import Membership
 from reference_server.rules.capacity import Quota
-from reference_server.rules.lifecycle import RESTART_REASON, STATES_AFTER_RESTART
+from reference_server.rules.lifecycle import (
+    RESTART_REASON,
+    STATES_AFTER_RESTART,
+    STATES_WITH_CAPACITY,
+)
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
@@ -51,8 +55,9 @@ class Nodes:
 
     async def add_run(self, owner: Node, state: State = "ready", **changes: Any) -> Run:
         run = calibration_run(**changes)
-        run.owner, run.fence = owner.node_id, 1
-        run.run_id, run.state = f"run_{state}", state
+        run.owner, run.fence, run.state = owner.node_id, 1, state
+        if "run_id" not in changes:
+            run.run_id = f"run_{state}"
         assert await self.stores[0].insert(run, None, "")
         return run
 
@@ -480,12 +485,15 @@ def test_a_run_that_waits_is_taken_by_one_node(database: UsedDatabase) -> None:
     async def scenario(nodes: Nodes) -> None:
         run = await nodes.add_run(FIRST, "queued")
         takes = [
-            nodes.nodes[number % 2].take(run.run_id, name, 1)
+            nodes.nodes[number % 2].take(run.run_id, name, 1, STATES_WITH_CAPACITY)
             for number, name in enumerate(["first", "second"] * 8)
         ]
         assert sorted(await asyncio.gather(*takes)) == [False] * 15 + [True]
-        (seen,) = (await nodes.nodes[0].queue([])).queued
+        (seen,) = (await nodes.nodes[0].queue([run.run_id])).left
         assert seen.fence == 2
+        stored = await nodes.stores[0].load(run.run_id)
+        assert stored is not None
+        assert (stored.state, stored.owner) == ("ready", seen.owner)
         run.state = "ready"
         with pytest.raises(OwnershipLost):
             await nodes.stores[0].save(run)
@@ -499,7 +507,9 @@ def test_a_run_that_does_not_wait_is_not_taken(
 ) -> None:
     async def scenario(nodes: Nodes) -> None:
         run = await nodes.add_run(FIRST, state)
-        assert not await nodes.nodes[1].take(run.run_id, "second", 1)
+        assert not await nodes.nodes[1].take(
+            run.run_id, "second", 1, STATES_WITH_CAPACITY
+        )
         queue = await nodes.nodes[1].queue([run.run_id])
         assert queue.queued == []
         assert [(one.owner, one.fence) for one in queue.left] == [("first", 1)]
@@ -513,10 +523,12 @@ def test_a_node_takes_nothing_that_changed_since_it_was_seen(
     async def scenario(nodes: Nodes) -> None:
         run = await nodes.add_run(FIRST, "queued")
         second = nodes.nodes[1]
-        assert not await second.take(run.run_id, "second", 0)
-        assert not await second.take(run.run_id, "third", 1)  # not in the list
+        assert not await second.take(run.run_id, "second", 0, STATES_WITH_CAPACITY)
+        assert not await second.take(
+            run.run_id, "third", 1, STATES_WITH_CAPACITY
+        )  # not in the list
         await nodes.stores[0].delete(run, time.time())
-        assert not await second.take(run.run_id, "second", 1)
+        assert not await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
         queue = await second.queue([run.run_id])
         assert (queue.queued, queue.left) == ([], [])
 
@@ -531,11 +543,11 @@ def test_a_run_that_is_held_is_taken_when_its_owner_lets_it_go(
     async def scenario(nodes: Nodes) -> None:
         run = await nodes.add_run(FIRST, "queued", queue_until_wall=1.0)
         second = nodes.nodes[1]
-        assert not await second.take(run.run_id, "second", 1)
+        assert not await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
         await second.let_go([run.run_id], "second")
-        assert not await second.take(run.run_id, "second", 1)
+        assert not await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
         await nodes.nodes[0].let_go([run.run_id], "first")
-        assert await second.take(run.run_id, "second", 1)
+        assert await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
 
     run_scenario(database, scenario)
 
@@ -564,11 +576,14 @@ def test_a_member_takes_only_while_it_claims(
                 await member.take(run.run_id, 1)
         await member._claim_abandoned()
         assert adopted == [run.run_id]
-        assert not await member.take(run.run_id, 1)
-        assert await member.take(run.run_id, 2)
-        assert await member.find_other(run.run_id, only_reads=False) is None
+        assert not await member.take(run.run_id, 2)  # it waits no more
+        later = await nodes.add_run(FIRST, "queued", run_id="run_later")
+        assert await member.find_other(later.run_id, only_reads=False) == FIRST
+        assert await member.take(later.run_id, 1)
+        assert await member.find_other(later.run_id, only_reads=False) is None
         member.stop_claiming()
-        assert not await member.take(run.run_id, 3)
+        last = await nodes.add_run(FIRST, "queued", run_id="run_last")
+        assert not await member.take(last.run_id, 1)
 
     run_scenario(database, scenario)
 

@@ -81,7 +81,7 @@ class FakeNode:
         return []
 
     def places_of_accounts(self) -> dict[str, int]:
-        return {"alice": 1}
+        return {"bob": 1}
 
     def held_no_more(self) -> list[str]:
         return self.held
@@ -166,7 +166,7 @@ def test_a_look_is_due_when_another_node_says_so(
         queue.open()
         try:
             told = await said_to(queue, has_changed=True)
-            assert told == {"places": {"alice": 1}}
+            assert told == {"places": {"bob": 1}}
             async with asyncio.timeout(PATIENCE_S):
                 seen, places = await node.noted.get()
             assert (seen, places) == (["run_1"], {"alice": 3})

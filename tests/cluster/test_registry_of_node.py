@@ -146,7 +146,7 @@ class OtherQueues:
 
     def __init__(self) -> None:
         self.asked: asyncio.Queue[str] = asyncio.Queue()
-        self.told = 0
+        self.told, self.looked = 0, asyncio.Event()
         self.take_now: Callable[[str], Awaitable[bool]] | None = None
 
     async def refresh(self) -> None:
@@ -158,6 +158,9 @@ class OtherQueues:
 
     def tell(self) -> None:
         self.told += 1
+
+    def look(self) -> None:
+        self.looked.set()
 
 
 def waiting(run: Run, *, queue_until_wall: float = 0.0) -> WaitingRun:
@@ -275,7 +278,10 @@ def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
             async def take(run_id: str) -> bool:
                 if run_id == gone.run_id:
                     return False
-                change = "UPDATE runs SET owner = 'first', fence = 2 WHERE number = 2"
+                change = (
+                    "UPDATE runs SET owner = 'first', fence = 2, state = 'ready' "
+                    "WHERE number = 2"
+                )
                 async with runs.store.write() as connection:
                     await connection.execute(sa.text(change))
                 return True
@@ -299,7 +305,8 @@ def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
     """It waited here and is not in memory; this node finds out when it loads it."""
 
     async def scenario() -> None:
-        async with opened(tmp_path, OtherQueues()) as runs:
+        others = OtherQueues()
+        async with opened(tmp_path, others) as runs:
             runs.ownership.claims = False
             run_ids = [f"run_{number}" for number in range(6)]
             for run_id in run_ids:
@@ -312,6 +319,12 @@ def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
             effects.stop(first, "abort", 0.0)
             await runs.registry.commit(first)
             async with asyncio.timeout(10):
+                await others.looked.wait()
+                assert runs.registry.places_of_accounts() == {"alice": 3}
+                runs.registry.note_waiting_elsewhere([], {})
+                others.looked.clear()
+                await others.looked.wait()  # the run was another node's by then
+                runs.registry.note_waiting_elsewhere([], {})
                 while (changed := await runs.changed.get()).run_id != "run_5" or (
                     changed.state != "ready"
                 ):
