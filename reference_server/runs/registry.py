@@ -539,7 +539,7 @@ class RunRegistry:
         if run.run_id in self._places:
             return
         self._places.wait(WaitingRun(run.run_id, run.number, run.account, 0.0))
-        self._admit()
+        self._admit(knows_all=True)  # the answer waits for no look elsewhere
         if run.run_id not in self._places:
             raise Refused("no_capacity", "As many runs are played as may be at once.")
 
@@ -710,7 +710,7 @@ class RunRegistry:
         """Let runs in while there is capacity.
 
         new: one that is not stored yet; its place is taken, and storing it is left to
-        the caller. In a cluster others wait for what `note_waiting_elsewhere` says.
+        the caller. knows_all: what waits at other nodes was just noted, or need not be.
         """
         if self._closed:
             return
