@@ -838,6 +838,7 @@ class RunRegistry:
                 await self._store.save(run, *checks)
         except Refused as refused:  # by the check
             self._not_opened[run] = refused
+            self.usage.note_open(run.account, run.run_id, is_open=False)
             self._evict(run)
             return False
         except OwnershipLost as error:
