@@ -253,6 +253,7 @@ def _registry_of(
         unused_s=settings.unused_s_max,
         quota=_quota(settings),
         ownership=None if node is None else node.membership,
+        other_queues=None if node is None else node.queue,
     )
 
 

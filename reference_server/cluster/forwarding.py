@@ -14,6 +14,7 @@ import contextlib
 import hmac
 import logging
 import re
+import time
 from collections.abc import AsyncIterator, Callable
 from typing import Any
 
@@ -21,13 +22,14 @@ import httpcore
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from reference_server.cluster.followed_stream import FollowedStream
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.reachability import Reachability
 from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.http.pages.page_sessions import needs_session, node_of_session
-from reference_server.http.problems import problem_response
+from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run_owner import RENEWALS_PER_LEASE
+from reference_server.rules.run_owner import RENEWALS_PER_LEASE, OwnedElsewhere
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import StoreFailed
 from reference_server.system.log_output import REQUEST_ID
@@ -51,6 +53,11 @@ _NOT_REACHED = (
 # A node closes a connection that is unused for 5 s.
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
+# How often a request follows a run that moves, and how much of it is kept for that.
+MOVES_MAX, REPEATED_BYTES_MAX = 3, 2**16
+# Between two tries to go on with an event stream.
+FOLLOW_PAUSE_S = 0.2
+_MOVED, _REFUSED = MOVED_HEADER.lower().encode(), 503
 CONNECTIONS_MAX = 1000
 # At least so long, and for a lease, a busy node may be silent and is still waited for.
 SILENT_S = 5.0
@@ -241,6 +248,62 @@ class _Exchange:
         self.has_no_reader = True
 
 
+class _RunMoved(Exception):
+    """Another node has the run by now; nothing was done, and nothing answered."""
+
+
+class RepeatableRequest:
+    """A request that can be read again from its beginning, while it is short."""
+
+    def __init__(self, receive: Receive) -> None:
+        self._receive = receive
+        self._messages: list[Message] = []
+        self._size, self.is_short = 0, True
+
+    @property
+    def has_no_reader(self) -> bool:
+        """Whether the client has left, as far as that was received."""
+        return any(one["type"] == "http.disconnect" for one in self._messages[-1:])
+
+    def read(self) -> Receive:
+        """What receives all of it, once more."""
+        at = 0
+
+        async def receive() -> Message:
+            nonlocal at
+            if at < len(self._messages):
+                at += 1
+                return self._messages[at - 1]
+            message = await self._receive()
+            self._keep(message)
+            at = len(self._messages)
+            return message
+
+        return receive
+
+    def _keep(self, message: Message) -> None:
+        self._size += len(message.get("body", b""))
+        self.is_short = self._size <= REPEATED_BYTES_MAX
+        if self.is_short:
+            self._messages.append(message)
+        else:
+            self._messages.clear()
+
+
+def _unless_moved(send: Send, may_repeat: Callable[[], bool]) -> Send:
+    """Send an answer, unless it is that the run has moved; then raise _RunMoved."""
+
+    async def send_or_raise(message: Message) -> None:
+        if message["type"] == "http.response.start" and message["status"] == _REFUSED:
+            headers = [one for one in message["headers"] if one[0].lower() != _MOVED]
+            if len(headers) < len(message["headers"]) and may_repeat():
+                raise _RunMoved
+            message["headers"] = headers
+        await send(message)
+
+    return send_or_raise
+
+
 class RunForwarding:
     """One path of runs: its requests are answered here, or passed on (CLU-001).
 
@@ -249,7 +312,11 @@ class RunForwarding:
     (CLU-004), a lease is extended (CLU-005), and long polls and event streams wait
     where changes are made (CLU-006), with the client's Last-Event-ID (CLU-007).
 
-    has_run: whether a run is in the memory of this node; most turns need no more.
+    A run that waits may move to a node that has room while it is asked for: then the
+    request is repeated there.
+
+    has_run: whether a run is in the memory of this node for good; most turns need no
+    more.
     """
 
     def __init__(
@@ -263,13 +330,73 @@ class RunForwarding:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         membership = self._connections.membership
         try:
-            await membership.ensure_lease()
+            is_passed_on = is_from_node(scope, membership)
+        except Refused as refused:
+            await problem_response(refused, _GO_ELSEWHERE)(scope, receive, send)
+            return
+        if is_passed_on:  # the node that did that repeats it
+            await self._answer(scope, receive, send, is_passed_on=True)
+            return
+        request, stream = RepeatableRequest(receive), FollowedStream(send)
+        await self._answer_or_repeat(scope, request, stream.send)
+        if stream.can_go_on:
+            await self._follow(scope, request, stream)
+        await stream.end()
+
+    async def _follow(
+        self, scope: Scope, request: RepeatableRequest, stream: FollowedStream
+    ) -> None:
+        """Send what follows an event stream that ended before its run has.
+
+        Its next node may not be known before a lease has ended.
+        """
+        membership = self._connections.membership
+        sent_at = _now()
+        while stream.can_go_on and not request.has_no_reader and membership.claims:
+            began, last_id = _now(), stream.last_id
+            behind = stream.scope_behind(scope)
+            await self._answer_or_repeat(behind, request, stream.send)
+            if stream.last_id != last_id or _now() - began > FOLLOW_PAUSE_S:
+                sent_at = _now()
+            elif _now() - sent_at > 2 * membership.lease_s + SILENT_S:
+                return
+            else:
+                await asyncio.sleep(FOLLOW_PAUSE_S)
+
+    async def _answer_or_repeat(
+        self, scope: Scope, request: RepeatableRequest, send: Send
+    ) -> None:
+        """Answer a request; if its run moves meanwhile, by its new node."""
+        run_id, moves = _run_id(scope), 0
+
+        def may_repeat() -> bool:
+            return run_id is not None and request.is_short and moves < MOVES_MAX
+
+        while True:
+            try:
+                send_here = _unless_moved(send, may_repeat)
+                await self._answer(scope, request.read(), send_here)
+            except _RunMoved:
+                moves += 1
+                self._connections.membership.note_moved(run_id or "")
+            else:
+                return
+
+    async def _answer(
+        self, scope: Scope, receive: Receive, send: Send, *, is_passed_on: bool = False
+    ) -> None:
+        try:
+            await self._connections.membership.ensure_lease()
             node = await self._find_node(scope)
+            if node is not None and is_passed_on:
+                raise OwnedElsewhere(_run_id(scope) or "")
             if node is not None:
                 await self._connections.pass_on(node, scope, receive, send)
                 return
             app = self._app
         except Refused as refused:
+            if not is_passed_on:  # nobody finds it now
+                refused = Refused(refused.code, refused.detail)
             app = problem_response(refused, _GO_ELSEWHERE)
         except StoreFailed as error:
             self._connections.failures.report("no database", str(error))
@@ -278,8 +405,7 @@ class RunForwarding:
         await app(scope, receive, send)
 
     async def _find_node(self, scope: Scope) -> Node | None:
-        if is_from_node(scope, self._connections.membership):
-            return None
+        """The other node that has the run: one that passed a request on may be late."""
         run_id = _run_id(scope)
         if run_id is None or self._has_run(run_id):
             return None
@@ -325,6 +451,10 @@ class PageForwarding:
         with contextlib.suppress(StoreFailed):
             return await membership.find_node(node_id)
         return None
+
+
+def _now() -> float:
+    return time.monotonic()
 
 
 def _run_id(scope: Scope) -> str | None:

@@ -21,6 +21,7 @@ from reference_server.rules.lifecycle import (
     OPEN_STATES,
     RESTART_REASON,
     STATES_AFTER_RESTART,
+    STATES_WITH_CAPACITY,
 )
 from reference_server.rules.run_owner import (
     RENEWALS_PER_LEASE,
@@ -107,6 +108,11 @@ class Membership:
         renewal = self._repeat(self.lease_s / RENEWALS_PER_LEASE, self._keep_lease)
         sweep = self._repeat(min(SWEEP_S, self.lease_s / 2), self._claim_abandoned)
         self._tasks = [asyncio.create_task(work) for work in (renewal, sweep)]
+
+    @property
+    def claims(self) -> bool:
+        """Whether it acts for more runs than it has."""
+        return self._claims
 
     def stop_claiming(self) -> None:
         """The server will end: what it claimed now would be left again at once."""
@@ -256,9 +262,37 @@ class Membership:
             self._adopt(run_id)
         return True
 
+    async def take(self, run_id: str, fence: int) -> bool:
+        """Let in a run that waits, at whichever node, as its owner; whether it worked.
+
+        fence: of the run as it was seen. Raises StoreFailed.
+        """
+        if not self._claims:
+            return False
+        await self.ensure_lease()
+        me = self.node_id
+        try:
+            after = STATES_WITH_CAPACITY
+            is_taken = await self._nodes.take(run_id, me, fence, after)
+        except StoreFailed:
+            self._unsure.add(run_id)
+            raise
+        if is_taken:
+            self._owners.pop(run_id, None)
+            log.info("node %s took run %s, which waited", me, run_id)
+        return is_taken
+
+    def others(self) -> list[Node]:
+        """The other nodes, as they were last seen."""
+        return list(self._others.values())
+
     async def claim(self, run_id: str) -> bool:
         """Whether this node is the owner of the run now, or there is no run."""
         return await self.find_other(run_id, only_reads=False) is None
+
+    def note_moved(self, run_id: str) -> None:
+        """Another node has the run: the next look-up reads the database again."""
+        self._owners.pop(run_id, None)
 
     async def forget_owner(self, run_id: str) -> None:
         """Its node was not reached: the next look-up reads the database again."""

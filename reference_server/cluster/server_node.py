@@ -7,13 +7,14 @@ from typing import Any
 
 from starlette.types import ASGIApp
 
-from reference_server.cluster import views_elsewhere
+from reference_server.cluster import shared_queue, views_elsewhere
 from reference_server.cluster.forwarding import (
     NodeConnections,
     PageForwarding,
     RunForwarding,
 )
 from reference_server.cluster.membership import Membership
+from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.cluster.views_elsewhere import ViewsElsewhere
 from reference_server.runs.service import RunService
 from reference_server.storage.node_store import NodeStore
@@ -42,6 +43,7 @@ class ServerNode:
         )
         self._connections = NodeConnections(self.membership)
         self.views = ViewsElsewhere(self._connections, self._view_run)
+        self.queue = SharedQueue(nodes, self._connections, lambda: service().registry)
 
     def routed(self, endpoints: Mapping[str, ASGIApp]) -> dict[str, ASGIApp]:
         """The same paths, each answered by the node that has the run it names."""
@@ -50,7 +52,9 @@ class ServerNode:
             path: RunForwarding(endpoint, self._connections, has_run)
             for path, endpoint in endpoints.items()
         }
-        return routed | {views_elsewhere.PATH: self.views}
+        routed[views_elsewhere.PATH] = self.views
+        routed[shared_queue.PATH] = self.queue
+        return routed
 
     def routed_pages(self, pages: ASGIApp, away: ASGIApp) -> ASGIApp:
         """The pages, each answered by the node where its reader has signed in.
@@ -76,8 +80,10 @@ class ServerNode:
         """Join the nodes, when all other parts are open. Raises StoreFailed."""
         await self.membership.open()
         self.membership.start()
+        self.queue.open()
 
     async def close(self) -> None:
         """After the last write: others may claim the runs at once."""
+        await self.queue.close()
         await self._connections.close()
         await self.membership.close()

@@ -14,7 +14,10 @@ from starlette.responses import Response
 
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import OwnedElsewhere
 
+# Between the nodes of a cluster: nothing was done, and another one has the run by now.
+MOVED_HEADER = "Proctor-Run-Moved"
 PROBLEM_JSON = "application/problem+json"
 # How long a client waits before it repeats a request; short: slots free quickly.
 RETRY_AFTER_S = 1
@@ -42,6 +45,8 @@ def problem_response(
     headers = dict(headers or {})
     if entry["status"] in (429, 503):
         headers.setdefault("Retry-After", str(RETRY_AFTER_S))
+    if isinstance(refused, OwnedElsewhere):
+        headers[MOVED_HEADER] = "1"
     if entry["status"] == 401:
         headers.setdefault("WWW-Authenticate", "Bearer")  # AUTH-002
     return Response(

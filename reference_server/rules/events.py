@@ -12,8 +12,9 @@ import hashlib
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
-from reference_server.rules.run import RunHead
+from reference_server.rules.run import RunHead, State
 
 _ID = re.compile(r"([0-9]{1,9})-(none|[0-9a-f]{16})-[0-9a-f]{8}")
 
@@ -85,7 +86,16 @@ def next_batch(
     return EventBatch(b"".join(events), cursor, is_behind, is_last)
 
 
-def is_final(run: RunHead) -> bool:
+class HasState(Protocol):
+    """What is shown of a run."""
+
+    @property
+    def state(self) -> State: ...
+    @property
+    def retryable(self) -> bool | None: ...
+
+
+def is_final(run: HasState) -> bool:
     """EVT-006: nothing that is legal is left, as a test proves of the lifecycle."""
     return run.state == "completed" or (run.state == "failed" and not run.retryable)
 

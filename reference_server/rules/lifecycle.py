@@ -77,6 +77,10 @@ TRANSITIONS: dict[tuple[State, Event], State] = {
 PLAYABLE_STATES = frozenset(s for s, event in TRANSITIONS if event == "attach_worker")
 # The run waits until there is capacity for it (LIFE-801, RUN-008).
 WAITING_STATES = frozenset(s for s, event in TRANSITIONS if event == "capacity")
+# What such a run is when it gets a place.
+STATES_WITH_CAPACITY: Mapping[State, State] = {
+    state: after for (state, event), after in TRANSITIONS.items() if event == "capacity"
+}
 # CRASH-002, CRASH-004: sessions do not outlive the process, so a restart is what the
 # end of the last session is (LIFE-802, LIFE-803). Other states outlive a restart.
 STATES_AFTER_RESTART: Mapping[State, State] = {

@@ -76,6 +76,10 @@ class AccountUsage:
         """Refuse if that is as many as an account may have open."""
         _raise_if(below_quota(open_runs, self.quota.open_runs))
 
+    def check_opened(self, has: Quota) -> None:
+        """Refuse if an account that has so much may not have another run open."""
+        self.check_open_runs(has.open_runs)
+
     def check_stored(self, has_key: bool, has: Quota) -> None:
         """Refuse if an account that has so much may not have another run."""
         self.check_open_runs(has.open_runs)

@@ -5,12 +5,16 @@ memory. Who gets a place is decided in `rules/capacity.py`. A run without a work
 its place while no other run waits; when one does, it gives it back after `unused_s`, or
 at once if its account has more than its share. It stays `ready` and gets a place again
 when a worker attaches.
+
+In a cluster these are the places of one node. It knows what waits at other nodes, which
+it may take, and how many places each account has there.
 """
 
 from __future__ import annotations
 
 import math
 from collections import Counter
+from collections.abc import Iterable, Mapping
 
 from reference_server.rules.capacity import WaitingRun, gives_back, share_places
 
@@ -26,6 +30,8 @@ class Places:
         self._unplayed_of: Counter[str] = Counter()
         self._waiting: dict[str, WaitingRun] = {}
         self._waiting_of: Counter[str] = Counter()
+        self._elsewhere: set[str] = set()  # ids of those of other nodes that wait
+        self._places_elsewhere: Counter[str] = Counter()
         self._settled_until = -math.inf  # unless something changes before
 
     def __contains__(self, run_id: str) -> bool:
@@ -35,6 +41,36 @@ class Places:
     def run_ids(self) -> list[str]:
         """Of the runs that have a place or wait for one."""
         return [*self._account_of, *self._waiting]
+
+    def waiting_here(self) -> list[WaitingRun]:
+        """Without those of other nodes."""
+        here = self._waiting.items()
+        return [run for run_id, run in here if run_id not in self._elsewhere]
+
+    def is_due(self, run_id: str, now_wall: float) -> bool:
+        """Whether the run waits for a place and for nothing else."""
+        run = self._waiting.get(run_id)
+        return run is not None and run.queue_until_wall <= now_wall
+
+    def counts(self) -> dict[str, int]:
+        """How many places each account has here."""
+        return dict(self._places)
+
+    def note_elsewhere(
+        self, waiting: Iterable[WaitingRun], places: Mapping[str, int]
+    ) -> None:
+        """What waits at other nodes now, and how many places each account has there."""
+        new = {run.run_id: run for run in waiting}
+        for run_id in self._elsewhere - new.keys():
+            self.stop_waiting(run_id)
+        for run_id, run in new.items():
+            is_here = run_id in self._waiting and run_id not in self._elsewhere
+            if run_id not in self._account_of and not is_here:
+                self.wait(run)
+                self._elsewhere.add(run_id)
+        if places != self._places_elsewhere:
+            self._places_elsewhere = Counter(places)
+            self._settled_until = -math.inf
 
     def play(self, run_id: str, account: str) -> None:
         """The run is played: it has a place until `rest` or `leave`."""
@@ -56,6 +92,7 @@ class Places:
 
     def wait(self, run: WaitingRun) -> None:
         """The run waits for a place: it is queued, or a worker wants to attach."""
+        self._elsewhere.discard(run.run_id)
         known = self._waiting.get(run.run_id)
         if known is None:
             self._waiting_of[run.account] += 1
@@ -65,6 +102,7 @@ class Places:
 
     def stop_waiting(self, run_id: str) -> None:
         run = self._waiting.pop(run_id, None)
+        self._elsewhere.discard(run_id)
         if run is not None:
             _count_down(self._waiting_of, run.account)
 
@@ -80,8 +118,9 @@ class Places:
             return bool(waiting_of)
         if not self._unplayed:
             return False
+        places = self._places_of_all
         return now >= self._overdue_at() or any(
-            gives_back(self._places, account, waiting)
+            gives_back(places, account, waiting)
             for account in self._unplayed_of
             for waiting in waiting_of
         )
@@ -94,7 +133,7 @@ class Places:
         due = sum(run.queue_until_wall <= now_wall for run in waiting)
         self._give_back_overdue(due, now)
         shares = share_places(
-            waiting, self._places, self._unplayed_of, self._free, now_wall
+            waiting, self._places_of_all, self._unplayed_of, self._free, now_wall
         )
         for account in shares.given_back:
             self._give_back_longest_unplayed(account)
@@ -130,6 +169,13 @@ class Places:
             return None
         left_s = self._overdue_at() - now
         return left_s if left_s > 0 else None
+
+    @property
+    def _places_of_all(self) -> Counter[str]:
+        """How many places each account has, at all nodes."""
+        if not self._places_elsewhere:
+            return self._places
+        return self._places + self._places_elsewhere
 
     @property
     def _free(self) -> int:

@@ -19,12 +19,11 @@ import asyncio
 import contextvars
 import logging
 import time
-from bisect import bisect_left, insort
 from collections import Counter, OrderedDict, deque
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
-from weakref import WeakValueDictionary
+from weakref import WeakKeyDictionary, WeakSet, WeakValueDictionary
 
 from reference_server.rules import effects
 from reference_server.rules.capacity import Quota, WaitingRun
@@ -37,6 +36,7 @@ from reference_server.rules.lifecycle import (
     STATES_AFTER_RESTART,
     WAITING_STATES,
 )
+from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.rules.run_owner import OwnedElsewhere
@@ -44,12 +44,15 @@ from reference_server.rules.submission import (
     KeyUse,
     key_conflict,
     may_see_run,
+    queue_s,
     queue_until,
 )
 from reference_server.runs import steady_clock
 from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.places import Places
 from reference_server.runs.run_log import RunLog, new_results
+from reference_server.runs.run_queue import RunQueue
+from reference_server.storage.node_store import OwnedRun, StoredQueue
 from reference_server.storage.store import (
     OwnershipLost,
     RunIsKept,
@@ -80,6 +83,10 @@ class RunChange(asyncio.Event):
 
     is_elsewhere = False
 
+    def __init__(self, run_id: str) -> None:
+        super().__init__()
+        self.run_id = run_id
+
 
 class Ownership(Protocol):
     """This server as one of several that share the database."""
@@ -92,14 +99,30 @@ class Ownership(Protocol):
         """Become the owner, unless another node is it; whether this one is it now."""
 
 
+class OtherQueues(Protocol):
+    """What waits at the other nodes of a cluster."""
+
+    async def refresh(self) -> None:
+        """Call `note_queue` with what waits at all nodes by now."""
+
+    async def take(self, run_id: str) -> bool:
+        """Let in a run that waits there, as its owner; whether it worked."""
+
+    def tell(self) -> None:
+        """Let the others know that what waits here has changed."""
+
+    def look(self) -> None:
+        """Call `note_waiting_elsewhere` soon: there is a place for what waits."""
+
+
 class RunRegistry:
     """All runs of this server, by id.
 
     active_max: places of runs that are played or about to be. unused_s: when others
     wait, how long a run without a worker keeps its place. quota: of each account.
     on_run_lost: ends the sessions of a run whose write failed. on_change: is called
-    with a run whose state may have changed. ownership: None for a server that has
-    the database for itself.
+    with a run whose state may have changed. ownership, other_queues: None for a server
+    that has the database for itself.
     """
 
     def __init__(
@@ -112,18 +135,24 @@ class RunRegistry:
         unused_s: float = 120.0,
         quota: Quota | None = None,
         ownership: Ownership | None = None,
+        other_queues: OtherQueues | None = None,
     ) -> None:
         self._store, self._ownership = store, ownership
+        self._other_queues = other_queues
         self._on_run_lost, self._on_change = on_run_lost, on_change
         self._places = Places(active_max, unused_s)
         self.usage = AccountUsage(quota or Quota())
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._recent_episodes = 0
-        self._queued: dict[str, int] = {}  # their numbers, by id
-        self._queue: list[int] = []  # the same numbers, the next one first
-        self._queued_at: dict[int, float] = {}  # wall time, by the same numbers
+        self._queue = RunQueue()
+        self._queue_has_changed = False  # since other nodes were told
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
+        self._waiting_elsewhere: set[str] = set()  # ids; this node may take them
+        self._to_take: set[str] = set()  # those of them that have a place here
+        self._taken: WeakSet[Run] = WeakSet()  # runs that other nodes have now
+        self._not_opened: WeakKeyDictionary[Run, Refused] = WeakKeyDictionary()
+        self._handed_over: WeakSet[Run] = WeakSet()  # those of them that were stored
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
         self._deleting: dict[str, asyncio.Task[None]] = {}
@@ -217,6 +246,7 @@ class RunRegistry:
         A run that is not in memory stays out of it, and no more of it is read than is
         shown: the size and the number of finished runs cost nothing.
         """
+        await self._know_queue(run_id)
         if run_id not in self._in_memory:
             found = await self._store.read_window(run_id, start, end, scored)
             if found is not None and self._is_current(found[0]):
@@ -228,8 +258,8 @@ class RunRegistry:
         return await self.render_when_stored(run, lambda run: view(run, window(run)))
 
     def has(self, run_id: str) -> bool:
-        """Whether the run is in memory."""
-        return run_id in self._in_memory
+        """Whether the run is in memory, and no other node may take it."""
+        return run_id in self._in_memory and run_id not in self._queue
 
     def is_elsewhere(self, head: RunHead) -> bool:
         """Whether another node acts for the run, or will."""
@@ -241,7 +271,7 @@ class RunRegistry:
         if self.is_elsewhere(head):
             return True  # all that this node can know
         # What is known to be in the queue leaves it only in memory.
-        is_stable = head.state in RESTING_STATES or head.run_id in self._queued
+        is_stable = head.state in RESTING_STATES or head.run_id in self._queue
         return is_stable and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
@@ -303,12 +333,15 @@ class RunRegistry:
                 self._admit()
         if is_stored:
             self._life.log_submitted(run)
+            if run in self._handed_over:  # another node had room for it
+                return True
             if run.lost:  # `drop_all` meanwhile: the node that claims it plays it
                 text = "The node lost its lease. Repeat with the same Idempotency-Key."
                 raise Refused("unavailable", text)
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
+            self._tell_queue()
         return is_stored
 
     async def _read_foreign(self, run_id: str) -> Run:
@@ -334,6 +367,8 @@ class RunRegistry:
 
         Without an account those of all (AUTH-008).
         """
+        if self._queue and self._other_queues is not None:
+            await self._other_queues.refresh()
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
         found = []
@@ -356,6 +391,7 @@ class RunRegistry:
     ) -> Rendered:
         """What `view` makes of the run, once all of that is stored."""
         while True:
+            await self._know_queue(run.run_id)
             rendered = view(run)
             if await self.is_stored(run):
                 return rendered
@@ -365,28 +401,52 @@ class RunRegistry:
         """Whether the run as it is now is on disk, as soon as that is known.
 
         Waits for the last write that was begun, and for none that begins meanwhile.
+        What another node has taken since then was stored before.
         """
         saving = self._saving.get(run.run_id)
         if saving is not None:
             await asyncio.wait([saving])
-        return not run.lost
+        return not run.lost or run in self._handed_over
 
     async def commit(self, run: Run) -> None:
         """Store what changed, then wake the requests that wait for it (CRASH-001).
 
         A caller that is cancelled does not take the write with it.
         """
-        if not await asyncio.shield(self.commit_later(run)):
-            raise Refused("unavailable", "The run could not be stored.")
+        await self._wait_until_stored(run, self.commit_later(run))
 
-    def commit_later(self, run: Run) -> asyncio.Task[bool]:
+    async def commit_opened(self, run: Run) -> None:
+        """Store a run that counts as open again, or refuse that.
+
+        LIM-007: in a cluster, by what the account has open on every node, in the
+        transaction that stores the run.
+        """
+        if self._ownership is None:
+            await self.commit(run)
+            return
+        saving = self.commit_later(run, self.usage.check_opened)
+        await self._wait_until_stored(run, saving)
+
+    async def _wait_until_stored(self, run: Run, saving: asyncio.Task[bool]) -> None:
+        if await asyncio.shield(saving):
+            return
+        if (refused := self._not_opened.pop(run, None)) is not None:
+            raise refused
+        if run in self._taken:
+            raise OwnedElsewhere(run.run_id)
+        raise Refused("unavailable", "The run could not be stored.")
+
+    def commit_later(
+        self, run: Run, check: Callable[[Quota], None] | None = None
+    ) -> asyncio.Task[bool]:
         """Begin to store what changed (a lease that ended, an admission).
 
-        The task never raises; its result is whether the run was stored.
+        The task never raises; its result is whether the run was stored. check: as for
+        Store.save.
         """
         # RUN-021: a clock that is set back does not set the run back.
         run.updated_at_wall = max(run.updated_at_wall, time.time())
-        saving = asyncio.ensure_future(self._save(run))
+        saving = asyncio.ensure_future(self._save(run, check))
         self._saving[run.run_id] = saving
         self.run_in_background(saving)
         return saving
@@ -421,6 +481,7 @@ class RunRegistry:
             del self._deleting[run.run_id]
             self._wake(run.run_id)
             self._admit()
+            self._tell_queue()
 
     async def ended_since(
         self, before_wall: float, after: int
@@ -433,7 +494,7 @@ class RunRegistry:
 
     def change_event(self, run_id: str) -> RunChange:
         """The next change of what get_run shows; take it before reading the run."""
-        return self._change_events.setdefault(run_id, RunChange())
+        return self._change_events.setdefault(run_id, RunChange(run_id))
 
     async def wait_for_change(self, change: RunChange, timeout_s: float) -> bool:
         """Wait for a change; whether there was one in time."""
@@ -444,7 +505,7 @@ class RunRegistry:
             return False
         self.refuse_if_ending()
         if change.is_elsewhere:
-            raise Refused("unavailable", "Another node has taken over the run.")
+            raise OwnedElsewhere(change.run_id)
         return True
 
     def notify(self, run: Run) -> None:
@@ -454,11 +515,6 @@ class RunRegistry:
             self._index_by_state(run, run.state)
         self._wake(run.run_id)
         self._admit()
-
-    async def check_open_elsewhere(self, account: str) -> None:
-        """LIM-007: in a cluster, what the account has open on every node."""
-        if self._ownership is not None:
-            self.usage.check_open_runs((await self._store.usage_of(account)).open_runs)
 
     def open_again(self, run: Run) -> None:
         """LIM-007: a resume makes a run count at once, or is refused."""
@@ -483,7 +539,7 @@ class RunRegistry:
         if run.run_id in self._places:
             return
         self._places.wait(WaitingRun(run.run_id, run.number, run.account, 0.0))
-        self._admit()
+        self._admit(knows_all=True)  # the answer waits for no look elsewhere
         if run.run_id not in self._places:
             raise Refused("no_capacity", "As many runs are played as may be at once.")
 
@@ -498,16 +554,106 @@ class RunRegistry:
             found += [run_id for run_id, head in heads.items() if head.is_push]
         return found
 
+    # --- the queues of other nodes ---
+
+    def queued_ids(self) -> list[str]:
+        """Of the runs of this server that wait."""
+        return self._queue.ids()
+
+    def held_no_more(self) -> list[str]:
+        """Ids of runs that their submitters held in the queue, and that wait now."""
+        now_wall = steady_clock.now_wall()
+        return [
+            run.run_id
+            for run in self._places.waiting_here()
+            if 0 < run.queue_until_wall <= now_wall and run.run_id in self._queue
+        ]
+
+    def queue_until(self, submission: Submission) -> float:
+        """Until when a run that is submitted or resumed now is held in the queue.
+
+        0 in a cluster if it is not held: any node may take it then, whatever its clock.
+        """
+        held_s = queue_s(submission)
+        if self._other_queues is not None and held_s <= 0:
+            return 0.0
+        return steady_clock.now_wall() + held_s
+
+    def places_of_accounts(self) -> dict[str, int]:
+        """How many places each account has here."""
+        return self._places.counts()
+
+    def note_queue(self, seen: StoredQueue) -> None:
+        """What waits at all nodes by now, and what became of others of `queued_ids`."""
+        assert self._ownership is not None, "without it there is no other node"
+        me, elsewhere = self._ownership.node_id, []
+        for one in (*seen.queued, *seen.left):
+            if one.owner != me:
+                self._forget_taken(one)
+        for one in seen.queued:
+            if one.owner != me:
+                elsewhere.append(one.run.number)
+            elif one.run.run_id not in self._queue and not self._knows(one.run.run_id):
+                self.load_in_background(one.run.run_id)
+        changed = self._queue.note_elsewhere(elsewhere)
+        if changed is not None:
+            self._wake_behind(changed)
+
+    def note_waiting_elsewhere(
+        self, waiting: Sequence[WaitingRun], places: Mapping[str, int]
+    ) -> None:
+        """What other nodes let this one take, and the places of accounts there.
+
+        By that, and by what waits here, the next runs get the places that are free.
+        """
+        waiting = [run for run in waiting if not self._knows(run.run_id)]
+        self._waiting_elsewhere = {run.run_id for run in waiting}
+        self._places.note_elsewhere(waiting, places)
+        self._admit(knows_all=True)
+
+    def _knows(self, run_id: str) -> bool:
+        """Whether the run is here, or on its way."""
+        known = (self._in_memory, self._loading, self._admitted, self._reload_timers)
+        return any(run_id in some for some in known)
+
+    def _forget_taken(self, taken: OwnedRun) -> None:
+        """A run of another node, which may have been one of this."""
+        run_id = taken.run.run_id
+        run = self._in_memory.get(run_id)
+        if run is not None:
+            if run.fence < taken.fence and run.owner != taken.owner:
+                if run_id not in self._saving and not run.lost:
+                    self._handed_over.add(run)
+                self._drop(run)
+        elif run_id in self._queue:
+            self._wake(run_id, is_elsewhere=True)
+            self.usage.note_open(taken.run.account, run_id, is_open=False)
+            self._places.leave(run_id)
+            self._note_queued(taken.run, is_queued=False)
+
+    async def _know_queue(self, run_id: str) -> None:
+        """RUN-008: what waits before a run may wait at another node."""
+        if self._other_queues is None or run_id not in self._queue:
+            return
+        if self._places.is_due(run_id, steady_clock.now_wall()):
+            await self._other_queues.refresh()
+
+    def _tell_queue(self) -> None:
+        """Once what has changed in the queue is stored."""
+        if self._queue_has_changed and self._other_queues is not None:
+            self._queue_has_changed = False
+            self._other_queues.tell()
+
     def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
         if run.state not in WAITING_STATES:
             return None
-        return 1 + bisect_left(self._queue, run.number)
+        return self._queue.position(run.number)
 
     def count_open(self) -> dict[str, int]:
         """How many runs have not ended, by state."""
         played = Counter(run.state for run in list(self._in_memory.values()))
-        counts: dict[str, int] = {"queued": len(self._queued)}
+        counts: dict[str, int] = {"queued": len(self._queue)}
         # What has a live session is in memory.
         counts |= {"running": played["running"], "stopping": played["stopping"]}
         counts["ready"] = max(0, self.usage.count_open() - sum(counts.values()))
@@ -515,9 +661,8 @@ class RunRegistry:
 
     def oldest_queued_s(self) -> float:
         """How long the first of the queue has waited; 0 without one."""
-        if not self._queue:
-            return 0.0
-        return max(0.0, time.time() - self._queued_at[self._queue[0]])
+        queued_at_wall = self._queue.oldest_queued_at_wall()
+        return 0.0 if queued_at_wall is None else max(0.0, time.time() - queued_at_wall)
 
     def _index_by_state(self, run: Run, state: State | None) -> None:
         """With a place, in the queue, or nowhere, as the state says; None: unknown."""
@@ -539,19 +684,20 @@ class RunRegistry:
         """In the queue or not; those behind it have moved (RUN-008)."""
         if is_queued:
             self._places.wait(run)
-        if is_queued == (run.run_id in self._queued):
+        if is_queued == (run.run_id in self._queue):
             return
         if is_queued:
-            self._queued[run.run_id] = run.number
-            insort(self._queue, run.number)
-            self._queued_at[run.number] = run.updated_at_wall
+            self._queue.put(run)
         else:
-            number = self._queued.pop(run.run_id)
-            del self._queue[bisect_left(self._queue, number)]
-            del self._queued_at[number]
+            self._queue.remove(run.run_id)
+        self._queue_has_changed = True
+        self._wake_behind(run.number)
+
+    def _wake_behind(self, number: int) -> None:
+        """Runs that wait behind that number have another place in the queue."""
         # Rarely as many wait for a change as there are in the queue.
         for run_id in list(self._change_events):
-            if self._queued.get(run_id, 0) > run.number:
+            if self._queue.is_behind(run_id, number):
                 self._wake(run_id)
 
     def _wake(self, run_id: str, *, is_elsewhere: bool = False) -> None:
@@ -560,18 +706,22 @@ class RunRegistry:
             event.is_elsewhere = is_elsewhere
             event.set()
 
-    def _admit(self, new: Run | None = None) -> None:
+    def _admit(self, new: Run | None = None, *, knows_all: bool = False) -> None:
         """Let runs in while there is capacity.
 
         new: one that is not stored yet; its place is taken, and storing it is left to
-        the caller.
+        the caller. knows_all: what waits at other nodes was just noted, or need not be.
         """
         if self._closed:
             return
         now, now_wall = time.monotonic(), steady_clock.now_wall()
         is_new = new is not None and new.state in WAITING_STATES
         unstored = WaitingRun.of(new) if new is not None and is_new else None
-        if self._places.can_change(now, unstored):
+        if not self._places.can_change(now, unstored):
+            pass
+        elif self._other_queues is not None and not (is_new or knows_all):
+            self._other_queues.look()
+        else:
             for waiting in self._places.share(now, now_wall, unstored):
                 run = new if waiting is unstored else None
                 self._let_in(waiting.run_id, run)
@@ -587,6 +737,8 @@ class RunRegistry:
             if not self._apply_admission(run):
                 self._index_by_state(run, run.state)
         else:
+            if run_id in self._waiting_elsewhere:
+                self._to_take.add(run_id)
             self._admitted.append(run_id)
             if len(self._admitted) == 1:
                 self.run_in_background(self._load_admitted())
@@ -604,9 +756,17 @@ class RunRegistry:
         while self._admitted and not self._closed:
             run_id = self._admitted[0]
             try:
+                is_from_elsewhere = run_id in self._to_take
+                if is_from_elsewhere and not await self._take(run_id):
+                    continue
                 run = self._in_memory.get(run_id) or await self._load(run_id)
+                if run is not None and is_from_elsewhere:
+                    self._life.log_taken(run)
                 if run is not None:
                     await self.is_stored(run)
+            except OwnedElsewhere:  # another node that has room came first
+                self._places.leave(run_id)
+                self._admit()
             except StoreFailed as error:
                 self._failures.report("a run could not be loaded", str(error))
                 self._reload_later(run_id)
@@ -615,6 +775,21 @@ class RunRegistry:
                 self._places.leave(run_id)
             finally:
                 self._admitted.popleft()
+
+    async def _take(self, run_id: str) -> bool:
+        """Whether a run of another node that got a place here is this one's now."""
+        self._to_take.discard(run_id)
+        assert self._other_queues is not None, "without them nothing waits there"
+        is_taken = False
+        try:
+            is_taken = await self._other_queues.take(run_id)
+        finally:
+            if not is_taken:
+                self._places.leave(run_id)
+                self._admit()
+        self._queue_has_changed |= is_taken
+        self._tell_queue()
+        return is_taken
 
     def _check_capacity_in(self, wait_s: float | None) -> None:
         """Admit again then: when a hold in the queue ends, or a place is unused."""
@@ -654,11 +829,18 @@ class RunRegistry:
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
 
-    async def _save(self, run: Run) -> bool:
-        scored = new_results(run)
+    async def _save(
+        self, run: Run, check: Callable[[Quota], None] | None = None
+    ) -> bool:
+        scored, checks = new_results(run), () if check is None else (check,)
         try:
             with timed(COUNTERS.database_writes):
-                await self._store.save(run)
+                await self._store.save(run, *checks)
+        except Refused as refused:  # by the check
+            self._not_opened[run] = refused
+            self.usage.note_open(run.account, run.run_id, is_open=False)
+            self._evict(run)
+            return False
         except OwnershipLost as error:
             self._failures.report("a run was stored by another node", str(error))
             self._drop(run)
@@ -677,6 +859,7 @@ class RunRegistry:
             if self._saving.get(run.run_id) is asyncio.current_task():
                 del self._saving[run.run_id]
             self.notify(run)
+            self._tell_queue()
 
     async def _load(self, run_id: str) -> Run | None:
         """The run from the store, read once for all concurrent requests."""
@@ -713,6 +896,7 @@ class RunRegistry:
                 loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()
             )
             self._in_memory[loaded.run_id] = loaded
+            self._waiting_elsewhere.discard(loaded.run_id)
             has_place = loaded.run_id in self._places
             if not (has_place and self._apply_admission(loaded)):
                 self._index_by_state(loaded, loaded.state)
@@ -760,15 +944,16 @@ class RunRegistry:
         for run_id in self._places.run_ids():
             self._places.leave(run_id)
         self.usage.forget_open()
-        self._queued.clear()
         self._queue.clear()
-        self._queued_at.clear()
+        self._waiting_elsewhere.clear()
+        self._to_take.clear()
         for run_id in list(self._change_events):
             self._wake(run_id, is_elsewhere=True)
 
     def _drop(self, run: Run) -> None:
         """Another node acts for the run: this one forgets it, and ends its sessions."""
         if not run.lost:
+            self._taken.add(run)
             self._wake(run.run_id, is_elsewhere=True)
             self.usage.note_open(run.account, run.run_id, is_open=False)
             self._forget(run)

@@ -27,6 +27,11 @@ class RunLog:
         """Nothing is new of a run that was read."""
         self._states[run] = run.state
 
+    def log_taken(self, run: Run) -> None:
+        """The run waited at another node; it was let in before it was read."""
+        self._states.pop(run, None)
+        self._log_state(run)
+
     def log_submitted(self, run: Run) -> None:
         log_event(
             log,

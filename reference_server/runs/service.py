@@ -48,9 +48,7 @@ from reference_server.rules.submission import (
     SubmissionLimits,
     grant_limits,
     key_conflict,
-    queue_s,
 )
-from reference_server.runs import steady_clock
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.score_cache import ScoreCache
@@ -132,7 +130,7 @@ class RunService:
             images=resolved.images,
             created_at_wall=now,
             updated_at_wall=now,
-            queue_until_wall=steady_clock.now_wall() + queue_s(checked),
+            queue_until_wall=self.registry.queue_until(checked),
             episodes=[
                 Episode.of(resolved.manifest, index)
                 for index in range(len(resolved.manifest["episodes"]))
@@ -171,13 +169,9 @@ class RunService:
         """The run, in the queue again; unchanged when it goes on already."""
         run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
-            await self.registry.check_open_elsewhere(run.account)
-            run = await self._run_accepting(account, run_id, Resume())
-        if changes_state(run, "resume_run"):
             self.registry.open_again(run)
-            until = steady_clock.now_wall() + queue_s(run.submission)
-            effects.resume(run, until)
-            await self.registry.commit(run)
+            effects.resume(run, self.registry.queue_until(run.submission))
+            await self.registry.commit_opened(run)
         return run
 
     async def delete_run(self, account: str, run_id: str) -> None:

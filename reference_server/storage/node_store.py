@@ -8,13 +8,15 @@ the run names (`store.py`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import sqlalchemy as sa
 from sqlalchemy.ext.compiler import compiles
 from sqlalchemy.sql.functions import FunctionElement
 
+from reference_server.rules.capacity import WaitingRun
+from reference_server.rules.lifecycle import WAITING_STATES
 from reference_server.rules.run import State
 from reference_server.rules.run_owner import StoredOwner
 from reference_server.storage.database_tables import nodes as _nodes
@@ -35,6 +37,24 @@ class ListedNode(NamedTuple):
 
     node: Node
     silent_s: float
+
+
+class OwnedRun(NamedTuple):
+    """What a node reads of a run that waits, or did: enough to take it."""
+
+    run: WaitingRun
+    owner: str | None
+    fence: int
+
+
+class StoredQueue(NamedTuple):
+    """queued: the runs of all nodes that wait, oldest first.
+
+    left: of those that were asked for, the ones that do not wait any more.
+    """
+
+    queued: list[OwnedRun]
+    left: list[OwnedRun]
 
 
 class _Now(FunctionElement[float]):
@@ -58,6 +78,18 @@ def _now_of_sqlite(_element: _Now, _compiler: Any, **_: Any) -> str:
 _silent_s = sa.func.abs(_Now() - _nodes.c.renewed_at, type_=sa.Float())
 _fence = sa.func.coalesce(_runs.c.fence, 0)
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
+_IS_QUEUED = _runs.c.state.in_(sorted(WAITING_STATES))
+_OWNED = sa.select(
+    *(_runs.c[name] for name in WaitingRun.__dataclass_fields__), _runs.c.owner, _fence
+).where(_IS_THERE)
+_QUEUED = _OWNED.where(_IS_QUEUED).order_by(_runs.c.number)
+_LEFT = _OWNED.where(
+    ~_IS_QUEUED, _runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True))
+)
+# Of a run that is held in the queue: by the clock of its owner.
+_IS_HELD = _runs.c.queue_until_wall > 0
+# Of that many runs a node asks at once what became of them.
+IDS_PER_QUERY = 500
 
 
 class NodeStore:
@@ -162,6 +194,58 @@ class NodeStore:
         async with self._store.write_of_node() as connection:
             return (await connection.execute(claimed)).rowcount == 1
 
+    async def queue(self, known: Sequence[str]) -> StoredQueue:
+        """What waits at all nodes, and what became of the others of these runs."""
+
+        def fetch(connection: sa.Connection) -> StoredQueue:
+            queued = [_owned_run(*row) for row in connection.execute(_QUEUED)]
+            waiting = {one.run.run_id for one in queued}
+            gone = [run_id for run_id in known if run_id not in waiting]
+            left: list[OwnedRun] = []
+            for start in range(0, len(gone), IDS_PER_QUERY):
+                some = {"run_ids": gone[start : start + IDS_PER_QUERY]}
+                left += [_owned_run(*row) for row in connection.execute(_LEFT, some)]
+            return StoredQueue(queued, left)
+
+        return await self._store.read(fetch)
+
+    async def take(
+        self,
+        run_id: str,
+        node_id: str,
+        fence: int,
+        states_with_capacity: Mapping[State, State],
+    ) -> bool:
+        """Let in a run that waits, with a node in the list as its owner.
+
+        fence: as it was when the run was seen, at whichever node. False if another node
+        came first, or the run waits no more, or is held by its submitter. Whether its
+        owner lives is of no matter: it stores nothing more of the run.
+        """
+        now, before = _Now(), _runs.c.updated_at_wall
+        taken = (
+            _runs.update()
+            .where(_runs.c.run_id == run_id, _fence == fence, _IS_THERE)
+            .where(_runs.c.state.in_(states_with_capacity), ~_IS_HELD)
+            .where(sa.exists().where(_nodes.c.node_id == node_id))
+            .values(
+                owner=node_id,
+                fence=fence + 1,
+                state=sa.case(dict(states_with_capacity), value=_runs.c.state),
+                reason=None,
+                updated_at_wall=sa.case((before > now, before), else_=now),  # RUN-021
+            )
+        )
+        async with self._store.write_of_node() as connection:
+            return (await connection.execute(taken)).rowcount == 1
+
+    async def let_go(self, run_ids: Sequence[str], node_id: str) -> None:
+        """Runs of a node that wait, and are held no more: others may take them."""
+        of_node = _runs.c.run_id.in_(run_ids) & (_runs.c.owner == node_id)
+        change = _runs.update().where(of_node, _IS_QUEUED, _IS_HELD)
+        async with self._store.write_of_node() as connection:
+            await connection.execute(change.values(queue_until_wall=0.0))
+
     async def without_owner(self, states: list[State], limit: int) -> list[str]:
         """Ids of runs in these states whose owner does not live, oldest first."""
         live = sa.select(_nodes.c.node_id).where(_silent_s <= self._lease_s)
@@ -173,3 +257,8 @@ class NodeStore:
             .limit(limit)
         )
         return await self._store.read(lambda c: list(c.scalars(query)))
+
+
+def _owned_run(*row: Any) -> OwnedRun:
+    *of_run, owner, fence = row
+    return OwnedRun(WaitingRun(*of_run), owner, fence)

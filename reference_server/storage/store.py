@@ -263,10 +263,13 @@ class Store:
                 run.number, run.attempts_by_submitter = numbers
         return numbers is not None
 
-    async def save(self, run: Run) -> None:
+    async def save(
+        self, run: Run, check: Callable[[Quota], None] | None = None
+    ) -> None:
         """Commit the run's state and the episodes that changed since.
 
-        CRASH-001, CRASH-004: every answer that shows them is sent after that.
+        CRASH-001, CRASH-004: every answer that shows them is sent after that. check:
+        raises if the account, which has so much without it, may not have it open.
         """
         await self._before_save(run)  # while others write
         async with self._write_lock:
@@ -280,8 +283,11 @@ class Store:
             count = run.is_played and run.played_number is None
 
             def store(connection: sa.Connection) -> None:
-                if count:
+                if count or check is not None:
                     self._lock_account(connection, run.account)
+                if check is not None:
+                    check(_usage_of(connection, run.account))
+                if count:
                     before = connection.scalar(_last_played(run))
                     row["played_number"] = 1 + (before or 0)
                 _update_owned(connection, run, row)
@@ -289,7 +295,7 @@ class Store:
 
             try:
                 await self._write_at_once(store)
-            except StoreFailed:
+            except Exception:
                 run.changed |= changed
                 raise
             run.played_number = row["played_number"]

@@ -9,15 +9,19 @@ from contextlib import asynccontextmanager
 from typing import Any
 
 import pytest
+from starlette.responses import Response
 
 from reference_server.cluster import forwarding
 from reference_server.cluster.forwarding import (
     NodeConnections,
     PageForwarding,
+    RunForwarding,
     is_from_node,
 )
 from reference_server.cluster.membership import Membership
+from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import OwnedElsewhere, StoredOwner
 from reference_server.storage.node_store import ListedNode, Node, NodeStore
 from reference_server.storage.store import Store, StoreFailed
 
@@ -233,6 +237,101 @@ def test_connections_that_are_used_up_are_no_sign_of_a_dead_node(
             await posted.wait()
             assert await node._answers(other)
             waiting.cancel()
+
+    asyncio.run(scenario())
+
+
+# --- runs that move ---
+
+
+class MovingRun(OtherNodes):
+    """It is here by the database, has gone when it is asked for, and comes back."""
+
+    def __init__(self, moves: int) -> None:
+        super().__init__()
+        self.moves, self.bodies = moves, list[bytes]()
+
+    async def owner_of(self, _run_id: str) -> StoredOwner:
+        return StoredOwner((await self.member()).node_id, 1, "queued", 0.0)
+
+    async def member(self) -> Membership:
+        if not hasattr(self, "_member"):
+            self._member = await joined(self)
+        return self._member
+
+    async def app(self, scope: Any, receive: Any, send: Any) -> None:
+        message = await receive()
+        self.bodies.append(message["body"])
+        if len(self.bodies) <= self.moves:
+            await problem_response(OwnedElsewhere("run_1"))(scope, receive, send)
+        else:
+            await Response(b"done")(scope, receive, send)
+
+    async def answer(self, body: bytes, secret: str = "") -> tuple[int, bool]:
+        """The status, and whether it says that the run has moved."""
+        connections = NodeConnections(await self.member())
+        forwarding_ = RunForwarding(self.app, connections, lambda _run_id: False)
+        messages = [{"type": "http.request", "body": body, "more_body": False}]
+        sent: list[Any] = []
+
+        async def receive() -> Any:
+            return messages.pop(0) if messages else await never()
+
+        async def send(message: Any) -> None:
+            sent.append(message)
+
+        scope = scope_of(secret) | {"type": "http", "method": "POST"}
+        scope["path_params"] = {"run_id": "run_" + "0" * 24}
+        await forwarding_(scope, receive, send)
+        await connections.close()
+        names = {name.lower() for name, _ in sent[0]["headers"]}
+        return sent[0]["status"], MOVED_HEADER.lower().encode() in names
+
+
+def test_a_request_is_repeated_where_its_run_has_moved() -> None:
+    run = MovingRun(moves=2)
+    assert asyncio.run(run.answer(b"stop")) == (200, False)
+    assert run.bodies == [b"stop"] * 3
+
+
+def test_a_run_that_moves_for_ever_is_not_followed_for_ever() -> None:
+    """Expect that the client hears nothing of what nodes tell each other."""
+    run = MovingRun(moves=99)
+    assert asyncio.run(run.answer(b"stop")) == (503, False)
+    assert len(run.bodies) == forwarding.MOVES_MAX + 1
+
+
+def test_a_long_request_is_not_repeated() -> None:
+    run = MovingRun(moves=1)
+    body = b"x" * (forwarding.REPEATED_BYTES_MAX + 1)
+    assert asyncio.run(run.answer(body)) == (503, False)
+    assert len(run.bodies) == 1
+
+
+def test_the_node_that_passed_a_request_on_repeats_it() -> None:
+    """It would be passed on twice, else."""
+
+    async def scenario() -> None:
+        run = MovingRun(moves=1)
+        secret = (await run.member()).secret
+        assert await run.answer(b"stop", secret) == (503, True)
+        assert len(run.bodies) == 1
+
+    asyncio.run(scenario())
+
+
+def test_a_node_that_lost_a_run_says_so_to_who_passed_it_on() -> None:
+    """Its memory may not know yet what the database says."""
+
+    class TakenRun(MovingRun):
+        async def owner_of(self, _run_id: str) -> StoredOwner:
+            return StoredOwner(OTHER.node_id, 2, "ready", 0.0)
+
+    async def scenario() -> None:
+        run = TakenRun(moves=0)
+        secret = (await run.member()).secret
+        assert await run.answer(b"attach", secret) == (503, True)
+        assert run.bodies == []
 
     asyncio.run(scenario())
 

@@ -14,9 +14,16 @@ import sqlalchemy as sa
 
 from reference_server.cluster import membership as membership_module
 from reference_server.cluster.membership import Membership
-from reference_server.rules.lifecycle import RESTART_REASON, STATES_AFTER_RESTART
+from reference_server.rules.capacity import Quota
+from reference_server.rules.lifecycle import (
+    RESTART_REASON,
+    STATES_AFTER_RESTART,
+    STATES_WITH_CAPACITY,
+)
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.runs.account_usage import AccountUsage
 from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock
 from reference_server.storage.database_tables import nodes as node_rows
@@ -46,10 +53,11 @@ class Nodes:
         self.stores = [Store(url, is_shared=True) for _ in range(2)]
         self.nodes = [NodeStore(store, LEASE_S) for store in self.stores]
 
-    async def add_run(self, owner: Node, state: State = "ready") -> Run:
-        run = calibration_run()
-        run.owner, run.fence = owner.node_id, 1
-        run.run_id, run.state = f"run_{state}", state
+    async def add_run(self, owner: Node, state: State = "ready", **changes: Any) -> Run:
+        run = calibration_run(**changes)
+        run.owner, run.fence, run.state = owner.node_id, 1, state
+        if "run_id" not in changes:
+            run.run_id = f"run_{state}"
         assert await self.stores[0].insert(run, None, "")
         return run
 
@@ -467,5 +475,137 @@ def test_a_claim_waits_for_no_node_that_is_paused_while_it_writes(
             with pytest.raises(StoreFailed, match="lock timeout"):
                 await nodes.claim(run, SECOND)
         assert await nodes.claim(run, SECOND)
+
+    run_scenario(database, scenario)
+
+
+def test_a_run_that_waits_is_taken_by_one_node(database: UsedDatabase) -> None:
+    """Many nodes that have room ask at the same moment; its owner lives."""
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST, "queued")
+        takes = [
+            nodes.nodes[number % 2].take(run.run_id, name, 1, STATES_WITH_CAPACITY)
+            for number, name in enumerate(["first", "second"] * 8)
+        ]
+        assert sorted(await asyncio.gather(*takes)) == [False] * 15 + [True]
+        (seen,) = (await nodes.nodes[0].queue([run.run_id])).left
+        assert seen.fence == 2
+        stored = await nodes.stores[0].load(run.run_id)
+        assert stored is not None
+        assert (stored.state, stored.owner) == ("ready", seen.owner)
+        run.state = "ready"
+        with pytest.raises(OwnershipLost):
+            await nodes.stores[0].save(run)
+
+    run_scenario(database, scenario)
+
+
+@pytest.mark.parametrize("state", ["ready", "running", "stopped"])
+def test_a_run_that_does_not_wait_is_not_taken(
+    database: UsedDatabase, state: State
+) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST, state)
+        assert not await nodes.nodes[1].take(
+            run.run_id, "second", 1, STATES_WITH_CAPACITY
+        )
+        queue = await nodes.nodes[1].queue([run.run_id])
+        assert queue.queued == []
+        assert [(one.owner, one.fence) for one in queue.left] == [("first", 1)]
+
+    run_scenario(database, scenario)
+
+
+def test_a_node_takes_nothing_that_changed_since_it_was_seen(
+    database: UsedDatabase,
+) -> None:
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST, "queued")
+        second = nodes.nodes[1]
+        assert not await second.take(run.run_id, "second", 0, STATES_WITH_CAPACITY)
+        assert not await second.take(
+            run.run_id, "third", 1, STATES_WITH_CAPACITY
+        )  # not in the list
+        await nodes.stores[0].delete(run, time.time())
+        assert not await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
+        queue = await second.queue([run.run_id])
+        assert (queue.queued, queue.left) == ([], [])
+
+    run_scenario(database, scenario)
+
+
+def test_a_run_that_is_held_is_taken_when_its_owner_lets_it_go(
+    database: UsedDatabase,
+) -> None:
+    """Only the owner, whose clock began to count, knows when that is over."""
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST, "queued", queue_until_wall=1.0)
+        second = nodes.nodes[1]
+        assert not await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
+        await second.let_go([run.run_id], "second")
+        assert not await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
+        await nodes.nodes[0].let_go([run.run_id], "first")
+        assert await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
+
+    run_scenario(database, scenario)
+
+
+def test_a_member_takes_only_while_it_claims(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """If the answer is lost, the run is looked for, as after any claim."""
+
+    async def scenario(nodes: Nodes) -> None:
+        adopted: list[str] = []
+        node = nodes.nodes[1]
+        member = Membership(node, "http://m", LEASE_S, lambda: None, adopted.append)
+        await member.open()
+        run = await nodes.add_run(FIRST, "queued")
+        assert await member.find_other(run.run_id, only_reads=False) == FIRST
+        take = node.take
+
+        async def take_without_answer(*given: Any) -> bool:
+            await take(*given)
+            raise StoreFailed("the connection was lost")
+
+        with monkeypatch.context() as patch:
+            patch.setattr(node, "take", take_without_answer)
+            with pytest.raises(StoreFailed):
+                await member.take(run.run_id, 1)
+        await member._claim_abandoned()
+        assert adopted == [run.run_id]
+        assert not await member.take(run.run_id, 2)  # it waits no more
+        later = await nodes.add_run(FIRST, "queued", run_id="run_later")
+        assert await member.find_other(later.run_id, only_reads=False) == FIRST
+        assert await member.take(later.run_id, 1)
+        assert await member.find_other(later.run_id, only_reads=False) is None
+        member.stop_claiming()
+        last = await nodes.add_run(FIRST, "queued", run_id="run_last")
+        assert not await member.take(last.run_id, 1)
+
+    run_scenario(database, scenario)
+
+
+def test_runs_are_opened_up_to_the_quota_at_all_nodes(database: UsedDatabase) -> None:
+    """Resumes of stopped runs are stored at the same moment; room is for three."""
+    usage = AccountUsage(Quota(open_runs=3))
+
+    async def scenario(nodes: Nodes) -> None:
+        runs = []
+        for number in range(10):
+            run = calibration_run(run_id=f"run_{number}", state="stopped")
+            assert await nodes.stores[0].insert(run, None, "")
+            run.state = "queued"
+            runs.append(run)
+        saves = [
+            nodes.stores[number % 2].save(run, usage.check_opened)
+            for number, run in enumerate(runs)
+        ]
+        done = await asyncio.gather(*saves, return_exceptions=True)
+        refused = [one for one in done if isinstance(one, Refused)]
+        assert [one.code for one in refused] == ["quota_exceeded"] * 7
+        assert len((await nodes.nodes[0].queue([])).queued) == 3
 
     run_scenario(database, scenario)

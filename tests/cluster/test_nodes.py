@@ -148,7 +148,7 @@ def test_a_node_that_was_paused_stores_nothing_of_a_run_it_lost(
         assert again["done"]
         stored = episodes(second, run_id)
         go_on(cluster.nodes[0])
-        assert late.result().status_code in (200, 404, 410, 503)
+        assert late.result().status_code in (200, 404, 409, 410, 503)
     wait_until(
         lambda: "have taken over" in cluster.nodes[0].log(), "the node knows that"
     )
@@ -274,8 +274,9 @@ def test_a_reader_whose_node_is_paused_signs_in_at_another(cluster: Cluster) -> 
         go_on(cluster.nodes[0])
 
 
-def test_the_path_for_nodes_answers_no_client(cluster: Cluster) -> None:
-    answer = cluster.clients[0].post("/node/views", json={})
+@pytest.mark.parametrize("path", ["/node/views", "/node/queue"])
+def test_the_paths_for_nodes_answer_no_client(cluster: Cluster, path: str) -> None:
+    answer = cluster.clients[0].post(path, json={"has_changed": True})
     assert answer.json()["code"] == "not_found"
 
 
@@ -370,3 +371,27 @@ def test_what_only_nodes_may_say_is_not_believed(cluster: Cluster) -> None:
     headers = {"Proctor-Node-Secret": "0" * 64, "Proctor-Node-Client": "10.0.0.1"}
     answer = second.get(f"/v1/runs/{run_id}", headers=headers)
     assert answer.status_code == 200, answer.text
+
+
+def test_an_event_stream_goes_on_when_the_owner_of_its_run_is_killed(
+    cluster: Cluster,
+) -> None:
+    """It was passed on from the node that is killed; its reader notices nothing."""
+    first, second, _ = cluster.clients
+    run_id = submit(first, "score", "score")
+    turn = play_to_end(first, run_id, attach(first, run_id), 0.25)
+    ids, names = [], []
+    with second.stream("GET", f"/v1/runs/{run_id}/events") as stream:
+        for line in stream.iter_lines():
+            name, _, value = line.partition(": ")
+            if name == "event":
+                names.append(value)
+            elif name == "id":
+                ids.append(value)
+            if names == ["episode", "run"] and name == "data":
+                cluster.kill(0)
+                turn = attach(second, run_id)
+                assert play_to_end(second, run_id, turn, 0.75)["done"]
+    assert len(set(ids)) == len(ids)
+    assert names.count("episode") == 2
+    assert names[-1] == "run"

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+import gc
+from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -11,10 +12,15 @@ from pathlib import Path
 import pytest
 import sqlalchemy as sa
 
+from reference_server.rules import effects
+from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs import registry as registry_module
+from reference_server.runs import steady_clock
 from reference_server.runs.registry import RunRegistry
+from reference_server.storage.node_store import OwnedRun, StoredQueue
 from reference_server.storage.store import Store, StoreFailed
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import BlockedCall, calibration_run
@@ -25,8 +31,10 @@ class Ownership:
 
     node_id = "first"
 
+    claims = True
+
     async def claim(self, _run_id: str) -> bool:
-        return True
+        return self.claims
 
 
 @dataclass
@@ -40,14 +48,23 @@ class NodeRuns:
 
 
 @asynccontextmanager
-async def opened(folder: Path) -> AsyncIterator[NodeRuns]:
+async def opened(
+    folder: Path, others: OtherQueues | None = None
+) -> AsyncIterator[NodeRuns]:
     store = Store(UsedDatabase.of_file(folder / "d.sqlite").url, is_shared=True)
     ownership = Ownership()
 
     def on_change(run: Run) -> None:
         runs.changed.put_nowait(run)
 
-    registry = RunRegistry(store, 4, lambda _: None, on_change, ownership=ownership)
+    registry = RunRegistry(
+        store,
+        4,
+        lambda _: None,
+        on_change,
+        ownership=ownership,
+        other_queues=others,
+    )
     runs = NodeRuns(store, registry, ownership)
     await store.open()
     await registry.open()
@@ -120,5 +137,217 @@ def test_a_lost_run_is_loaded_again(tmp_path: Path) -> None:
             await runs.registry.add(run, None, "")
             run.lost = True
             assert not (await runs.registry.get(run.run_id)).lost
+
+    asyncio.run(scenario())
+
+
+class OtherQueues:
+    """The queues of other nodes; `stored` is what is taken there, or why not."""
+
+    def __init__(self) -> None:
+        self.asked: asyncio.Queue[str] = asyncio.Queue()
+        self.told, self.looked = 0, asyncio.Event()
+        self.take_now: Callable[[str], Awaitable[bool]] | None = None
+
+    async def refresh(self) -> None:
+        return None
+
+    async def take(self, run_id: str) -> bool:
+        self.asked.put_nowait(run_id)
+        return self.take_now is not None and await self.take_now(run_id)
+
+    def tell(self) -> None:
+        self.told += 1
+
+    def look(self) -> None:
+        self.looked.set()
+
+
+def waiting(run: Run, *, queue_until_wall: float = 0.0) -> WaitingRun:
+    return WaitingRun(run.run_id, run.number, run.account, queue_until_wall)
+
+
+def taken(run: Run) -> StoredQueue:
+    """The run as another node has taken it, and let it in."""
+    return StoredQueue([], [OwnedRun(waiting(run), "other", run.fence + 1)])
+
+
+async def add_full(runs: NodeRuns, places: int = 4) -> Run:
+    """The first run that waits, behind those that have the places."""
+    for number in range(places):
+        await runs.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
+    run = calibration_run(run_id="run_waiting")
+    await runs.registry.add(run, None, "")
+    assert run.state == "queued"
+    return run
+
+
+async def forget_what_waits(runs: NodeRuns, run_id: str) -> None:
+    """Until it is only in the queue, as those that nothing uses are."""
+    while run_id in runs.registry._in_memory:
+        while not runs.changed.empty():
+            runs.changed.get_nowait()
+        await asyncio.sleep(0)
+        gc.collect()
+
+
+def test_a_run_that_another_node_has_taken_is_forgotten(tmp_path: Path) -> None:
+    """Who asks for it is sent there; a view of what was stored here is still right."""
+
+    async def scenario() -> None:
+        async with opened(tmp_path) as runs:
+            run = await add_full(runs)
+            change = runs.registry.change_event(run.run_id)
+            runs.registry.note_queue(taken(run))
+            with pytest.raises(OwnedElsewhere):
+                await runs.registry.wait_for_change(change, 5)
+            view = await runs.registry.render_when_stored(run, lambda run: run.state)
+            assert view == "queued"
+            assert run.lost
+            assert runs.registry.queued_ids() == []
+            run.reason = "too late"
+            with pytest.raises(OwnedElsewhere):
+                await runs.registry.commit(run)
+
+    asyncio.run(scenario())
+
+
+def test_a_run_that_is_not_in_memory_is_forgotten_when_it_is_taken(
+    tmp_path: Path,
+) -> None:
+    async def scenario() -> None:
+        async with opened(tmp_path) as runs:
+            run = await add_full(runs)
+            seen, run_id = taken(run), run.run_id
+            change = runs.registry.change_event(run_id)
+            del run
+            await forget_what_waits(runs, run_id)
+            assert runs.registry.queued_ids() == [run_id]
+            runs.registry.note_queue(seen)
+            with pytest.raises(OwnedElsewhere):
+                await runs.registry.wait_for_change(change, 5)
+            assert runs.registry.queued_ids() == []
+            assert runs.registry.count_open()["queued"] == 0
+
+    asyncio.run(scenario())
+
+
+def test_what_was_read_before_a_run_came_does_not_remove_it(tmp_path: Path) -> None:
+    async def scenario() -> None:
+        async with opened(tmp_path) as runs:
+            run = await add_full(runs)
+            old = OwnedRun(waiting(run), "other", run.fence - 1)
+            runs.registry.note_queue(StoredQueue([old], []))
+            assert not run.lost
+            assert runs.registry.queue_position(run) == 1
+
+    asyncio.run(scenario())
+
+
+def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
+    tmp_path: Path,
+) -> None:
+    """A claim whose answer was lost, or a look that came at the wrong moment."""
+
+    async def scenario() -> None:
+        async with opened(tmp_path) as runs:
+            run = calibration_run()
+            run.owner, run.fence = runs.ownership.node_id, 1
+            assert await runs.store.insert(run, None, "")
+            seen = OwnedRun(waiting(run), run.owner, run.fence)
+            runs.registry.note_queue(StoredQueue([seen], []))
+            async with asyncio.timeout(10):
+                assert (await runs.changed.get()).state == "ready"
+
+    asyncio.run(scenario())
+
+
+def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
+    tmp_path: Path,
+) -> None:
+    async def scenario() -> None:
+        others = OtherQueues()
+        async with opened(tmp_path, others) as runs:
+            gone, next_one = (
+                calibration_run(run_id=f"run_{n}", number=n, owner="other", fence=1)
+                for n in (1, 2)
+            )
+            assert await runs.store.insert(gone, None, "")
+            assert await runs.store.insert(next_one, None, "")
+
+            async def take(run_id: str) -> bool:
+                if run_id == gone.run_id:
+                    return False
+                change = (
+                    "UPDATE runs SET owner = 'first', fence = 2, state = 'ready' "
+                    "WHERE number = 2"
+                )
+                async with runs.store.write() as connection:
+                    await connection.execute(sa.text(change))
+                return True
+
+            others.take_now = take
+            both = [waiting(gone), waiting(next_one)]
+            runs.registry.note_waiting_elsewhere(both, {})
+            async with asyncio.timeout(10):
+                run = await runs.changed.get()
+                assert await runs.registry.is_stored(run)
+            assert (run.run_id, run.state, run.fence) == ("run_2", "ready", 2)
+            assert runs.registry.places_of_accounts() == {"alice": 1}
+            assert others.told == 1
+
+    asyncio.run(scenario())
+
+
+def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
+    tmp_path: Path,
+) -> None:
+    """It waited here and is not in memory; this node finds out when it loads it."""
+
+    async def scenario() -> None:
+        others = OtherQueues()
+        async with opened(tmp_path, others) as runs:
+            runs.ownership.claims = False
+            run_ids = [f"run_{number}" for number in range(6)]
+            for run_id in run_ids:
+                await runs.registry.add(calibration_run(run_id=run_id), None, "")
+            await forget_what_waits(runs, "run_4")
+            change = "UPDATE runs SET owner = 'other', fence = 2 WHERE run_id = 'run_4'"
+            async with runs.store.write() as connection:
+                await connection.execute(sa.text(change))
+            first = await runs.registry.get("run_0")
+            effects.stop(first, "abort", 0.0)
+            await runs.registry.commit(first)
+            async with asyncio.timeout(10):
+                await others.looked.wait()
+                assert runs.registry.places_of_accounts() == {"alice": 3}
+                runs.registry.note_waiting_elsewhere([], {})
+                others.looked.clear()
+                await others.looked.wait()  # the run was another node's by then
+                runs.registry.note_waiting_elsewhere([], {})
+                while (changed := await runs.changed.get()).run_id != "run_5" or (
+                    changed.state != "ready"
+                ):
+                    pass
+
+    asyncio.run(scenario())
+
+
+def test_only_what_nobody_holds_may_be_taken_by_other_nodes(tmp_path: Path) -> None:
+    async def scenario() -> None:
+        async with opened(tmp_path, OtherQueues()) as runs:
+            submission = calibration_run().submission
+            assert runs.registry.queue_until(submission) == 0
+            submission["options"] = {"queue_s": 9}
+            later = runs.registry.queue_until(submission)
+            assert later > steady_clock.now_wall()
+            for number in range(4):
+                await runs.registry.add(
+                    calibration_run(run_id=f"run_{number}"), None, ""
+                )
+            for name, until in (("past", 1.0), ("free", 0.0), ("held", later)):
+                run = calibration_run(run_id=name, queue_until_wall=until)
+                await runs.registry.add(run, None, "")
+            assert runs.registry.held_no_more() == ["past"]
 
     asyncio.run(scenario())

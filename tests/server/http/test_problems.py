@@ -3,9 +3,14 @@
 import msgspec
 
 from reference_server.generated import models
-from reference_server.http.problems import RETRY_AFTER_S, problem_response
+from reference_server.http.problems import (
+    MOVED_HEADER,
+    RETRY_AFTER_S,
+    problem_response,
+)
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import OwnedElsewhere
 
 
 def test_a_problem_states_the_error_and_the_next_step() -> None:
@@ -37,3 +42,11 @@ def test_a_problem_states_retry_after_and_authentication() -> None:
     body = msgspec.json.decode(bytes(unauthenticated.body))
     assert "errors" not in body
     assert "requirement" not in body
+
+
+def test_a_node_says_that_another_one_has_the_run() -> None:
+    """A node that passed the request on repeats it there. Expect it of nothing else."""
+    moved = problem_response(OwnedElsewhere("run_1"))
+    assert moved.headers[MOVED_HEADER] == "1"
+    assert moved.status_code == 503
+    assert MOVED_HEADER not in problem_response(Refused("unavailable", "")).headers

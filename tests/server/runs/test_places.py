@@ -136,3 +136,63 @@ def test_a_place_without_a_run_is_given_back_once() -> None:
     assert "unknown" not in places
     queue(places, 1)
     assert share(places) == ["alice_1"]
+
+
+def elsewhere(*runs: tuple[int, str]) -> list[WaitingRun]:
+    """Runs of other nodes that wait."""
+    return [WaitingRun(f"{account}_{n}", n, account, 0) for n, account in runs]
+
+
+def test_what_waits_at_other_nodes_gets_a_place_in_its_turn() -> None:
+    places = places_of(2)
+    queue(places, 2)
+    places.note_elsewhere(elsewhere((1, "alice"), (3, "alice")), {})
+    assert [run.run_id for run in places.waiting_here()] == ["alice_2"]
+    assert share(places) == ["alice_1", "alice_2"]
+    assert places.counts() == {"alice": 2}
+    places.leave("alice_1")
+    assert share(places) == ["alice_3"]
+
+
+def test_what_waits_elsewhere_no_more_gets_no_place() -> None:
+    places = places_of(1)
+    places.note_elsewhere(elsewhere((1, "alice"), (2, "bob")), {})
+    places.note_elsewhere(elsewhere((2, "bob")), {})
+    assert share(places) == ["bob_2"]
+    # It has a place already: another node said late that it waits.
+    places.note_elsewhere(elsewhere((2, "bob")), {})
+    places.leave("bob_2")
+    assert share(places) == []
+
+
+def test_a_run_that_came_from_another_node_waits_here() -> None:
+    """What is said of other nodes later does not remove it."""
+    places = places_of(1)
+    queue(places, 1)
+    share(places)
+    places.note_elsewhere(elsewhere((2, "alice")), {})
+    queue(places, 2)
+    places.note_elsewhere(elsewhere((2, "alice")), {})
+    places.note_elsewhere([], {})
+    assert [run.run_id for run in places.waiting_here()] == ["alice_2"]
+
+
+def test_places_at_other_nodes_count_for_who_is_next() -> None:
+    places = places_of(1)
+    queue(places, 1, "alice")
+    queue(places, 2, "bob")
+    places.note_elsewhere([], {"alice": 1})
+    assert share(places) == ["bob_2"]
+    places.leave("bob_2")
+    places.note_elsewhere([], {})
+    assert share(places) == ["alice_1"]
+
+
+def test_an_account_with_places_at_other_nodes_gives_one_back() -> None:
+    places = places_of(1)
+    queue(places, 1, "alice")
+    share(places)
+    queue(places, 2, "bob")
+    assert share(places) == []
+    places.note_elsewhere([], {"alice": 1})
+    assert share(places) == ["bob_2"]

@@ -1,0 +1,234 @@
+"""One queue of all nodes: what waits anywhere goes to a node that has room.
+
+Each node reads once a second what waits, and at once when another node says that the
+queue has changed. Who is next is decided as one server decides it
+(`rules/capacity.py`), by what waits and by the places of each account, at all nodes.
+A node with a place for a run of another one takes it, as it claims the run of a node
+that has ended: the database gives it to one node, and nothing that its earlier owner
+does is stored. That a message is lost delays it, and makes nothing wrong.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import contextvars
+import logging
+import time
+from collections import Counter
+from collections.abc import Awaitable, Callable
+
+import msgspec
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
+
+from reference_server.cluster.forwarding import NodeConnections, is_from_node
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import Refused
+from reference_server.runs.registry import RunRegistry
+from reference_server.storage.node_store import Node, NodeStore, StoredQueue
+from reference_server.storage.store import StoreFailed
+from reference_server.system.repeated_failures import RepeatedFailures
+
+log = logging.getLogger("proctor.cluster")
+
+PATH = "/node/queue"
+# At least so often the queue is read, whether another node said something or not.
+LOOK_S = 1.0
+# From one read for other nodes to the next: they may say something at any moment.
+PAUSE_S = 0.02
+# A long queue takes a node no more of its time than that, however many ask for it.
+LONG_QUEUE, RESTS_AFTER_READ = 200, 4
+# Of a node that says nothing for so long the places are those that it last said.
+TIMEOUT_S = 0.5
+
+Work = Callable[[], Awaitable[None]]
+
+
+class _Told(msgspec.Struct):
+    """What one node tells another. has_changed: the queue has."""
+
+    has_changed: bool
+
+
+class _Places(msgspec.Struct):
+    """The answer: how many places each account has at that node."""
+
+    places: dict[str, int]
+
+
+class SharedQueue:
+    """This node's part in it, from `open` to `close`.
+
+    registry: once the server is put together.
+    """
+
+    def __init__(
+        self,
+        nodes: NodeStore,
+        connections: NodeConnections,
+        registry: Callable[[], RunRegistry],
+    ) -> None:
+        self._nodes, self._connections = nodes, connections
+        self._membership, self._registry = connections.membership, registry
+        self._fences: dict[str, int] = {}  # of runs that wait elsewhere
+        self._places: dict[str, dict[str, int]] = {}  # of accounts, by node
+        self._let_go: set[str] = set()  # runs that others may take since then
+        self._look_is_due, self._tell_is_due = asyncio.Event(), asyncio.Event()
+        self._read_lock, self._read_not_before = asyncio.Lock(), 0.0
+        self._next_read: asyncio.Task[StoredQueue] | None = None
+        self._tasks: list[asyncio.Task[None]] = []
+        self._failures = RepeatedFailures(log)
+
+    def open(self) -> None:
+        """Follow the queue until `close`."""
+        follow = self._repeat(self._look, self._look_is_due, LOOK_S)
+        tell = self._repeat(self._tell, self._tell_is_due, None)
+        self._tasks = [asyncio.create_task(work) for work in (follow, tell)]
+
+    async def close(self) -> None:
+        for task in self._tasks:
+            task.cancel()
+        if self._tasks:
+            await asyncio.wait(self._tasks)
+        if self._next_read is not None:
+            await asyncio.wait([self._next_read])
+
+    # --- what the registry asks for ---
+
+    async def refresh(self) -> None:
+        """Let the registry know what waits at all nodes by now."""
+        try:
+            await self._read()
+        except StoreFailed as error:  # a place in the queue is no promise
+            self._failures.report("a node cannot read the queue", str(error))
+
+    async def take(self, run_id: str) -> bool:
+        """Whether a run that waited elsewhere is let in here. Raises StoreFailed.
+
+        If it is not, the next look shows what became of it.
+        """
+        fence = self._fences.pop(run_id, None)
+        is_taken = fence is not None and await self._membership.take(run_id, fence)
+        if not is_taken:
+            self.look()
+        return is_taken
+
+    def tell(self) -> None:
+        """What waits here has changed, and is stored."""
+        self._tell_is_due.set()
+
+    def look(self) -> None:
+        """There is a place here for what waits."""
+        self._look_is_due.set()
+
+    # --- what waits ---
+
+    async def _read(self) -> StoredQueue:
+        """What waits now; one read is for all who ask before it begins."""
+        if self._next_read is None:
+            # Nothing that it logs belongs to the request that began it.
+            self._next_read = asyncio.get_running_loop().create_task(
+                self._read_next(), context=contextvars.Context()
+            )
+            # What it raises is for those who wait; all of them may have left.
+            self._next_read.add_done_callback(lambda t: t.cancelled() or t.exception())
+        return await asyncio.shield(self._next_read)
+
+    async def _read_next(self) -> StoredQueue:
+        async with self._read_lock:
+            await asyncio.sleep(self._read_not_before - time.monotonic())
+            self._next_read = None
+            registry, began = self._registry(), time.monotonic()
+            seen = await self._nodes.queue(registry.queued_ids())
+            registry.note_queue(seen)
+            if len(seen.queued) > LONG_QUEUE:
+                took_s = time.monotonic() - began
+                rest_s = min(LOOK_S, RESTS_AFTER_READ * took_s)
+                self._read_not_before = time.monotonic() + rest_s
+            return seen
+
+    async def _look(self) -> None:
+        """What waits elsewhere gets a place here, if there is one for it."""
+        if not self._membership.claims:
+            return
+        await self._membership.ensure_lease()
+        registry, me = self._registry(), self._membership.node_id
+        await self._let_others_take(registry.held_no_more())
+        seen = await self._read()
+        elsewhere = [
+            one
+            for one in seen.queued
+            if one.owner != me and one.run.queue_until_wall <= 0
+        ]
+        self._fences = {one.run.run_id: one.fence for one in elsewhere}
+        waiting = {one.run.account for one in seen.queued}
+        if waiting and len(waiting | registry.places_of_accounts().keys()) > 1:
+            await self._ask_for_places()
+        places = sum(map(Counter, self._places.values()), Counter[str]())
+        registry.note_waiting_elsewhere([one.run for one in elsewhere], places)
+
+    async def _let_others_take(self, run_ids: list[str]) -> None:
+        """Runs whose submitters hold them no more in the queue."""
+        if new := [run_id for run_id in run_ids if run_id not in self._let_go]:
+            await self._nodes.let_go(new, self._membership.node_id)
+            self._tell_is_due.set()
+        self._let_go = set(run_ids)
+
+    # --- what nodes tell each other ---
+
+    async def _tell(self) -> None:
+        await self._post_to_all(_Told(has_changed=True))
+
+    async def _ask_for_places(self) -> None:
+        await self._post_to_all(_Told(has_changed=False))
+
+    async def _post_to_all(self, told: _Told) -> None:
+        others = self._membership.others()
+        body = msgspec.json.encode(told)
+        await asyncio.gather(*(self._post(node, body) for node in others))
+        there = {node.node_id for node in others}
+        self._places = {n: of for n, of in self._places.items() if n in there}
+
+    async def _post(self, node: Node, body: bytes) -> None:
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(TIMEOUT_S):
+                answer = await self._connections.post(node, PATH, body)
+                if answer is not None:
+                    found = msgspec.json.decode(answer, type=_Places)
+                    self._places[node.node_id] = found.places
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """The answer to another node."""
+        try:
+            response = await self._answer(scope, receive)
+        except Refused as refused:
+            response = problem_response(refused)
+        await response(scope, receive, send)
+
+    async def _answer(self, scope: Scope, receive: Receive) -> Response:
+        if scope["method"] != "POST" or not is_from_node(scope, self._membership):
+            raise Refused("not_found", "Unknown path.")
+        body = await Request(scope, receive).body()
+        if msgspec.json.decode(body, type=_Told).has_changed:
+            self._look_is_due.set()
+        places = self._registry().places_of_accounts()
+        return Response(msgspec.json.encode(_Places(places)))
+
+    async def _repeat(
+        self, work: Work, is_due: asyncio.Event, every_s: float | None
+    ) -> None:
+        """Work whenever it is due, and at least so often."""
+        while True:
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(every_s):
+                    await is_due.wait()
+            is_due.clear()
+            try:
+                await work()
+            except StoreFailed as error:
+                self._failures.report("a node cannot follow the queue", str(error))
+            except Exception:
+                log.exception("a node failed in what it does for the queue")
+            await asyncio.sleep(PAUSE_S)
