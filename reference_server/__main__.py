@@ -22,7 +22,7 @@ from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_record.broken import UnusableRecord
 from reference_record.formats.opened_seeds import load_opened_seeds
-from reference_server.app import build
+from reference_server.app import build, traces_of
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -132,6 +132,7 @@ def _serve(
     try:
         _check_database_and_keys(settings)
         _check_simulators(settings)
+        _check_traces(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
         TokenFile(settings.tokens_file_path, Tokens({})).read()
     except (_CannotUse, made_token.BadTokenFile, BadTokens, OSError) as error:
@@ -237,6 +238,18 @@ def _check_simulators(settings: Settings) -> None:
             f"no machine of the Ray cluster has {settings.ray_resources} for a "
             "simulator yet; turns are refused as no_capacity until one joins"
         )
+
+
+def _check_traces(settings: Settings) -> None:
+    try:
+        traces_of(settings)
+    except ImportError as error:
+        raise _CannotUse(
+            "--traces needs the packages of OpenTelemetry: "
+            "pip install 'proctor-eval[server,traces]'"
+        ) from error
+    except ValueError as error:
+        raise _CannotUse(f"cannot use --traces: {error}") from error
 
 
 def _connection_limits(settings: Settings) -> ConnectionLimits:

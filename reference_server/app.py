@@ -10,6 +10,7 @@ import logging
 import signal
 import socket
 import time
+import typing
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
 from functools import partial
@@ -44,6 +45,7 @@ from reference_server.monitoring.health import health_routes
 from reference_server.monitoring.metrics import ReadState, ServerState, metrics_route
 from reference_server.monitoring.metrics_listener import MetricsListener
 from reference_server.monitoring.readiness import Readiness
+from reference_server.monitoring.request_spans import RequestSpans
 from reference_server.profiles.operation_tables import profile_tables
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
@@ -81,6 +83,9 @@ from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
 
+if typing.TYPE_CHECKING:
+    from reference_server.monitoring.traces import Traces
+
 log = logging.getLogger("proctor.app")
 access_log = logging.getLogger(ACCESS_LOG)
 
@@ -97,6 +102,7 @@ def build(
 
     limiter: of its connections. metrics_socket: bound, for metrics; None for none.
     """
+    traces = traces_of(settings)
     recordings, store, records, board_store = _storage_of(settings)
     pool, replay_pool = _pools_of(settings)
 
@@ -134,6 +140,7 @@ def build(
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
         async with _locked(settings):
+            await _open_all(traces)
             await store.open()
             key_encryption.open()
             seed_secret.open()
@@ -151,12 +158,44 @@ def build(
                 following.cancel()
                 await _close_all(metrics, retention, driver, imports, executor)
                 await _close_all(registry, node, records, replay_pool, pool, store)
+                await _close_all(traces)
 
     readiness = _readiness_of(store, pool, registry)
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
     metrics = _metrics_of(metrics_socket, readiness, read_state)
     router = _router(handlers, tokens, readiness, lifespan, node)
-    return Application(router, partial(_begin_drain, registry, driver, node), executor)
+    app = _traced(router, traces, settings, node)
+    return Application(app, partial(_begin_drain, registry, driver, node), executor)
+
+
+def traces_of(settings: Settings) -> Traces | None:
+    """None if the setting is empty. Raises ImportError without the extra, ValueError.
+
+    Only what is set is imported: its library takes time at the start, and memory.
+    """
+    if not settings.traces:
+        return None
+    from reference_server.monitoring.traces import Traces
+
+    return Traces(
+        settings.traces,
+        settings.traces_ratio,
+        version=SOFTWARE_VERSION,
+        instance=settings.node_url,
+    )
+
+
+def _traced(
+    app: ASGIApp, traces: Traces | None, settings: Settings, node: ServerNode | None
+) -> ASGIApp:
+    if traces is None:
+        return app
+
+    def trusts(scope: Scope) -> bool:
+        is_of_node = node is not None and node.sent(scope)
+        return is_of_node or settings.traces_parent == "all"
+
+    return RequestSpans(app, traces, trusts)
 
 
 @asynccontextmanager

@@ -32,6 +32,7 @@ from reference_server.storage.node_store import Node
 from reference_server.storage.store import StoreFailed
 from reference_server.system.log_output import REQUEST_ID
 from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.system.spans import span, traceparent
 
 log = logging.getLogger("proctor.cluster")
 
@@ -43,6 +44,9 @@ _HOP_BY_HOP = {
 }
 _ADDED_ANEW = {b"date", b"proctor-version", b"x-request-id"}
 _OURS = {SECRET_HEADER, CLIENT_HEADER, b"x-request-id"}
+# Of another node they are believed, so those of clients are not passed on.
+_OF_TRACES = {b"traceparent", b"tracestate"}
+_NOT_PASSED_ON = _HOP_BY_HOP | _OURS | _OF_TRACES
 _NOT_REACHED = (
     httpcore.NetworkError,
     httpcore.TimeoutException,
@@ -126,7 +130,10 @@ class NodeConnections:
         """
         exchange = _Exchange(self._pool, node, scope, receive, send)
         try:
-            with self._reachability.waiting(node) as lost:
+            with (
+                span("pass on to owner", is_call=True),
+                self._reachability.waiting(node) as lost,
+            ):
                 if not lost.is_set():
                     await _first_of(
                         exchange.answer(),
@@ -155,7 +162,9 @@ class NodeConnections:
             )
 
         try:
-            await _first_of(ask(), self.membership.gone(node).wait())
+            with span("read from node", is_call=True):
+                headers += _of_trace()
+                await _first_of(ask(), self.membership.gone(node).wait())
         except (*_NOT_REACHED, OSError) as error:
             self.failures.report("a node was not reached", repr(error))
             return None
@@ -354,14 +363,21 @@ def is_from_node(scope: Scope, membership: Membership) -> bool:
     return is_node
 
 
+def has_secret_of(membership: Membership, scope: Scope) -> bool:
+    """Whether a node passed it on to this one; changes nothing, as `is_from_node`."""
+    secret = membership.secret.encode()
+    return any(
+        name == SECRET_HEADER and hmac.compare_digest(value, secret)
+        for name, value in scope["headers"]
+    )
+
+
 def _request_headers(
     scope: Scope, node: Node
 ) -> tuple[list[tuple[bytes, bytes]], bool]:
     """What is sent to the other node, and whether a body follows."""
     headers = [
-        (name, value)
-        for name, value in scope["headers"]
-        if name not in _HOP_BY_HOP and name not in _OURS
+        (name, value) for name, value in scope["headers"] if name not in _NOT_PASSED_ON
     ]
     names = {name for name, _ in scope["headers"]}
     is_chunked = b"transfer-encoding" in names
@@ -372,8 +388,14 @@ def _request_headers(
         (SECRET_HEADER, node.secret.encode()),
         (CLIENT_HEADER, str(client).encode("latin-1", "replace")),
         (b"x-request-id", (REQUEST_ID.get() or "").encode()),
+        *_of_trace(),
     ]
     return headers, is_chunked or b"content-length" in names
+
+
+def _of_trace() -> list[tuple[bytes, bytes]]:
+    sent = traceparent()
+    return [] if sent is None else [(b"traceparent", sent.encode())]
 
 
 def _body(part: bytes, *, more: bool) -> Message:

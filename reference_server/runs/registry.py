@@ -58,6 +58,7 @@ from reference_server.storage.store import (
 )
 from reference_server.system.counters import COUNTERS, timed
 from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.system.spans import span
 
 log = logging.getLogger("proctor.runs")
 
@@ -292,7 +293,7 @@ class RunRegistry:
         """Whether a run that memory counts was stored; if not, it counts no more."""
         is_stored = False
         try:
-            with timed(COUNTERS.database_writes):
+            with timed(COUNTERS.database_writes), span("store run"):
                 is_stored = await self._store.insert(run, key, body_sha256, check)
         finally:
             if not is_stored:
@@ -657,7 +658,7 @@ class RunRegistry:
     async def _save(self, run: Run) -> bool:
         scored = new_results(run)
         try:
-            with timed(COUNTERS.database_writes):
+            with timed(COUNTERS.database_writes), span("store run"):
                 await self._store.save(run)
         except OwnershipLost as error:
             self._failures.report("a run was stored by another node", str(error))
