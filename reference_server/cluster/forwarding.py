@@ -14,6 +14,7 @@ import contextlib
 import hmac
 import logging
 import re
+import time
 from collections.abc import AsyncIterator, Callable
 from typing import Any
 
@@ -23,13 +24,14 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.reachability import Reachability
-from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.http.dispatch import OPERATION, PATH_PATTERNS
 from reference_server.http.pages.page_sessions import needs_session, node_of_session
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import StoreFailed
+from reference_server.system.counters import COUNTERS
 from reference_server.system.log_output import REQUEST_ID
 from reference_server.system.repeated_failures import RepeatedFailures
 from reference_server.system.spans import span, traceparent
@@ -56,6 +58,8 @@ _NOT_REACHED = (
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
+# What a request that is passed on counts as in the metrics of its first node.
+PASSED_ON = "passed_on"
 # At least so long, and for a lease, a busy node may be silent and is still waited for.
 SILENT_S = 5.0
 # A node is asked twice whether it lives, over connections of their own: what all
@@ -128,19 +132,11 @@ class NodeConnections:
         Raises Refused if it does not answer. An answer that breaks off stays
         incomplete: the server closes its connection then.
         """
+        scope[OPERATION] = PASSED_ON
         exchange = _Exchange(self._pool, node, scope, receive, send)
         try:
-            with (
-                span("pass on to owner", is_call=True),
-                self._reachability.waiting(node) as lost,
-            ):
-                if not lost.is_set():
-                    await _first_of(
-                        exchange.answer(),
-                        exchange.wait_until_client_left(),
-                        self.membership.gone(node).wait(),
-                        lost.wait(),
-                    )
+            with span("pass on to owner", is_call=True):
+                await self._carry_out(exchange, node)
         except _ClientLeft:
             return
         except (*_NOT_REACHED, OSError) as error:
@@ -149,6 +145,23 @@ class NodeConnections:
                 await self.membership.forget_owner(_run_id(scope) or "")
         if not exchange.is_begun and not exchange.has_no_reader:
             raise Refused("unavailable", "The node that has the run does not answer.")
+
+    async def _carry_out(self, exchange: _Exchange, node: Node) -> None:
+        """Returns also if nothing more is to be waited for."""
+        started = time.perf_counter()
+        try:
+            with self._reachability.waiting(node) as lost:
+                if not lost.is_set():
+                    await _first_of(
+                        exchange.answer(),
+                        exchange.wait_until_client_left(),
+                        self.membership.gone(node).wait(),
+                        lost.wait(),
+                    )
+        finally:
+            is_ok = exchange.is_answered or exchange.has_no_reader
+            took_s = time.perf_counter() - started
+            COUNTERS.passed_on["ok" if is_ok else "failed"].add(took_s)
 
     async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
         """What a node answers to a request of this one; None if it ends."""
@@ -189,7 +202,7 @@ class _Exchange:
         self._pool, self._node, self._scope = pool, node, scope
         self._receive, self._send = receive, send
         self._body_read = asyncio.Event()
-        self.is_begun = self.has_no_reader = False
+        self.is_begun = self.is_answered = self.has_no_reader = False
 
     async def answer(self) -> None:
         """Send the whole answer, part by part."""
@@ -214,6 +227,7 @@ class _Exchange:
             async for part in response.aiter_stream():
                 await self._send(_body(part, more=True))
         await self._send(_body(b"", more=False))
+        self.is_answered = True
 
     async def _start(self, response: httpcore.Response) -> None:
         dropped = _HOP_BY_HOP | _ADDED_ANEW
@@ -236,6 +250,7 @@ class _Exchange:
         while more:
             message = await self._receive()
             if message["type"] == "http.disconnect":
+                self.has_no_reader = True
                 raise _ClientLeft
             more = message.get("more_body", False)
             if part := message.get("body", b""):

@@ -409,6 +409,7 @@ class RunRegistry:
             await self.is_stored(run)  # a write that was begun would come after it
             await self._store.delete(run, time.time(), by_host=by_host)
         except OwnershipLost:
+            COUNTERS.fenced_writes += 1
             self._drop(run)
             raise
         except (StoreFailed, RunIsKept):
@@ -661,6 +662,7 @@ class RunRegistry:
             with timed(COUNTERS.database_writes), span("store run"):
                 await self._store.save(run)
         except OwnershipLost as error:
+            COUNTERS.fenced_writes += 1
             self._failures.report("a run was stored by another node", str(error))
             self._drop(run)
             return False
