@@ -14,7 +14,7 @@ import gc
 import socket
 import sys
 from collections.abc import Callable, Mapping
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import uvicorn
 from pydantic import ValidationError
@@ -22,7 +22,7 @@ from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_record.broken import UnusableRecord
 from reference_record.formats.opened_seeds import load_opened_seeds
-from reference_server.app import build, traces_of
+from reference_server.app import build
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -30,6 +30,7 @@ from reference_server.http.connections.connection_limits import (
     ConnectionLimits,
 )
 from reference_server.http.connections.draining_server import Drain, DrainingServer
+from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import TokenFile
 from reference_server.push.key_encryption import KeyEncryption
@@ -43,6 +44,9 @@ from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.process.ray.actor_process import CannotUseRay
 from reference_sim.process.ray.ray_pool import check_cluster
+
+if TYPE_CHECKING:
+    from reference_server.monitoring.traces import Traces
 
 THREAD_SWITCH_S = 0.001
 
@@ -130,9 +134,11 @@ def _serve(
     configured: Tokens | None,
 ) -> int:
     try:
+        if not settings.node_url:
+            settings.node_url = _url(settings.host, listener.getsockname()[1])
+        traces = _traces_of(settings)
         _check_database_and_keys(settings)
         _check_simulators(settings)
-        _check_traces(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
         TokenFile(settings.tokens_file_path, Tokens({})).read()
     except (_CannotUse, made_token.BadTokenFile, BadTokens, OSError) as error:
@@ -141,10 +147,8 @@ def _serve(
     port = listener.getsockname()[1]
     made_token.publish(port, None if made is None else settings.token_path)
     tokens = configured or Tokens.of_local_account(str(made))
-    if not settings.node_url:
-        settings.node_url = _url(settings.host, port)
     limiter = ConnectionLimiter(_connection_limits(settings))
-    app = build(settings, tokens, limiter, metrics_listener)
+    app = build(settings, tokens, limiter, metrics_listener, traces)
     config = uvicorn.Config(
         app,
         http=connection_factory(limiter),
@@ -240,9 +244,19 @@ def _check_simulators(settings: Settings) -> None:
         )
 
 
-def _check_traces(settings: Settings) -> None:
+def _traces_of(settings: Settings) -> Traces | None:
+    """Only what is set is imported: its library takes time at the start, and memory."""
+    if not settings.traces:
+        return None
     try:
-        traces_of(settings)
+        from reference_server.monitoring.traces import Traces
+
+        return Traces(
+            settings.traces,
+            settings.traces_ratio,
+            version=SOFTWARE_VERSION,
+            instance=settings.node_url,
+        )
     except ImportError as error:
         raise _CannotUse(
             "--traces needs the packages of OpenTelemetry: "

@@ -97,12 +97,13 @@ def build(
     tokens: Tokens,
     limiter: ConnectionLimiter,
     metrics_socket: socket.socket | None = None,
+    traces: Traces | None = None,
 ) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins.
 
     limiter: of its connections. metrics_socket: bound, for metrics; None for none.
+    traces: that are not open yet; None for none.
     """
-    traces = traces_of(settings)
     recordings, store, records, board_store = _storage_of(settings)
     pool, replay_pool = _pools_of(settings)
 
@@ -166,23 +167,6 @@ def build(
     router = _router(handlers, tokens, readiness, lifespan, node)
     app = _traced(router, traces, settings, node)
     return Application(app, partial(_begin_drain, registry, driver, node), executor)
-
-
-def traces_of(settings: Settings) -> Traces | None:
-    """None if the setting is empty. Raises ImportError without the extra, ValueError.
-
-    Only what is set is imported: its library takes time at the start, and memory.
-    """
-    if not settings.traces:
-        return None
-    from reference_server.monitoring.traces import Traces
-
-    return Traces(
-        settings.traces,
-        settings.traces_ratio,
-        version=SOFTWARE_VERSION,
-        instance=settings.node_url,
-    )
 
 
 def _traced(

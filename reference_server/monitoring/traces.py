@@ -41,11 +41,10 @@ PATH = "/v1/traces"
 # After the last turn; a collector that takes longer loses what is left.
 FLUSH_S = 2.0
 _NO_PARENT = Context()
-# What would be logged for each batch and each dropped span; ours is logged once.
-_LOG_LEVELS = {
-    "opentelemetry.exporter.otlp.proto.http.trace_exporter": logging.CRITICAL,
-    "opentelemetry.sdk._shared_internal": logging.ERROR,
-}
+# They log each failure of a batch, and that spans are dropped; ours is logged once.
+_EXPORTER_LOG = "opentelemetry.exporter.otlp.proto.http.trace_exporter"
+_QUEUE_LOG = "opentelemetry.sdk._shared_internal"
+_REASON_CHARS_MAX = 300
 
 
 class _Recorded:
@@ -111,7 +110,6 @@ class Traces:
 
     def __init__(self, url: str, ratio: float, *, version: str, instance: str) -> None:
         self._ratio = ratio
-        self._exporter = _ReportingExporter(endpoint_of(url))
         ours = {
             "service.name": "proctor-server",
             "service.version": version,
@@ -119,26 +117,21 @@ class Traces:
         }
         # What the operator's variables say is preferred to what is said here.
         named = OTELResourceDetector().detect()
-        self._resource = Resource.create(ours).merge(named)
-        self._provider: TracerProvider | None = None
-        for name, level in _LOG_LEVELS.items():
-            logging.getLogger(name).setLevel(level)
-
-    async def open(self) -> None:
         self._provider = TracerProvider(
-            resource=self._resource,
+            resource=Resource.create(ours).merge(named),
             sampler=ALWAYS_ON,  # what is not to be recorded does not come so far
             shutdown_on_exit=False,
         )
-        self._provider.add_span_processor(BatchSpanProcessor(self._exporter))
+        exporter = _ReportingExporter(endpoint_of(url))
+        self._provider.add_span_processor(BatchSpanProcessor(exporter))
         self._tracer = self._provider.get_tracer("proctor")
+
+    async def open(self) -> None:
         spans.record_with(self)
 
     async def close(self) -> None:
         """Send what is left, for a bounded time."""
         spans.record_with(None)
-        if self._provider is None:
-            return
         loop, done = asyncio.get_running_loop(), asyncio.Event()
         shut_down = self._provider.shutdown
 
@@ -221,12 +214,18 @@ class _ReportingExporter(SpanExporter):
     def __init__(self, endpoint: str) -> None:
         self._exporter = OTLPSpanExporter(endpoint)
         self._is_failing = False
+        self._reason = _LastReason()
+        exporter_log = logging.getLogger(_EXPORTER_LOG)
+        exporter_log.addHandler(self._reason)
+        exporter_log.propagate = False
+        logging.getLogger(_QUEUE_LOG).setLevel(logging.ERROR)
 
     def export(self, spans: Sequence[ReadableSpan]) -> SpanExportResult:
         result = self._exporter.export(spans)
         is_failing = result is not SpanExportResult.SUCCESS
         if is_failing and not self._is_failing:
-            log.warning("the collector takes no traces; until it does they are lost")
+            text = "the collector takes no traces; until it does they are lost: %s"
+            log.warning(text, self._reason.text)
         elif self._is_failing and not is_failing:
             log.warning("the collector takes traces again")
         self._is_failing = is_failing
@@ -237,6 +236,17 @@ class _ReportingExporter(SpanExporter):
 
     def force_flush(self, timeout_millis: int = 30_000) -> bool:
         return self._exporter.force_flush(timeout_millis)
+
+
+class _LastReason(logging.Handler):
+    """Why the exporter failed last, which it only logs."""
+
+    text = "no answer in time"
+
+    def emit(self, record: logging.LogRecord) -> None:
+        # That it has tried often enough is logged without the reason.
+        if record.args is not None and len(record.args) > 1:
+            self.text = record.getMessage()[:_REASON_CHARS_MAX]
 
 
 def endpoint_of(url: str) -> str:

@@ -5,6 +5,7 @@ Of several nodes: tests/cluster/test_traces_of_nodes.py.
 
 from __future__ import annotations
 
+import socket
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -202,11 +203,31 @@ def test_a_collector_that_refuses_costs_one_line(
         while len(collector.paths) < 5:
             play(client)
         assert server.log().count(FAILING) == 1
+        assert "code: 400" in server.log()
         collector.status = 200
         play(client)
         collector.wait_for(PREDICT)
         wait_until(lambda: "takes traces again" in server.log(), "it is logged")
         assert server.log().count("\n") == 2, server.log()
+
+
+@pytest.mark.slow("starts a server")
+def test_a_collector_that_is_away_is_named_once(tmp_path: Path) -> None:
+    """Each batch is tried again for its time; turns do not wait for that."""
+    with socket.socket() as closed:
+        closed.bind(("127.0.0.1", 0))  # and it does not listen
+        settings = Collector().settings(
+            PROCTOR_TRACES=f"http://user:secret@127.0.0.1:{closed.getsockname()[1]}",
+            OTEL_EXPORTER_OTLP_TIMEOUT="1.5",
+        )
+        with ReferenceServer(tmp_path, **settings) as server, server.client() as client:
+            play(client)
+            wait_until(lambda: FAILING in server.log(), "it is logged")
+            play(client)
+            server.end()
+            assert server.log().count(FAILING) == 1
+            assert "Connection refused" in server.log()
+            assert "secret" not in server.log()
 
 
 @pytest.mark.slow("starts a server")
@@ -391,6 +412,14 @@ def test_the_extra_that_is_missing_is_named(
         "proctor: --traces needs the packages of OpenTelemetry: "
         "pip install 'proctor-eval[server,traces]'\n"
     )
+
+
+def test_a_variable_that_cannot_be_used_is_refused(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("OTEL_BSP_MAX_QUEUE_SIZE", "-1")
+    line = start(monkeypatch, capsys, "http://127.0.0.1:1")
+    assert line.startswith("proctor: cannot use --traces: max_queue_size must be")
 
 
 @pytest.mark.parametrize("url", ["h:4318", "ftp://u:secret@h", "http://h?key=secret"])
