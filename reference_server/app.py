@@ -5,7 +5,6 @@ It decides no rule; each part is configured and connected here and nowhere else.
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import signal
 import socket
@@ -101,8 +100,7 @@ def build(
 ) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins.
 
-    limiter: of its connections. metrics_socket: bound, for metrics; None for none.
-    traces: that are not open yet; None for none.
+    limiter: of its connections. metrics_socket: bound; no metrics and traces if None.
     """
     recordings, store, records, board_store = _storage_of(settings)
     pool, replay_pool = _pools_of(settings)
@@ -141,31 +139,26 @@ def build(
     @asynccontextmanager
     async def lifespan(_app: Any) -> AsyncIterator[None]:
         async with _locked(settings):
-            await _open_all(traces)
             await store.open()
             key_encryption.open()
             seed_secret.open()
-            await _open_all(records, registry)
+            await _open_all(traces, records, registry)
             await pool.start()
             driver.open()
-            await _open_all(imports, node)
-            await asyncio.to_thread(token_file.read)
-            following = asyncio.create_task(token_file.follow())
+            await _open_all(imports, node, token_file)
             retention.open()
             await metrics.open()
             try:
                 yield
             finally:
-                following.cancel()
-                await _close_all(metrics, retention, driver, imports, executor)
-                await _close_all(registry, node, records, replay_pool, pool, store)
-                await _close_all(traces)
+                await _close_all(token_file, metrics, retention, driver, imports)
+                await _close_all(executor, registry, node, records, replay_pool)
+                await _close_all(pool, store, traces)
 
     readiness = _readiness_of(store, pool, registry)
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
     metrics = _metrics_of(metrics_socket, readiness, read_state)
-    router = _router(handlers, tokens, readiness, lifespan, node)
-    app = _traced(router, traces, settings, node)
+    app = _router(handlers, tokens, readiness, lifespan, node, traces=traces)
     return Application(app, partial(_begin_drain, registry, driver, node), executor)
 
 
@@ -331,7 +324,9 @@ def _router(
     readiness: Readiness,
     lifespan: Lifespan[Any],
     node: ServerNode | None,
-) -> Router:
+    *,
+    traces: Traces | None,
+) -> ASGIApp:
     table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
@@ -344,7 +339,8 @@ def _router(
     routes: list[BaseRoute] = [Route(*one) for one in endpoints.items()]
     routes += health_routes(readiness)
     if settings.pages == "off":
-        return Router(routes, False, _not_found, lifespan=lifespan)
+        router = Router(routes, False, _not_found, lifespan=lifespan)
+        return _traced(router, traces, settings, node)
     node_id = str if node is None else node.node_id
     pages = Pages(hosts, settings.public_url, node_id)
     shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(_not_found))
@@ -353,7 +349,7 @@ def _router(
     # Behind the operations: no turn looks at their routes.
     router = Router(routes, False, shown, lifespan=lifespan)
     pages.use_api(router)
-    return router
+    return _traced(router, traces, settings, node)
 
 
 def _storage_of(
