@@ -14,7 +14,7 @@ import gc
 import socket
 import sys
 from collections.abc import Callable, Mapping
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import uvicorn
 from pydantic import ValidationError
@@ -30,6 +30,7 @@ from reference_server.http.connections.connection_limits import (
     ConnectionLimits,
 )
 from reference_server.http.connections.draining_server import Drain, DrainingServer
+from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import TokenFile
 from reference_server.push.key_encryption import KeyEncryption
@@ -43,6 +44,9 @@ from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.process.ray.actor_process import CannotUseRay
 from reference_sim.process.ray.ray_pool import check_cluster
+
+if TYPE_CHECKING:
+    from reference_server.monitoring.traces import Traces
 
 THREAD_SWITCH_S = 0.001
 
@@ -130,6 +134,9 @@ def _serve(
     configured: Tokens | None,
 ) -> int:
     try:
+        if not settings.node_url:
+            settings.node_url = _url(settings.host, listener.getsockname()[1])
+        traces = _traces_of(settings)
         _check_database_and_keys(settings)
         _check_simulators(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
@@ -140,10 +147,8 @@ def _serve(
     port = listener.getsockname()[1]
     made_token.publish(port, None if made is None else settings.token_path)
     tokens = configured or Tokens.of_local_account(str(made))
-    if not settings.node_url:
-        settings.node_url = _url(settings.host, port)
     limiter = ConnectionLimiter(_connection_limits(settings))
-    app = build(settings, tokens, limiter, metrics_listener)
+    app = build(settings, tokens, limiter, metrics_listener, traces)
     config = uvicorn.Config(
         app,
         http=connection_factory(limiter),
@@ -237,6 +242,28 @@ def _check_simulators(settings: Settings) -> None:
             f"no machine of the Ray cluster has {settings.ray_resources} for a "
             "simulator yet; turns are refused as no_capacity until one joins"
         )
+
+
+def _traces_of(settings: Settings) -> Traces | None:
+    """Only what is set is imported: its library takes time at the start, and memory."""
+    if not settings.traces:
+        return None
+    try:
+        from reference_server.monitoring.traces import Traces
+
+        return Traces(
+            settings.traces,
+            settings.traces_ratio,
+            version=SOFTWARE_VERSION,
+            instance=settings.node_url,
+        )
+    except ImportError as error:
+        raise _CannotUse(
+            "--traces needs the packages of OpenTelemetry: "
+            "pip install 'proctor-eval[server,traces]'"
+        ) from error
+    except ValueError as error:
+        raise _CannotUse(f"cannot use --traces: {error}") from error
 
 
 def _connection_limits(settings: Settings) -> ConnectionLimits:

@@ -5,11 +5,11 @@ It decides no rule; each part is configured and connected here and nowhere else.
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import signal
 import socket
 import time
+import typing
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
 from functools import partial
@@ -44,6 +44,7 @@ from reference_server.monitoring.health import health_routes
 from reference_server.monitoring.metrics import ReadState, ServerState, metrics_route
 from reference_server.monitoring.metrics_listener import MetricsListener
 from reference_server.monitoring.readiness import Readiness
+from reference_server.monitoring.request_spans import RequestSpans
 from reference_server.profiles.operation_tables import profile_tables
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
@@ -81,6 +82,9 @@ from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
 
+if typing.TYPE_CHECKING:
+    from reference_server.monitoring.traces import Traces
+
 log = logging.getLogger("proctor.app")
 access_log = logging.getLogger(ACCESS_LOG)
 
@@ -92,10 +96,11 @@ def build(
     tokens: Tokens,
     limiter: ConnectionLimiter,
     metrics_socket: socket.socket | None = None,
+    traces: Traces | None = None,
 ) -> Application:
     """One server, its parts connected. Nothing runs before the lifespan begins.
 
-    limiter: of its connections. metrics_socket: bound, for metrics; None for none.
+    limiter: of its connections. metrics_socket: bound; no metrics and traces if None.
     """
     recordings, store, records, board_store = _storage_of(settings)
     pool, replay_pool = _pools_of(settings)
@@ -137,26 +142,37 @@ def build(
             await store.open()
             key_encryption.open()
             seed_secret.open()
-            await _open_all(records, registry)
+            await _open_all(traces, records, registry)
             await pool.start()
             driver.open()
-            await _open_all(imports, node)
-            await asyncio.to_thread(token_file.read)
-            following = asyncio.create_task(token_file.follow())
+            await _open_all(imports, node, token_file)
             retention.open()
             await metrics.open()
             try:
                 yield
             finally:
-                following.cancel()
-                await _close_all(metrics, retention, driver, imports, executor)
-                await _close_all(registry, node, records, replay_pool, pool, store)
+                await _close_all(token_file, metrics, retention, driver, imports)
+                await _close_all(executor, registry, node, records, replay_pool)
+                await _close_all(pool, store, traces)
 
     readiness = _readiness_of(store, pool, registry)
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
     metrics = _metrics_of(metrics_socket, readiness, read_state)
-    router = _router(handlers, tokens, readiness, lifespan, node)
-    return Application(router, partial(_begin_drain, registry, driver, node), executor)
+    app = _router(handlers, tokens, readiness, lifespan, node, traces=traces)
+    return Application(app, partial(_begin_drain, registry, driver, node), executor)
+
+
+def _traced(
+    app: ASGIApp, traces: Traces | None, settings: Settings, node: ServerNode | None
+) -> ASGIApp:
+    if traces is None:
+        return app
+
+    def trusts(scope: Scope) -> bool:
+        is_of_node = node is not None and node.sent(scope)
+        return is_of_node or settings.traces_parent == "all"
+
+    return RequestSpans(app, traces, trusts)
 
 
 @asynccontextmanager
@@ -309,7 +325,9 @@ def _router(
     readiness: Readiness,
     lifespan: Lifespan[Any],
     node: ServerNode | None,
-) -> Router:
+    *,
+    traces: Traces | None,
+) -> ASGIApp:
     table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
@@ -322,7 +340,8 @@ def _router(
     routes: list[BaseRoute] = [Route(*one) for one in endpoints.items()]
     routes += health_routes(readiness)
     if settings.pages == "off":
-        return Router(routes, False, _not_found, lifespan=lifespan)
+        router = Router(routes, False, _not_found, lifespan=lifespan)
+        return _traced(router, traces, settings, node)
     node_id = str if node is None else node.node_id
     pages = Pages(hosts, settings.public_url, node_id)
     shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(_not_found))
@@ -331,7 +350,7 @@ def _router(
     # Behind the operations: no turn looks at their routes.
     router = Router(routes, False, shown, lifespan=lifespan)
     pages.use_api(router)
-    return router
+    return _traced(router, traces, settings, node)
 
 
 def _storage_of(

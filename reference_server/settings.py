@@ -384,6 +384,27 @@ class Settings(BaseSettings):
     metrics_port: int = Field(
         9464, ge=0, le=65535, description="That port; 0 chooses a free port."
     )
+    traces: str = Field(
+        "",
+        description="URL of a collector of OpenTelemetry (OTLP over HTTP), such as "
+        "http://127.0.0.1:4318, to which traces of requests are sent. If empty, none. "
+        "Needs the extra traces.",
+    )
+    traces_ratio: float = Field(
+        0.01,
+        ge=0,
+        le=1,
+        allow_inf_nan=False,
+        description="Traces: of those that begin at this server, how many are "
+        "recorded, at random; 1 is all.",
+    )
+    traces_parent: Literal["nodes", "all"] = Field(
+        "nodes",
+        description="Traces: whose header traceparent a request goes on with, recorded "
+        "or not as it says. nodes: that of the other nodes. all: that of every client, "
+        "too, for servers that only a balancer of yours reaches: with it any client "
+        "may have all of its requests recorded.",
+    )
     drain_s: float = Field(
         10.0,
         ge=0,

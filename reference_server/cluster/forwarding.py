@@ -25,15 +25,17 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from reference_server.cluster.followed_stream import FollowedStream
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.reachability import Reachability
-from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.http.dispatch import OPERATION, PATH_PATTERNS
 from reference_server.http.pages.page_sessions import needs_session, node_of_session
 from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE, OwnedElsewhere
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import StoreFailed
+from reference_server.system.counters import COUNTERS
 from reference_server.system.log_output import REQUEST_ID
 from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.system.spans import span, traceparent
 
 log = logging.getLogger("proctor.cluster")
 
@@ -45,6 +47,9 @@ _HOP_BY_HOP = {
 }
 _ADDED_ANEW = {b"date", b"proctor-version", b"x-request-id"}
 _OURS = {SECRET_HEADER, CLIENT_HEADER, b"x-request-id"}
+# Of another node they are believed, so those of clients are not passed on.
+_OF_TRACES = {b"traceparent", b"tracestate"}
+_NOT_PASSED_ON = _HOP_BY_HOP | _OURS | _OF_TRACES
 _NOT_REACHED = (
     httpcore.NetworkError,
     httpcore.TimeoutException,
@@ -59,6 +64,8 @@ MOVES_MAX, REPEATED_BYTES_MAX = 3, 2**16
 FOLLOW_PAUSE_S = 0.2
 _MOVED, _REFUSED = MOVED_HEADER.lower().encode(), 503
 CONNECTIONS_MAX = 1000
+# What a request that is passed on counts as in the metrics of its first node.
+PASSED_ON = "passed_on"
 # At least so long, and for a lease, a busy node may be silent and is still waited for.
 SILENT_S = 5.0
 # A node is asked twice whether it lives, over connections of their own: what all
@@ -131,7 +138,23 @@ class NodeConnections:
         Raises Refused if it does not answer. An answer that breaks off stays
         incomplete: the server closes its connection then.
         """
+        scope[OPERATION] = PASSED_ON
         exchange = _Exchange(self._pool, node, scope, receive, send)
+        try:
+            with span("pass on to owner", is_call=True):
+                await self._carry_out(exchange, node)
+        except _ClientLeft:
+            return
+        except (*_NOT_REACHED, OSError) as error:
+            self.failures.report("a request could not be passed on", repr(error))
+            with contextlib.suppress(StoreFailed):  # it is looked for again at once
+                await self.membership.forget_owner(_run_id(scope) or "")
+        if not exchange.is_begun and not exchange.has_no_reader:
+            raise Refused("unavailable", "The node that has the run does not answer.")
+
+    async def _carry_out(self, exchange: _Exchange, node: Node) -> None:
+        """Returns also if nothing more is to be waited for."""
+        started = time.perf_counter()
         try:
             with self._reachability.waiting(node) as lost:
                 if not lost.is_set():
@@ -141,14 +164,10 @@ class NodeConnections:
                         self.membership.gone(node).wait(),
                         lost.wait(),
                     )
-        except _ClientLeft:
-            return
-        except (*_NOT_REACHED, OSError) as error:
-            self.failures.report("a request could not be passed on", repr(error))
-            with contextlib.suppress(StoreFailed):  # it is looked for again at once
-                await self.membership.forget_owner(_run_id(scope) or "")
-        if not exchange.is_begun and not exchange.has_no_reader:
-            raise Refused("unavailable", "The node that has the run does not answer.")
+        finally:
+            is_ok = exchange.is_answered or exchange.has_no_reader
+            took_s = time.perf_counter() - started
+            COUNTERS.passed_on["ok" if is_ok else "failed"].add(took_s)
 
     async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
         """What a node answers to a request of this one; None if it ends."""
@@ -162,7 +181,9 @@ class NodeConnections:
             )
 
         try:
-            await _first_of(ask(), self.membership.gone(node).wait())
+            with span("read from node", is_call=True):
+                headers += _of_trace()
+                await _first_of(ask(), self.membership.gone(node).wait())
         except (*_NOT_REACHED, OSError) as error:
             self.failures.report("a node was not reached", repr(error))
             return None
@@ -187,7 +208,7 @@ class _Exchange:
         self._pool, self._node, self._scope = pool, node, scope
         self._receive, self._send = receive, send
         self._body_read = asyncio.Event()
-        self.is_begun = self.has_no_reader = False
+        self.is_begun = self.is_answered = self.has_no_reader = False
 
     async def answer(self) -> None:
         """Send the whole answer, part by part."""
@@ -212,6 +233,7 @@ class _Exchange:
             async for part in response.aiter_stream():
                 await self._send(_body(part, more=True))
         await self._send(_body(b"", more=False))
+        self.is_answered = True
 
     async def _start(self, response: httpcore.Response) -> None:
         dropped = _HOP_BY_HOP | _ADDED_ANEW
@@ -234,6 +256,7 @@ class _Exchange:
         while more:
             message = await self._receive()
             if message["type"] == "http.disconnect":
+                self.has_no_reader = True
                 raise _ClientLeft
             more = message.get("more_body", False)
             if part := message.get("body", b""):
@@ -484,14 +507,21 @@ def is_from_node(scope: Scope, membership: Membership) -> bool:
     return is_node
 
 
+def has_secret_of(membership: Membership, scope: Scope) -> bool:
+    """Whether a node passed it on to this one; changes nothing, as `is_from_node`."""
+    secret = membership.secret.encode()
+    return any(
+        name == SECRET_HEADER and hmac.compare_digest(value, secret)
+        for name, value in scope["headers"]
+    )
+
+
 def _request_headers(
     scope: Scope, node: Node
 ) -> tuple[list[tuple[bytes, bytes]], bool]:
     """What is sent to the other node, and whether a body follows."""
     headers = [
-        (name, value)
-        for name, value in scope["headers"]
-        if name not in _HOP_BY_HOP and name not in _OURS
+        (name, value) for name, value in scope["headers"] if name not in _NOT_PASSED_ON
     ]
     names = {name for name, _ in scope["headers"]}
     is_chunked = b"transfer-encoding" in names
@@ -502,8 +532,14 @@ def _request_headers(
         (SECRET_HEADER, node.secret.encode()),
         (CLIENT_HEADER, str(client).encode("latin-1", "replace")),
         (b"x-request-id", (REQUEST_ID.get() or "").encode()),
+        *_of_trace(),
     ]
     return headers, is_chunked or b"content-length" in names
+
+
+def _of_trace() -> list[tuple[bytes, bytes]]:
+    sent = traceparent()
+    return [] if sent is None else [(b"traceparent", sent.encode())]
 
 
 def _body(part: bytes, *, more: bool) -> Message:

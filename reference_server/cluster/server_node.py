@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from starlette.types import ASGIApp
+from starlette.types import ASGIApp, Scope
 
 from reference_server.cluster import shared_queue, views_elsewhere
 from reference_server.cluster.forwarding import (
     NodeConnections,
     PageForwarding,
     RunForwarding,
+    has_secret_of,
 )
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.shared_queue import SharedQueue
@@ -62,6 +63,10 @@ class ServerNode:
         away: answers in place of that node, when it does not.
         """
         return PageForwarding(pages, away, self._connections)
+
+    def sent(self, scope: Scope) -> bool:
+        """Whether a node passed the request on to this one."""
+        return has_secret_of(self.membership, scope)
 
     def node_id(self) -> str:
         """Of this node, now."""

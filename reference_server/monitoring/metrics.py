@@ -134,6 +134,8 @@ def _of_runs(counted: Counters) -> Iterator[Metric]:
     yield _counter("proctor_recordings", recordings, counted.recordings)
     size = "Size of these recordings."
     yield _counter("proctor_recording_bytes", size, counted.recording_bytes)
+    fenced = "Writes of runs refused, as another node had claimed them."
+    yield _counter("proctor_fenced_writes", fenced, counted.fenced_writes)
     failed = "Writes of recordings that failed."
     yield _counter("proctor_recording_failures", failed, counted.recordings_failed)
 
@@ -161,6 +163,11 @@ def _of_work(counted: Counters) -> Iterator[Metric]:
             "proctor_database_write_duration_seconds",
             "Writes of runs, with the wait for those before.",
             counted.database_writes,
+        ),
+        (
+            "proctor_passed_on_request_duration_seconds",
+            "Requests passed on to other nodes; failed: without a whole answer.",
+            counted.passed_on,
         ),
     ):
         family = HistogramMetricFamily(name, text, labels=["outcome"])

@@ -44,6 +44,7 @@ from reference_server.runs.registry import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.system.spans import root_span
 
 log = logging.getLogger("proctor.push")
 
@@ -271,7 +272,9 @@ class Driver:
             assumes=worker.drive.description.assumes,
             by_server=True,
         )
-        turn = await self._service.attach_worker(run.account, run.run_id, command)
+        with root_span("push attach") as spent:
+            spent.set("proctor.run_id", run.run_id)
+            turn = await self._service.attach_worker(run.account, run.run_id, command)
         session_id = turn["session_id"]
         try:
             await self._play(worker, run, turn)
@@ -281,27 +284,35 @@ class Driver:
         return True
 
     async def _play(self, worker: _Worker, run: Run, turn: dict[str, Any]) -> None:
-        drive = worker.drive
         while not turn["done"]:
-            if turn["episode"]["step"] == 0:  # PUSH-006
-                await drive.policy.reset(turn)
-            answer = await drive.policy.predict(turn)
-            command = Predict(
-                worker.worker_id,
-                answer.session_id,
-                answer.seq,
-                [action.values for action in answer.actions],
-                "all" if answer.observe == "all" else "last",
-                by_server=True,
-            )
-            try:
-                turn = await self._service.predict(run.account, run.run_id, command)
-            except Refused as refused:
-                if refused.code == "invalid_request":
-                    raise answer_fault(refused, drive.calls) from refused
-                raise
-            drive.faults = 0
+            with root_span("push turn") as spent:
+                spent.set("proctor.run_id", run.run_id)
+                turn = await self._play_turn(worker, run, turn)
+            worker.drive.faults = 0
             worker.backoff.reset()
+
+    async def _play_turn(
+        self, worker: _Worker, run: Run, turn: dict[str, Any]
+    ) -> dict[str, Any]:
+        """The turn after this one."""
+        drive = worker.drive
+        if turn["episode"]["step"] == 0:  # PUSH-006
+            await drive.policy.reset(turn)
+        answer = await drive.policy.predict(turn)
+        command = Predict(
+            worker.worker_id,
+            answer.session_id,
+            answer.seq,
+            [action.values for action in answer.actions],
+            "all" if answer.observe == "all" else "last",
+            by_server=True,
+        )
+        try:
+            return await self._service.predict(run.account, run.run_id, command)
+        except Refused as refused:
+            if refused.code == "invalid_request":
+                raise answer_fault(refused, drive.calls) from refused
+            raise
 
     async def _handle_policy_fault(
         self, worker: _Worker, run: Run, session_id: str, fault: PolicyFault

@@ -34,6 +34,7 @@ from reference_server.push.egress import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.system.counters import COUNTERS, timed
+from reference_server.system.spans import span, traceparent
 
 _PROBLEM_TEXT_MAX = 200
 # Of an answer; policy.yaml has it as what a server reads at least. Only actions may be
@@ -163,7 +164,11 @@ class HttpCalls:
         while True:
             try:
                 async with self._slots:
-                    with timed(COUNTERS.policy_calls):
+                    with (
+                        timed(COUNTERS.policy_calls),
+                        span("policy server", is_call=True) as called,
+                    ):
+                        called.set("proctor.path", call.path)
                         return await self._call_with_deadline(call)
             except PolicyFault as fault:
                 if not fault.retryable or left == 0:
@@ -197,6 +202,9 @@ class HttpCalls:
             headers.append(("Content-Type", JSON))
         if self._key is not None:  # PUSH-004
             headers.append(("Authorization", f"Bearer {self._key}"))
+        # Random numbers, and only of what is recorded: harmless to whom they reach.
+        if trace := traceparent(only_recorded=True):
+            headers.append(("traceparent", trace))
         async with self._pool.stream(
             call.method, self._url + call.path, headers=headers, content=call.content
         ) as answer:

@@ -61,6 +61,7 @@ from reference_server.storage.store import (
 )
 from reference_server.system.counters import COUNTERS, timed
 from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.system.spans import span
 
 log = logging.getLogger("proctor.runs")
 
@@ -322,7 +323,7 @@ class RunRegistry:
         """Whether a run that memory counts was stored; if not, it counts no more."""
         is_stored = False
         try:
-            with timed(COUNTERS.database_writes):
+            with timed(COUNTERS.database_writes), span("store run"):
                 is_stored = await self._store.insert(run, key, body_sha256, check)
         finally:
             if not is_stored:
@@ -468,6 +469,7 @@ class RunRegistry:
             await self.is_stored(run)  # a write that was begun would come after it
             await self._store.delete(run, time.time(), by_host=by_host)
         except OwnershipLost:
+            COUNTERS.fenced_writes += 1
             self._drop(run)
             raise
         except (StoreFailed, RunIsKept):
@@ -834,7 +836,7 @@ class RunRegistry:
     ) -> bool:
         scored, checks = new_results(run), () if check is None else (check,)
         try:
-            with timed(COUNTERS.database_writes):
+            with timed(COUNTERS.database_writes), span("store run"):
                 await self._store.save(run, *checks)
         except Refused as refused:  # by the check
             self._not_opened[run] = refused
@@ -842,6 +844,7 @@ class RunRegistry:
             self._evict(run)
             return False
         except OwnershipLost as error:
+            COUNTERS.fenced_writes += 1
             self._failures.report("a run was stored by another node", str(error))
             self._drop(run)
             return False

@@ -40,6 +40,7 @@ from reference_server.runs.session_resources import ResourceManager, SessionReso
 from reference_server.storage.store import StoreFailed
 from reference_server.system.counters import COUNTERS
 from reference_server.system.seed_secret import SeedSecret
+from reference_server.system.spans import Span, session_name, span
 from reference_server.views import turn_view
 from reference_sim.process.pool import (
     ChunkReply,
@@ -50,6 +51,7 @@ from reference_sim.process.pool import (
     SimulatorFault,
     SimulatorPool,
     TaskUnplayable,
+    Timing,
 )
 
 log = logging.getLogger("proctor.sessions")
@@ -220,7 +222,9 @@ class SessionExecutor:
         if resources.handle is None:
             return await self._begin_turn(resources, started)
         try:
-            observation = await resources.handle.observe()
+            with span("simulator observes") as observed:
+                _name_session(observed, resources)
+                observation = await resources.handle.observe()
         except SimulatorFault as error:  # it died between two turns
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
@@ -239,12 +243,15 @@ class SessionExecutor:
         seq, think_ms = command.seq, resources.think_s * 1e3
         actions = action_space.clip_actions(command.actions, run.manifest)
         try:
-            played = await resources.handle.play(
-                actions,
-                observe_all=command.observe == "all",
-                seq=seq,
-                think_ms=think_ms,
-            )
+            with span("simulator plays") as playing:
+                _name_session(playing, resources)
+                played = await resources.handle.play(
+                    actions,
+                    observe_all=command.observe == "all",
+                    seq=seq,
+                    think_ms=think_ms,
+                )
+                _add_times(playing, played.timing, played.executed)
             now_wall, executed = time.time(), played.executed
             COUNTERS.steps += executed
             COUNTERS.simulate_s += played.timing.simulate_s
@@ -318,15 +325,18 @@ class SessionExecutor:
                 self._ensure_live(resources)
                 assert resources.handle is not None
                 plan = await self._plan_recording(resources)
-                beginning = await resources.handle.begin(
-                    episode.task,
-                    episode.seed,
-                    split=episode.split,
-                    is_sealed=episode.is_sealed,
-                    max_steps=run.manifest["max_steps"],
-                    success_rule=run.manifest["success_rule"],
-                    recording=plan,
-                )
+                with span("simulator begins") as starting:
+                    _name_session(starting, resources)
+                    beginning = await resources.handle.begin(
+                        episode.task,
+                        episode.seed,
+                        split=episode.split,
+                        is_sealed=episode.is_sealed,
+                        max_steps=run.manifest["max_steps"],
+                        success_rule=run.manifest["success_rule"],
+                        recording=plan,
+                    )
+                    _add_times(starting, beginning.timing)
             except _FAULTS as error:
                 await self._fault(resources, error)
                 continue
@@ -362,7 +372,10 @@ class SessionExecutor:
             return
         result = effects.result_of(session, played, now_wall, clipped)
         try:
-            recording = await self._recordings.finish(resources.run, episode, result)
+            with span("finish recording"):
+                recording = await self._recordings.finish(
+                    resources.run, episode, result
+                )
         except StoreFailed as error:
             raise Refused("unavailable", "The recording cannot be stored.") from error
         self._ensure_live(resources)
@@ -502,3 +515,24 @@ class SessionExecutor:
                 f"The session ended while its turn was executed ({ended_by}).",
                 members={"ended_by": ended_by},
             )
+
+
+def _name_session(spent: Span, resources: SessionResources) -> None:
+    """Whose time it is: a request shows its run alone, and a push run has none."""
+    if spent.is_recorded:
+        session = resources.session
+        spent.set("proctor.run_id", resources.run_id)
+        spent.set("proctor.worker_id", session.worker_id)
+        spent.set("proctor.session", session_name(session.session_id))
+        spent.set("proctor.seq", session.seq)
+        if session.episode is not None:
+            spent.set("proctor.episode_id", session.episode.episode_id)
+
+
+def _add_times(spent: Span, timing: Timing, steps: int = 0) -> None:
+    """What the simulator's process did in this time; the rest is the way to it."""
+    if spent.is_recorded:
+        spent.set("proctor.steps", steps)
+        spent.set("proctor.simulate_s", timing.simulate_s)
+        spent.set("proctor.render_s", timing.render_s)
+        spent.set("proctor.encode_s", timing.encode_s)

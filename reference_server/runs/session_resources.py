@@ -23,6 +23,7 @@ from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.run_log import log_left
 from reference_server.system.seed_secret import SeedSecret
+from reference_server.system.spans import span
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
 # How often sessions that are done are looked at, all of them by one timer, and how
@@ -240,7 +241,8 @@ class ResourceManager:
             self._take_from_others(resources)
         resources.acquiring = True
         try:
-            resources.handle = await self._pool.acquire(config)
+            with span("wait for simulator"):
+                resources.handle = await self._pool.acquire(config)
         finally:
             resources.acquiring = False
         if resources.session.ended_by is not None:

@@ -20,6 +20,7 @@ from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_en
 
 from reference_server.storage import postgresql, schema_version
 from reference_server.system import private_files
+from reference_server.system.spans import span
 
 Found = TypeVar("Found")
 
@@ -183,7 +184,8 @@ class Database:
         self, threads: ThreadPoolExecutor, work: Callable[[], Found]
     ) -> Found:
         try:
-            return await asyncio.get_running_loop().run_in_executor(threads, work)
+            with span("database transaction"):
+                return await asyncio.get_running_loop().run_in_executor(threads, work)
         except (sa.exc.SQLAlchemyError, OSError) as error:
             raise StoreFailed(self._describe(error)) from error
 
@@ -208,8 +210,9 @@ class Database:
         self, engine: AsyncEngine
     ) -> AsyncIterator[AsyncConnection]:
         try:
-            async with self._exclusive, engine.begin() as connection:
-                yield connection
+            with span("database transaction"):
+                async with self._exclusive, engine.begin() as connection:
+                    yield connection
         except (sa.exc.SQLAlchemyError, OSError) as error:
             # An unreachable server is reported by its driver, not by SQLAlchemy.
             raise StoreFailed(self._describe(error)) from error

@@ -62,7 +62,8 @@ class Counters:
     requests: by operation and hundreds of the status, 0 without an answer.
     refused_requests: by status, of those that were not read to their end. runs: by the
     state that they came to. sessions_ended: by what ended them. episodes: scored, by
-    outcome. simulate_s: of the steps.
+    outcome. simulate_s: of the steps. fenced_writes: of runs that another node had
+    claimed. passed_on: requests, to the nodes that have their runs.
     """
 
     requests: defaultdict[tuple[str, int], Durations] = field(
@@ -77,6 +78,8 @@ class Counters:
     simulator_faults: int = 0
     policy_calls: Outcomes = field(default_factory=_outcomes)
     database_writes: Outcomes = field(default_factory=_outcomes)
+    fenced_writes: int = 0
+    passed_on: Outcomes = field(default_factory=_outcomes)
     recordings: int = 0
     recording_bytes: int = 0
     recordings_failed: int = 0

@@ -22,6 +22,7 @@ from reference_server.runs import steady_clock
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.node_store import OwnedRun, StoredQueue
 from reference_server.storage.store import Store, StoreFailed
+from reference_server.system.counters import COUNTERS
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import BlockedCall, calibration_run
 
@@ -349,5 +350,25 @@ def test_only_what_nobody_holds_may_be_taken_by_other_nodes(tmp_path: Path) -> N
                 run = calibration_run(run_id=name, queue_until_wall=until)
                 await runs.registry.add(run, None, "")
             assert runs.registry.held_no_more() == ["past"]
+
+    asyncio.run(scenario())
+
+
+@pytest.mark.parametrize("write", ["commit", "delete"])
+def test_a_write_after_another_node_has_claimed_the_run_is_counted(
+    tmp_path: Path, write: str
+) -> None:
+    async def scenario() -> None:
+        async with opened(tmp_path) as runs:
+            run = calibration_run()
+            await runs.registry.add(run, None, "")
+            await runs.registry.commit(run)
+            before = COUNTERS.fenced_writes
+            async with runs.store.write() as connection:
+                await connection.execute(sa.text("UPDATE runs SET fence = 7"))
+            with pytest.raises((Refused, StoreFailed)):
+                await getattr(runs.registry, write)(run)
+            assert COUNTERS.fenced_writes == before + 1
+            assert not runs.registry.has(run.run_id)
 
     asyncio.run(scenario())

@@ -67,6 +67,7 @@ DISTRIBUTIONS = (
             "postgresql": ("postgresql.in",),
             "ray": ("ray.in",),
             "server": ("proctor-server",),
+            "traces": ("traces.in",),
             "video": ("video.in",),
         },
     ),
@@ -75,7 +76,11 @@ DISTRIBUTIONS = (
         {"reference_server": "reference_server"},
         "server.txt",
         ("server.in", "proctor-eval"),
-        {"postgresql": ("postgresql.in",), "ray": ("ray.in",)},
+        {
+            "postgresql": ("postgresql.in",),
+            "ray": ("ray.in",),
+            "traces": ("traces.in",),
+        },
     ),
 )
 

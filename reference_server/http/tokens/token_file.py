@@ -36,6 +36,16 @@ class TokenFile:
         self._path, self._tokens = path, tokens
         self._seen: bytes | Exception | None = None
         self._accounts: dict[str, str] = {}
+        self._following: asyncio.Task[None] | None = None
+
+    async def open(self) -> None:
+        """Read the file, and again whenever it changes. Raises as `read`."""
+        await asyncio.to_thread(self.read)
+        self._following = asyncio.create_task(self.follow())
+
+    async def close(self) -> None:
+        if self._following is not None:
+            self._following.cancel()
 
     def read(self) -> None:
         """Take over what the file says; a file that never was says nothing.

@@ -12,45 +12,21 @@ from pathlib import Path
 import httpx
 import prometheus_client.openmetrics.parser as openmetrics_parser
 import pytest
-from prometheus_client import Metric, parser
+from prometheus_client import Metric
 
 from reference_server.__main__ import main
 from reference_server.system.counters import BOUNDS_S, Durations, Outcomes, timed
+from tests.support.metrics_page import METRICS, metrics_url, read_page
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TOKENS, ReferenceServer
 from tests.support.waiting import wait_until
 
-METRICS = {"PROCTOR_METRICS": "on", "PROCTOR_METRICS_PORT": "0"}
 OPENMETRICS = {"Accept": "application/openmetrics-text; version=1.0.0"}
 
-# The library's readers, which have no types.
-READ_TEXT: Callable[[str], Iterable[Metric]] = parser.text_string_to_metric_families
+# The library's reader, which has no types.
 READ_OPENMETRICS: Callable[[str], Iterable[Metric]] = (
     openmetrics_parser.text_string_to_metric_families
 )
-Page = dict[tuple[str, ...], float]
-
-
-def metrics_url(server: ReferenceServer) -> str:
-    """The address that the server prints."""
-    assert server.process.stdout is not None
-    for line in server.process.stdout:
-        if line.startswith("metrics: "):
-            return line.split()[1]
-    raise AssertionError("the server printed no address of its metrics")
-
-
-def read_page(url: str) -> Page:
-    """Every sample, by its name and the values of its labels, sorted by label."""
-    answer = httpx.get(url, trust_env=False)
-    assert answer.status_code == 200, answer.text
-    found: Page = {}
-    for family in READ_TEXT(answer.text):
-        for sample in family.samples:
-            key = (sample.name, *(sample.labels[one] for one in sorted(sample.labels)))
-            assert key not in found, key
-            found[key] = sample.value
-    return found
 
 
 def play(client: httpx.Client) -> tuple[str, str]:
