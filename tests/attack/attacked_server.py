@@ -17,6 +17,7 @@ from tests.support.processes import descendants
 from tests.support.servers import ReferenceServer
 
 WATCHER, ATTACKER = "watcher-token", "attacker-token"
+WATCHER_READS = "watcher-reads-token"  # with the scope `read` alone
 OTHERS = [f"attacker{number}-token" for number in range(8)]
 # Loopback addresses: watchers do not share the one of the attacker.
 WATCHER_ADDRESS = "127.0.0.2"
@@ -24,9 +25,8 @@ WATCHER_ADDRESS = "127.0.0.2"
 
 def _tokens() -> str:
     tokens = [WATCHER, ATTACKER, *OTHERS]
-    return ",".join(
-        f"{token.removesuffix('-token')}:read+run:{token}" for token in tokens
-    )
+    whole = [f"{token.removesuffix('-token')}:read+run:{token}" for token in tokens]
+    return ",".join([*whole, f"watcher:read:{WATCHER_READS}"])
 
 
 class AttackedServer(ReferenceServer):
