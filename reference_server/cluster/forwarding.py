@@ -418,7 +418,7 @@ class RunForwarding:
                 return
             app = self._app
         except Refused as refused:
-            if not is_passed_on:  # nobody finds it now
+            if not is_passed_on:  # its owner is not found now
                 refused = Refused(refused.code, refused.detail)
             app = problem_response(refused, _GO_ELSEWHERE)
         except StoreFailed as error:

@@ -46,8 +46,8 @@ TIMEOUT_S = 0.5
 Work = Callable[[], Awaitable[None]]
 
 
-class _Told(msgspec.Struct):
-    """What one node tells another. has_changed: the queue has."""
+class _Announced(msgspec.Struct):
+    """What one node sends another. has_changed: the queue has."""
 
     has_changed: bool
 
@@ -75,7 +75,7 @@ class SharedQueue:
         self._fences: dict[str, int] = {}  # of runs that wait elsewhere
         self._places: dict[str, dict[str, int]] = {}  # of accounts, by node
         self._let_go: set[str] = set()  # runs that others may take since then
-        self._look_is_due, self._tell_is_due = asyncio.Event(), asyncio.Event()
+        self._look_is_due, self._announce_is_due = asyncio.Event(), asyncio.Event()
         self._read_lock, self._read_not_before = asyncio.Lock(), 0.0
         self._next_read: asyncio.Task[StoredQueue] | None = None
         self._tasks: list[asyncio.Task[None]] = []
@@ -84,8 +84,8 @@ class SharedQueue:
     def open(self) -> None:
         """Follow the queue until `close`."""
         follow = self._repeat(self._look, self._look_is_due, LOOK_S)
-        tell = self._repeat(self._tell, self._tell_is_due, None)
-        self._tasks = [asyncio.create_task(work) for work in (follow, tell)]
+        announce = self._repeat(self._announce, self._announce_is_due, None)
+        self._tasks = [asyncio.create_task(work) for work in (follow, announce)]
 
     async def close(self) -> None:
         for task in self._tasks:
@@ -115,9 +115,9 @@ class SharedQueue:
             self.look()
         return is_taken
 
-    def tell(self) -> None:
+    def announce(self) -> None:
         """What waits here has changed, and is stored."""
-        self._tell_is_due.set()
+        self._announce_is_due.set()
 
     def look(self) -> None:
         """There is a place here for what waits."""
@@ -173,20 +173,20 @@ class SharedQueue:
         """Runs whose submitters hold them no more in the queue."""
         if new := [run_id for run_id in run_ids if run_id not in self._let_go]:
             await self._nodes.let_go(new, self._membership.node_id)
-            self._tell_is_due.set()
+            self._announce_is_due.set()
         self._let_go = set(run_ids)
 
-    # --- what nodes tell each other ---
+    # --- what nodes send each other ---
 
-    async def _tell(self) -> None:
-        await self._post_to_all(_Told(has_changed=True))
+    async def _announce(self) -> None:
+        await self._post_to_all(_Announced(has_changed=True))
 
     async def _ask_for_places(self) -> None:
-        await self._post_to_all(_Told(has_changed=False))
+        await self._post_to_all(_Announced(has_changed=False))
 
-    async def _post_to_all(self, told: _Told) -> None:
+    async def _post_to_all(self, announced: _Announced) -> None:
         others = self._membership.others()
-        body = msgspec.json.encode(told)
+        body = msgspec.json.encode(announced)
         await asyncio.gather(*(self._post(node, body) for node in others))
         there = {node.node_id for node in others}
         self._places = {n: of for n, of in self._places.items() if n in there}
@@ -211,7 +211,7 @@ class SharedQueue:
         if scope["method"] != "POST" or not is_from_node(scope, self._membership):
             raise Refused("not_found", "Unknown path.")
         body = await Request(scope, receive).body()
-        if msgspec.json.decode(body, type=_Told).has_changed:
+        if msgspec.json.decode(body, type=_Announced).has_changed:
             self._look_is_due.set()
         places = self._registry().places_of_accounts()
         return Response(msgspec.json.encode(_Places(places)))

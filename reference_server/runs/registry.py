@@ -109,7 +109,7 @@ class OtherQueues(Protocol):
     async def take(self, run_id: str) -> bool:
         """Let in a run that waits there, as its owner; whether it worked."""
 
-    def tell(self) -> None:
+    def announce(self) -> None:
         """Let the others know that what waits here has changed."""
 
     def look(self) -> None:
@@ -147,7 +147,7 @@ class RunRegistry:
         self._recent: OrderedDict[str, Run] = OrderedDict()
         self._recent_episodes = 0
         self._queue = RunQueue()
-        self._queue_has_changed = False  # since other nodes were told
+        self._queue_has_changed = False  # since other nodes were informed
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
         self._waiting_elsewhere: set[str] = set()  # ids; this node may take them
         self._to_take: set[str] = set()  # those of them that have a place here
@@ -342,7 +342,7 @@ class RunRegistry:
             self._cache(run)
             self._index_by_state(run, run.state)
             self._admit()
-            self._tell_queue()
+            self._announce_queue()
         return is_stored
 
     async def _read_foreign(self, run_id: str) -> Run:
@@ -483,7 +483,7 @@ class RunRegistry:
             del self._deleting[run.run_id]
             self._wake(run.run_id)
             self._admit()
-            self._tell_queue()
+            self._announce_queue()
 
     async def ended_since(
         self, before_wall: float, after: int
@@ -640,11 +640,11 @@ class RunRegistry:
         if self._places.is_due(run_id, steady_clock.now_wall()):
             await self._other_queues.refresh()
 
-    def _tell_queue(self) -> None:
+    def _announce_queue(self) -> None:
         """Once what has changed in the queue is stored."""
         if self._queue_has_changed and self._other_queues is not None:
             self._queue_has_changed = False
-            self._other_queues.tell()
+            self._other_queues.announce()
 
     def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
@@ -790,7 +790,7 @@ class RunRegistry:
                 self._places.leave(run_id)
                 self._admit()
         self._queue_has_changed |= is_taken
-        self._tell_queue()
+        self._announce_queue()
         return is_taken
 
     def _check_capacity_in(self, wait_s: float | None) -> None:
@@ -862,7 +862,7 @@ class RunRegistry:
             if self._saving.get(run.run_id) is asyncio.current_task():
                 del self._saving[run.run_id]
             self.notify(run)
-            self._tell_queue()
+            self._announce_queue()
 
     async def _load(self, run_id: str) -> Run | None:
         """The run from the store, read once for all concurrent requests."""

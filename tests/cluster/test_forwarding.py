@@ -295,7 +295,7 @@ def test_a_request_is_repeated_where_its_run_has_moved() -> None:
 
 
 def test_a_run_that_moves_for_ever_is_not_followed_for_ever() -> None:
-    """Expect that the client hears nothing of what nodes tell each other."""
+    """Expect that the client hears nothing of what nodes send each other."""
     run = MovingRun(moves=99)
     assert asyncio.run(run.answer(b"stop")) == (503, False)
     assert len(run.bodies) == forwarding.MOVES_MAX + 1

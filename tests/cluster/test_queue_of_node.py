@@ -24,7 +24,7 @@ from reference_server.storage.store import StoreFailed
 from tests.support.waiting import wait_in_loop
 
 OTHER = Node("other", "http://other", "secret")
-PATIENCE_S = 20.0
+LIMIT_S = 20.0
 
 
 def waiting(number: int, owner: str = "other", until: float = 0.0) -> OwnedRun:
@@ -113,7 +113,7 @@ def test_one_read_is_for_all_who_ask_before_it_begins() -> None:
         later[0].cancel()  # who leaves takes nothing from the others
         await asyncio.sleep(0)
         node.reading.set()
-        await asyncio.wait_for(asyncio.gather(first, *later[1:]), PATIENCE_S)
+        await asyncio.wait_for(asyncio.gather(first, *later[1:]), LIMIT_S)
         assert node.reads == 2
         await queue.close()
 
@@ -165,9 +165,9 @@ def test_a_look_is_due_when_another_node_says_so(
         queue = node.queue_of()
         queue.open()
         try:
-            told = await said_to(queue, has_changed=True)
-            assert told == {"places": {"bob": 1}}
-            async with asyncio.timeout(PATIENCE_S):
+            answer = await said_to(queue, has_changed=True)
+            assert answer == {"places": {"bob": 1}}
+            async with asyncio.timeout(LIMIT_S):
                 seen, places = await node.noted.get()
             assert (seen, places) == (["run_1"], {"alice": 3})
             assert node.posted == [{"has_changed": False}]
@@ -197,7 +197,7 @@ async def said_to(queue: SharedQueue, *, has_changed: bool) -> dict[str, Any]:
     return dict(msgspec.json.decode(sent[1]["body"]))
 
 
-def test_other_nodes_are_told_of_a_change_once(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_other_nodes_hear_of_a_change_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shared_queue, "LOOK_S", 1e6)
 
     async def scenario() -> None:
@@ -205,7 +205,7 @@ def test_other_nodes_are_told_of_a_change_once(monkeypatch: pytest.MonkeyPatch) 
         queue = node.queue_of()
         queue.open()
         for _ in range(5):
-            queue.tell()
+            queue.announce()
         await wait_in_loop(lambda: node.posted)
         await queue.close()
         assert node.posted == [{"has_changed": True}]
@@ -222,7 +222,7 @@ def test_what_is_held_no_more_is_let_go_once(monkeypatch: pytest.MonkeyPatch) ->
         node.held = ["run_1"]
         queue = node.queue_of()
         queue.open()
-        async with asyncio.timeout(PATIENCE_S):
+        async with asyncio.timeout(LIMIT_S):
             for _ in range(3):
                 await node.noted.get()
             node.held = []

@@ -147,7 +147,7 @@ class OtherQueues:
 
     def __init__(self) -> None:
         self.asked: asyncio.Queue[str] = asyncio.Queue()
-        self.told, self.looked = 0, asyncio.Event()
+        self.announced, self.looked = 0, asyncio.Event()
         self.take_now: Callable[[str], Awaitable[bool]] | None = None
 
     async def refresh(self) -> None:
@@ -157,8 +157,8 @@ class OtherQueues:
         self.asked.put_nowait(run_id)
         return self.take_now is not None and await self.take_now(run_id)
 
-    def tell(self) -> None:
-        self.told += 1
+    def announce(self) -> None:
+        self.announced += 1
 
     def look(self) -> None:
         self.looked.set()
@@ -295,7 +295,7 @@ def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
                 assert await runs.registry.is_stored(run)
             assert (run.run_id, run.state, run.fence) == ("run_2", "ready", 2)
             assert runs.registry.places_of_accounts() == {"alice": 1}
-            assert others.told == 1
+            assert others.announced == 1
 
     asyncio.run(scenario())
 
@@ -334,7 +334,7 @@ def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
     asyncio.run(scenario())
 
 
-def test_only_what_nobody_holds_may_be_taken_by_other_nodes(tmp_path: Path) -> None:
+def test_only_what_is_not_held_may_be_taken_by_other_nodes(tmp_path: Path) -> None:
     async def scenario() -> None:
         async with opened(tmp_path, OtherQueues()) as runs:
             submission = calibration_run().submission

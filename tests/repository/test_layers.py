@@ -94,7 +94,7 @@ MAY_IMPORT: dict[str, set[str]] = {
 }
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
-    ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed"},
+    ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed", "StoredQueue"},
     ("http", "storage"): {"StoreFailed"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles", "add_areas"},
     ("push", "storage"): {"StoreFailed"},
