@@ -160,7 +160,7 @@ class SharedQueue:
         elsewhere = [
             one
             for one in seen.queued
-            if one.owner != me and one.run.queue_until_wall <= 0
+            if one.owner != me and one.run.queue_until_wall <= 0 and one.is_new
         ]
         self._fences = {one.run.run_id: one.fence for one in elsewhere}
         waiting = {one.run.account for one in seen.queued}

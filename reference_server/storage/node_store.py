@@ -40,11 +40,16 @@ class ListedNode(NamedTuple):
 
 
 class OwnedRun(NamedTuple):
-    """What a node reads of a run that waits, or did: enough to take it."""
+    """What a node reads of a run that waits, or did: enough to take it.
+
+    is_new: it waits since it was submitted. Of one that was resumed its owner alone
+    knows what ended its sessions (DET-002, DET-005): no other node takes it.
+    """
 
     run: WaitingRun
     owner: str | None
     fence: int
+    is_new: bool = True
 
 
 class StoredQueue(NamedTuple):
@@ -79,8 +84,13 @@ _silent_s = sa.func.abs(_Now() - _nodes.c.renewed_at, type_=sa.Float())
 _fence = sa.func.coalesce(_runs.c.fence, 0)
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
 _IS_QUEUED = _runs.c.state.in_(sorted(WAITING_STATES))
+# Nothing happened to it since it was submitted: no session of it was ever known.
+_IS_NEW = _runs.c.updated_at_wall == _runs.c.created_at_wall
 _OWNED = sa.select(
-    *(_runs.c[name] for name in WaitingRun.__dataclass_fields__), _runs.c.owner, _fence
+    *(_runs.c[name] for name in WaitingRun.__dataclass_fields__),
+    _runs.c.owner,
+    _fence,
+    _IS_NEW,
 ).where(_IS_THERE)
 _QUEUED = _OWNED.where(_IS_QUEUED).order_by(_runs.c.number)
 _LEFT = _OWNED.where(
@@ -219,14 +229,14 @@ class NodeStore:
         """Let in a run that waits, with a node in the list as its owner.
 
         fence: as it was when the run was seen, at whichever node. False if another node
-        came first, or the run waits no more, or is held by its submitter. Whether its
-        owner lives is of no matter: it stores nothing more of the run.
+        came first, or the run waits no more, is held by its submitter or was resumed.
+        Whether its owner lives is of no matter: it stores nothing more of the run.
         """
         now, before = _Now(), _runs.c.updated_at_wall
         taken = (
             _runs.update()
             .where(_runs.c.run_id == run_id, _fence == fence, _IS_THERE)
-            .where(_runs.c.state.in_(states_with_capacity), ~_IS_HELD)
+            .where(_runs.c.state.in_(states_with_capacity), ~_IS_HELD, _IS_NEW)
             .where(sa.exists().where(_nodes.c.node_id == node_id))
             .values(
                 owner=node_id,
@@ -260,5 +270,5 @@ class NodeStore:
 
 
 def _owned_run(*row: Any) -> OwnedRun:
-    *of_run, owner, fence = row
-    return OwnedRun(WaitingRun(*of_run), owner, fence)
+    *of_run, owner, fence, is_new = row
+    return OwnedRun(WaitingRun(*of_run), owner, fence, bool(is_new))

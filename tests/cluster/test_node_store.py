@@ -552,6 +552,22 @@ def test_a_run_that_is_held_is_taken_when_its_owner_lets_it_go(
     run_scenario(database, scenario)
 
 
+def test_a_run_that_was_resumed_is_not_taken(database: UsedDatabase) -> None:
+    """Its owner knows the sessions that it had."""
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST, "queued")
+        for state in ("stopped", "queued"):
+            run.state = state
+            run.updated_at_wall += 1.0
+            await nodes.stores[0].save(run)
+        second = nodes.nodes[1]
+        assert [one.is_new for one in (await second.queue([])).queued] == [False]
+        assert not await second.take(run.run_id, "second", 1, STATES_WITH_CAPACITY)
+
+    run_scenario(database, scenario)
+
+
 def test_a_member_takes_only_while_it_claims(
     database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
 ) -> None:

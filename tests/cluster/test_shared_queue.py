@@ -96,6 +96,24 @@ def test_a_node_with_room_takes_what_waits_at_another(cluster: Cluster) -> None:
     assert "took run" in cluster.nodes[1].log()
 
 
+def test_a_resumed_run_waits_at_the_node_that_knows_its_sessions(
+    cluster: Cluster,
+) -> None:
+    """Another node would not know what ended them (DET-002, DET-005)."""
+    first, second = cluster.clients
+    resumed, at_second = fill(cluster)
+    turn = predict(first, resumed, attach(first, resumed)).raise_for_status().json()
+    stop(first, resumed)
+    wait_for_state(first, submit(first, "score"), "ready")
+    assert first.post(f"/v1/runs/{resumed}/resume").json()["state"] == "queued"
+    later = submit(first, "score")
+    stop(second, at_second)
+    wait_for_state(first, later, "ready")  # at the second node
+    assert view(second, resumed)["state"] == "queued"
+    refused = predict(second, resumed, turn).json()
+    assert (refused["code"], refused["ended_by"]) == ("session_ended", "run_stopped")
+
+
 def stop(client: httpx.Client, run_id: str) -> None:
     answer = client.post(f"/v1/runs/{run_id}/stop", json={"mode": "abort"})
     assert answer.status_code == 200, answer.text
