@@ -347,15 +347,22 @@ def _storage_of(
 def _recordings_of(settings: Settings) -> Recordings | None:
     if settings.recordings == "off":
         return None
-    pictures = settings.recordings == "pictures"
-    return Recordings(settings.records_path, pictures=pictures)
+    return Recordings(
+        settings.records_path,
+        pictures=settings.recordings == "pictures",
+        is_shared=settings.cluster == "on",
+    )
 
 
 def _store_of(settings: Settings, recordings: Recordings | None) -> Store:
+    is_shared = settings.cluster == "on"
     if recordings is None:
-        return Store(settings.database_url, is_shared=settings.cluster == "on")
+        return Store(settings.database_url, is_shared=is_shared)
     return Store(
-        settings.database_url, recordings.finish_unplayed, recordings.remove_parts
+        settings.database_url,
+        recordings.finish_unplayed,
+        recordings.remove_parts,
+        is_shared=is_shared,
     )
 
 
@@ -365,7 +372,7 @@ def _records_of(
     if recordings is None:
         return None
     host = HostSettings(
-        settings.public_url or settings.host,
+        settings.host_name,
         settings.signing_key_path,
         settings.record_promise,
         settings.records_keep_days,
