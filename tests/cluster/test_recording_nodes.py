@@ -1,0 +1,226 @@
+"""Nodes that share a folder of recordings: one record of each run, and one chain."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import httpx
+import msgspec
+import pytest
+
+from reference_record.formats.bundle import Bundle, open_bundle
+from reference_record.formats.envelope import read_envelope
+from reference_record.formats.mcap_reader import McapReader
+from reference_record.formats.names import (
+    EPISODES,
+    MANIFEST,
+    STATEMENT,
+    is_recording,
+    recording_name,
+)
+from reference_record.statement import read_lines
+from reference_record.verification import verify
+from reference_sim import benchmark_registry
+from reference_sim.replay.episode_replay import replay_episode
+from reference_sim.replay.record_replay import resolve
+from tests.support.server.cluster_nodes import Cluster, attach, go_on, pause, predict
+from tests.support.server.databases import UsedDatabase
+from tests.support.server.http_runs import predict_body, submit
+from tests.support.server.postgresql_server import PostgresqlServer
+from tests.support.waiting import wait_until
+
+pytestmark = pytest.mark.slow("starts two servers")
+
+
+@pytest.fixture(scope="module", params=["sqlite", "postgresql"])
+def used(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> UsedDatabase:
+    """The database of the shared cluster."""
+    if request.param == "sqlite":
+        folder = tmp_path_factory.mktemp("database")
+        return UsedDatabase.of_file(folder / "proctor.sqlite")
+    server: PostgresqlServer = request.getfixturevalue("postgresql")
+    return UsedDatabase(server.create(), server=server)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Of the shared cluster."""
+    return tmp_path_factory.mktemp("nodes")
+
+
+@pytest.fixture(scope="module")
+def shared_cluster(used: UsedDatabase, folder: Path) -> Iterator[Cluster]:
+    folder = folder / ("sqlite" if used.server is None else "postgresql")
+    folder.mkdir()
+    with Cluster.of(folder, used.url) as cluster:
+        yield cluster
+
+
+@pytest.fixture
+def cluster(shared_cluster: Cluster) -> Cluster:
+    """All its nodes run."""
+    shared_cluster.start_again()
+    return shared_cluster
+
+
+def end_episode(
+    client: httpx.Client, run_id: str, turn: dict[str, Any], **values: float
+) -> dict[str, Any]:
+    """With one action."""
+    answer = predict(client, run_id, turn, **values, end=1)
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def fetch_record(client: httpx.Client, run_id: str) -> bytes:
+    """As soon as a node answers that shows the run completed."""
+    answers: list[httpx.Response] = []
+
+    def is_answered() -> bool:
+        answers.append(client.get(f"/v1/runs/{run_id}/record"))
+        return answers[-1].status_code != 503
+
+    wait_until(is_answered, "a node sends the record")
+    assert answers[-1].status_code == 200, answers[-1].text
+    return answers[-1].content
+
+
+def check_record(path: Path, content: bytes) -> Bundle:
+    """Verified, and each episode replayed: no state differs."""
+    path.write_bytes(content)
+    bundle = open_bundle(path)
+    verified = verify(bundle)
+    benchmark = resolve(verified.evaluation, bundle.read(MANIFEST))
+    simulator = benchmark_registry.make(benchmark.config)
+    for line in read_lines(bundle.blocks(EPISODES)):
+        found = replay_episode(
+            path, simulator, benchmark.plan_of(line.index), line.result
+        )
+        assert found.result == "exact", line
+    return bundle
+
+
+def recorded_scores(bundle: Bundle) -> list[list[float]]:
+    """What each turn of each episode commanded as its score, as it was recorded."""
+    found = []
+    for name in sorted(filter(is_recording, bundle.sizes)):
+        with bundle.open(name) as file:
+            messages = McapReader(name, file, bundle.sizes[name]).messages()
+            turns = [
+                msgspec.json.decode(data)
+                for topic, data in messages
+                if topic == "/turn"
+            ]
+        found.append([one["score"][0] for turn in turns for one in turn["actions"]])
+    return found
+
+
+def test_a_run_of_two_owners_has_one_record(cluster: Cluster, tmp_path: Path) -> None:
+    """The first one is killed inside an episode: what it answered is recorded, too."""
+    first, second = cluster.clients
+    run_id = submit(first, "score", "score")
+    turn = end_episode(first, run_id, attach(first, run_id), score=0.25)
+    assert turn["episode_result"]["score"] == 0.25
+    assert predict(first, run_id, turn, score=0.5).status_code == 200
+    cluster.kill(0)
+    turn = attach(second, run_id)
+    assert end_episode(second, run_id, turn, score=0.75)["done"]
+    content = fetch_record(second, run_id)
+    bundle = check_record(tmp_path / "run.proctor", content)
+    assert recorded_scores(bundle) == [[0.25], [0.5, 0.75]]
+    lines = list(read_lines(bundle.blocks(EPISODES)))
+    assert [(line.score, line.attempts) for line in lines] == [(0.25, 1), (0.75, 1)]
+    cluster.start_again()
+    assert fetch_record(first, run_id) == content
+    for index in (0, 1):
+        path = f"/v1/runs/{run_id}/episodes/e{index:04d}/recording"
+        alone = [client.get(path).content for client in (first, second)]
+        assert alone[0] == alone[1] == bundle.read(recording_name(index))
+
+
+def test_an_owner_that_was_paused_changes_no_recording(
+    cluster: Cluster, tmp_path: Path
+) -> None:
+    """It was paused in a turn that ends the episode, and goes on after the successor
+    has completed the run: it may write a recording, and none that is in the record."""
+    first, second = cluster.clients
+    run_id = submit(first, "delay")
+    turn = attach(first, run_id)
+    body = predict_body(turn, delay_s=0.4, end=1)
+    with ThreadPoolExecutor(1) as thread:
+        late = thread.submit(
+            first.post, f"/v1/runs/{run_id}/workers/w/predict", json=body
+        )
+        wait_until(lambda: is_played(first, run_id), "the turn is in play")
+        pause(cluster.nodes[0])
+        turn = attach(second, run_id)
+        turn = predict(second, run_id, turn, delay_s=0).json()
+        assert end_episode(second, run_id, turn, delay_s=0)["done"]
+        before = fetch_record(second, run_id)
+        go_on(cluster.nodes[0])
+        late.result()
+    wait_until(
+        lambda: cluster.nodes[0].log().count("have taken over") > 0, "the node knows"
+    )
+    assert fetch_record(first, run_id) == before == fetch_record(second, run_id)
+    bundle = check_record(tmp_path / "run.proctor", before)
+    (line,) = read_lines(bundle.blocks(EPISODES))
+    assert line.steps == 2
+
+
+def is_played(client: httpx.Client, run_id: str) -> bool:
+    return client.get(f"/v1/runs/{run_id}").json().get("runs_played_before") is not None
+
+
+def complete(client: httpx.Client) -> str:
+    """The id of a new run that is completed."""
+    run_id = submit(client, "score")
+    assert end_episode(client, run_id, attach(client, run_id), score=0.5)["done"]
+    return run_id
+
+
+def test_nodes_that_sign_at_once_make_one_chain(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    """Each of four runs is fetched from both nodes at the same moment."""
+    run_ids = [complete(cluster.clients[number % 2]) for number in range(4)]
+    asked = [(client, run_id) for run_id in run_ids for client in cluster.clients]
+    with ThreadPoolExecutor(len(asked)) as threads:
+        found = list(threads.map(lambda one: fetch_record(*one), asked))
+    assert found[::2] == found[1::2]
+    previous = None
+    query = "SELECT statement, sha256 FROM statements ORDER BY number"
+    rows = used.execute(query)
+    for statement, sha256 in rows:
+        payload = json.loads(read_envelope(STATEMENT, bytes(statement)).payload)
+        assert payload["predicate"]["previous_statement_sha256"] == previous
+        previous = sha256
+    assert len(rows) >= 4
+
+
+def test_nodes_that_publish_at_once_make_one_history(cluster: Cluster) -> None:
+    first, second = cluster.clients
+    run_ids = [complete(first) for _ in range(4)]
+    body = {"model_name": "m", "is_public": True}
+
+    def publish(number: int) -> int:
+        client = cluster.clients[number % 2]
+        answer = client.put(f"/v1/runs/{run_ids[number // 2]}/entry", json=body)
+        return answer.status_code
+
+    before = first.get("/v1/history/checkpoint").json()["tree_size"]
+    with ThreadPoolExecutor(8) as threads:
+        statuses = list(threads.map(publish, range(8)))
+    assert sorted(statuses) == [200] * 4 + [201] * 4
+    checkpoints = [one.get("/v1/history/checkpoint").json() for one in (first, second)]
+    assert checkpoints[0] == checkpoints[1]
+    assert checkpoints[0]["tree_size"] == before + 4
+    entry = second.delete(f"/v1/runs/{run_ids[0]}/entry").json()
+    assert entry["state"] == "withdrawn"
+    assert first.get(f"/v1/entries/{entry['entry_id']}").json() == entry
