@@ -37,7 +37,7 @@ def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
         counts = campaign.counts()
     assert [one.findings for one in rounds] == [[] for _ in GATE]
     assert counts.runs >= 4
-    seen = counts.claims, counts.compared, counts.writes
+    seen = counts.claims, counts.compared, counts.writes, counts.records
     assert all(seen), counts  # so there was something to find
 
 

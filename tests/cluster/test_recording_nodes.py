@@ -31,6 +31,7 @@ from tests.support.server.cluster_nodes import Cluster, attach, go_on, pause, pr
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import predict_body, submit
 from tests.support.server.postgresql_server import PostgresqlServer
+from tests.support.servers import ReferenceServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts two servers")
@@ -224,3 +225,27 @@ def test_nodes_that_publish_at_once_make_one_history(cluster: Cluster) -> None:
     entry = second.delete(f"/v1/runs/{run_ids[0]}/entry").json()
     assert entry["state"] == "withdrawn"
     assert first.get(f"/v1/entries/{entry['entry_id']}").json() == entry
+
+
+@pytest.mark.parametrize(
+    ("setting", "says"),
+    [
+        (
+            "PROCTOR_RECORDS_DIR",
+            "is not the folder with the recordings of this cluster",
+        ),
+        ("PROCTOR_SIGNING_KEY", "set signing_key to a copy of their file"),
+    ],
+)
+def test_a_node_that_would_record_apart_does_not_start(
+    cluster: Cluster, tmp_path: Path, setting: str, says: str
+) -> None:
+    settings = cluster.nodes[0].settings | {setting: str(tmp_path / "other")}
+    with pytest.raises(AssertionError, match=f"cannot be a node of .*{says}"):
+        ReferenceServer(tmp_path, **settings)
+    assert fetch_keys(cluster.clients[0]) == 1
+
+
+def fetch_keys(client: httpx.Client) -> int:
+    """How many keys have signed, or would."""
+    return len(client.get("/v1/keys").json()["keys"])

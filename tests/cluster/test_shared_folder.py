@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -210,6 +211,7 @@ def test_what_late_writers_left_is_removed_from_completed_runs(tmp_path: Path) -
     folder, recordings = tmp_path / "run_1", second.recordings
     draft = (folder / "00000.fence1.mcap").with_suffix(DRAFT_SUFFIX)
     draft.touch()
+    os.utime(draft, (1.0, 1.0))
     for name in ("00001.fence1.parts", "00002.fence3.draft", "notes.mcap"):
         (folder / name).touch()
     kept = {"00000.fence12.mcap", "00001.fence1.parts", "notes.mcap"}
