@@ -53,6 +53,7 @@ from reference_server.records.board_history import BoardHistory
 from reference_server.records.record_imports import ImportSettings, RecordImports
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
+from reference_server.records.shared_folder import show_node
 from reference_server.rules.capacity import Quota
 from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
@@ -262,11 +263,18 @@ def _node_of(
     """service: is there once the server is put together."""
     if settings.cluster == "off":
         return None
+    folder = settings.records_path
+
+    def announce(node_id: str) -> None:
+        if settings.recordings != "off" and folder is not None:
+            show_node(folder, node_id)
+
     return ServerNode(
         NodeStore(store, settings.node_lease_s),
         settings.node_url or f"http://{settings.host}:{settings.port}",
         settings.node_lease_s,
         service,
+        announce,
     )
 
 

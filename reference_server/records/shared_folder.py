@@ -2,19 +2,27 @@
 
 One folder of recordings, one key and one name. The folder has an id, which the database
 stores: a node that has another folder does not start, as others would not find what it
-records. It knows no HTTP.
+records. A copy has the same id; so each node leaves a file with its own name, which who
+starts has to see while that node lives. It knows no HTTP.
 """
 
 from __future__ import annotations
 
+import contextlib
 import secrets
-from collections.abc import Mapping
+import time
+from collections.abc import Collection, Mapping
 from pathlib import Path
 
 from reference_server.storage.node_store import NodeStore
+from reference_server.storage.store import StoreFailed
 from reference_server.system import private_files
 
 ID_FILE = ".folder-id"
+# Has an empty file for each node, by its id.
+NODES = ".nodes"
+# Older ones of nodes that are not in the list are removed; these were killed.
+STARTING_S = 3600.0
 
 FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
 
@@ -31,6 +39,8 @@ async def check_shared(
     url: of this node. The key and the name may change when no other node lives. Raises
     NotShared, StoreFailed and OSError.
     """
+    listed = await nodes.listed()
+    _forget_killed(folder, listed)
     known = await nodes.facts()
     found = _read_id(folder)
     if found is None and FOLDER not in known:
@@ -39,6 +49,31 @@ async def check_shared(
     if FOLDER not in known or found == known[FOLDER]:
         known = await nodes.agree(url, facts, lasting={FOLDER})
     _compare(known, facts, folder)
+    for node_id, other in listed.items():
+        lives = other.node.url != url and not nodes.is_over(other.silent_s)
+        if lives and not (folder / NODES / node_id).exists():
+            raise NotShared(
+                f"{folder} is not the folder of the node at {other.node.url}, but a "
+                "copy of it, or that node records nothing: set records_dir and "
+                "recordings as there"
+            )
+
+
+def show_node(folder: Path, node_id: str) -> None:
+    """To be called before the node joins. Raises StoreFailed."""
+    try:
+        (folder / NODES).mkdir(mode=0o700, parents=True, exist_ok=True)
+        (folder / NODES / node_id).touch(mode=0o600)
+    except OSError as error:
+        raise StoreFailed(f"the folder of recordings: {error}") from error
+
+
+def _forget_killed(folder: Path, listed: Collection[str]) -> None:
+    before = time.time() - STARTING_S
+    for path in (folder / NODES).glob("*"):
+        with contextlib.suppress(OSError):
+            if path.name not in listed and path.stat().st_mtime < before:
+                path.unlink()
 
 
 def _compare(known: Mapping[str, str], facts: Mapping[str, str], folder: Path) -> None:

@@ -97,6 +97,10 @@ class NodeStore:
 
         return await self._store.write_in_turn(store)
 
+    def is_over(self, silent_s: float) -> bool:
+        """Whether the lease of a node that was silent so long has ended."""
+        return silent_s > self._lease_s
+
     async def join(self, node: Node, *, is_new: bool = False) -> None:
         """Add a node. Raises StoreFailed if another one at its address lives.
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import os
+import shutil
+import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -16,7 +18,14 @@ import pytest
 from reference_record.formats.mcap_reader import McapReader
 from reference_record.recording_file import DRAFT_SUFFIX
 from reference_server.records.recordings import Recordings
-from reference_server.records.shared_folder import ID_FILE, NotShared, check_shared
+from reference_server.records.shared_folder import (
+    ID_FILE,
+    NODES,
+    STARTING_S,
+    NotShared,
+    check_shared,
+    show_node,
+)
 from reference_server.rules.run import Recording, Result
 from reference_server.storage.node_store import Node, NodeStore
 from reference_server.storage.store import NotTheNext, Store
@@ -70,6 +79,28 @@ def test_a_node_with_another_folder_is_refused(
     run_with(database, story)
 
 
+def test_a_node_with_a_copy_of_the_folder_is_refused(
+    database: UsedDatabase, tmp_path: Path
+) -> None:
+    """It has the id of the right one, and not what those that live write there."""
+    right, copied = tmp_path / "records", tmp_path / "copied"
+
+    async def story(_: Store, nodes: NodeStore) -> None:
+        await check_shared(nodes, URLS[0], right, "key", "host")
+        shutil.copytree(right, copied)
+        show_node(right, "a")
+        await nodes.join(Node("a", URLS[0], "secret"))
+        with pytest.raises(NotShared, match=f"the node at {URLS[0]}, but a copy"):
+            await check_shared(nodes, URLS[1], copied, "key", "host")
+        for name, age_s in (("killed", STARTING_S + 9), ("starts", 0), ("a", 1e6)):
+            show_node(right, name)
+            os.utime(right / NODES / name, (0, time.time() - age_s))
+        await check_shared(nodes, URLS[1], right, "key", "host")
+        assert {path.name for path in (right / NODES).iterdir()} == {"a", "starts"}
+
+    run_with(database, story)
+
+
 @pytest.mark.parametrize(
     ("mine", "text"),
     [(("other", "host"), "set signing_key"), (("key", "other"), "set public_url")],
@@ -83,6 +114,7 @@ def test_a_node_signs_as_those_that_live(
     async def story(_: Store, nodes: NodeStore) -> None:
         await check_shared(nodes, URLS[0], tmp_path, *theirs)
         await nodes.join(Node("a", URLS[0], "secret"))
+        show_node(tmp_path, "a")
         with pytest.raises(NotShared, match=text):
             await check_shared(nodes, URLS[1], tmp_path, *mine)
         await check_shared(nodes, URLS[1], tmp_path, *theirs)

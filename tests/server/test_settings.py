@@ -233,7 +233,7 @@ def test_nodes_that_record_share_a_folder_and_a_key() -> None:
     assert Settings(cluster="on").recordings == "actions"
     cluster: dict[str, Any] = {"cluster": "on", "database": "postgresql://host/name"}
     cluster |= {"tokens": "a:run:t", "sealing_key": "key", "seed_secret": "seeds"}
-    shared = {"records_dir": "/shared/records", "signing_key": "signing-key"}
+    shared: dict[str, Any] = {"records_dir": "/shared", "signing_key": "signing-key"}
     assert Settings(**cluster, **shared).records_dir
     assert Settings(**cluster, recordings="off").records_dir == ""
     for name, value in shared.items():
