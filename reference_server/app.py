@@ -151,7 +151,8 @@ def build(
             finally:
                 following.cancel()
                 await _close_all(metrics, retention, driver, imports, executor)
-                await _close_all(registry, node, records, replay_pool, pool, store)
+                # What is recorded is written before others may claim its run.
+                await _close_all(registry, records, node, replay_pool, pool, store)
 
     readiness = _readiness_of(store, pool, registry)
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
