@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -27,11 +29,12 @@ from reference_record.verification import verify
 from reference_sim import benchmark_registry
 from reference_sim.replay.episode_replay import replay_episode
 from reference_sim.replay.record_replay import resolve
+from tests.support.paths import ROOT
 from tests.support.server.cluster_nodes import Cluster, attach, go_on, pause, predict
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import predict_body, submit
 from tests.support.server.postgresql_server import PostgresqlServer
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts two servers")
@@ -240,9 +243,20 @@ def test_nodes_that_publish_at_once_make_one_history(cluster: Cluster) -> None:
 def test_a_node_that_would_record_apart_does_not_start(
     cluster: Cluster, tmp_path: Path, setting: str, says: str
 ) -> None:
-    settings = cluster.nodes[0].settings | {setting: str(tmp_path / "other")}
-    with pytest.raises(AssertionError, match=f"cannot be a node of .*{says}"):
-        ReferenceServer(tmp_path, **settings)
+    inherited = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
+    own = {setting: str(tmp_path / "other"), "PROCTOR_TOKENS": "a:run:a-token"}
+    refused = subprocess.run(
+        [*ReferenceServer.command, "--port", "0"],
+        check=False,
+        cwd=ROOT,
+        env=inherited | cluster.nodes[0].settings | own,
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+    )
+    assert refused.returncode == 2, refused.stderr
+    assert "cannot be a node of this cluster" in refused.stderr
+    assert says in refused.stderr
     assert fetch_keys(cluster.clients[0]) == 1
 
 
