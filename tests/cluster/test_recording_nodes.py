@@ -110,19 +110,29 @@ def check_record(path: Path, content: bytes) -> Bundle:
     return bundle
 
 
-def recorded_scores(bundle: Bundle) -> list[list[float]]:
-    """What each turn of each episode commanded as its score, as it was recorded."""
+def recorded(bundle: Bundle) -> list[list[tuple[str, dict[str, Any]]]]:
+    """The messages of each episode, with their topics."""
     found = []
     for name in sorted(filter(is_recording, bundle.sizes)):
         with bundle.open(name) as file:
             messages = McapReader(name, file, bundle.sizes[name]).messages()
-            turns = [
-                msgspec.json.decode(data)
-                for topic, data in messages
-                if topic == "/turn"
-            ]
-        found.append([one["score"][0] for turn in turns for one in turn["actions"]])
+            found.append(
+                [(topic, msgspec.json.decode(data)) for topic, data in messages]
+            )
     return found
+
+
+def recorded_scores(bundle: Bundle) -> list[list[float]]:
+    """What each turn of each episode commanded as its score, as it was recorded."""
+    return [
+        [
+            action["score"][0]
+            for topic, turn in messages
+            if topic == "/turn"
+            for action in turn["actions"]
+        ]
+        for messages in recorded(bundle)
+    ]
 
 
 def test_a_run_of_two_owners_has_one_record(cluster: Cluster, tmp_path: Path) -> None:
@@ -151,12 +161,14 @@ def test_a_run_of_two_owners_has_one_record(cluster: Cluster, tmp_path: Path) ->
 def test_an_owner_that_was_paused_changes_no_recording(
     cluster: Cluster, tmp_path: Path
 ) -> None:
-    """It was paused in a turn that ends the episode, and goes on after the successor
-    has completed the run: it may write a recording, and none that is in the record."""
+    """It was paused in a turn that ends the episode, and goes on while its successor
+    plays it: what it then does with its result, or records as the end of its attempt,
+    does not stand between the turns of the other one."""
     first, second = cluster.clients
     run_id = submit(first, "delay")
     turn = attach(first, run_id)
     body = predict_body(turn, delay_s=0.4, end=1)
+    taken_over = cluster.nodes[0].log().count("have taken over")
     with ThreadPoolExecutor(1) as thread:
         late = thread.submit(
             first.post, f"/v1/runs/{run_id}/workers/w/predict", json=body
@@ -165,17 +177,24 @@ def test_an_owner_that_was_paused_changes_no_recording(
         pause(cluster.nodes[0])
         turn = attach(second, run_id)
         turn = predict(second, run_id, turn, delay_s=0).json()
-        assert end_episode(second, run_id, turn, delay_s=0)["done"]
-        before = fetch_record(second, run_id)
         go_on(cluster.nodes[0])
         late.result()
     wait_until(
-        lambda: cluster.nodes[0].log().count("have taken over") > 0, "the node knows"
+        lambda: cluster.nodes[0].log().count("have taken over") > taken_over,
+        "the node knows that",
     )
-    assert fetch_record(first, run_id) == before == fetch_record(second, run_id)
-    bundle = check_record(tmp_path / "run.proctor", before)
+    assert end_episode(second, run_id, turn, delay_s=0)["done"]
+    content = fetch_record(second, run_id)
+    assert fetch_record(first, run_id) == content
+    bundle = check_record(tmp_path / "run.proctor", content)
     (line,) = read_lines(bundle.blocks(EPISODES))
-    assert line.steps == 2
+    assert (line.steps, line.attempts) == (2, 1)
+    (messages,) = recorded(bundle)
+    begins = max(
+        n for n, (_, said) in enumerate(messages) if "started" in said.values()
+    )
+    topics = [topic for topic, _ in messages[begins:]]
+    assert topics == ["/attempt", "/turn", "/turn", "/attempt", "/result"]
 
 
 def is_played(client: httpx.Client, run_id: str) -> bool:
