@@ -195,8 +195,10 @@ class Owner:
     def __init__(self, folder: Path, fence: int) -> None:
         self.recordings = Recordings(folder, is_shared=True)
         self.recordings.open()
-        self.run: Any = SimpleNamespace(run_id="run_1", fence=fence)
-        self.episode: Any = SimpleNamespace(index=0, attempt=1)
+        self.episode: Any = SimpleNamespace(index=0, attempt=1, recording="finished")
+        self.run: Any = SimpleNamespace(
+            run_id="run_1", fence=fence, episodes=[self.episode]
+        )
 
     async def add_fault(self, detail: str) -> None:
         add = self.recordings.add_fault
@@ -210,24 +212,30 @@ class Owner:
         return self.recordings.path("run_1", 0, self.run.fence)
 
 
-async def finish_twice(folder: Path) -> tuple[Owner, Owner]:
-    """The second owner's recording is finished, and then, late, that of the first."""
-    first, second = Owner(folder, 1), Owner(folder, 12)
+async def finish_twice(folder: Path, fence: int = 1) -> tuple[Owner, Owner]:
+    """The second owner's recording is finished, and then, late, that of the first.
+
+    fence: of the first one; 0 for a server that had the database for itself.
+    """
+    first, second = Owner(folder, fence), Owner(folder, 12)
     await first.add_fault("before")
     await second.add_fault("after")
     await second.finish()
     before = second.path().read_bytes()
     await first.add_fault("late")
     recording = await first.finish()
-    assert (recording.fence, second.path().read_bytes()) == (1, before)
+    assert (recording.fence, second.path().read_bytes()) == (fence, before)
     for owner in (first, second):
         await owner.recordings.close()
     return first, second
 
 
-def test_an_earlier_owner_changes_no_file_of_a_later_one(tmp_path: Path) -> None:
+@pytest.mark.parametrize("fence", [0, 1])
+def test_an_earlier_owner_changes_no_file_of_a_later_one(
+    tmp_path: Path, fence: int
+) -> None:
     """What it wrote before is in it, and comes first; what it writes late is not."""
-    _, second = asyncio.run(finish_twice(tmp_path))
+    _, second = asyncio.run(finish_twice(tmp_path, fence))
     path = second.path()
     with path.open("rb") as file:
         messages = list(McapReader(path.name, file, path.stat().st_size).messages())
@@ -235,6 +243,23 @@ def test_an_earlier_owner_changes_no_file_of_a_later_one(tmp_path: Path) -> None
         msgspec.json.decode(data) for topic, data in messages if topic == "/fault"
     ]
     assert [fault["detail"] for fault in faults] == ["before", "after"]
+
+
+def test_parts_of_all_owners_are_removed_when_a_result_is_stored(
+    tmp_path: Path,
+) -> None:
+    async def story() -> None:
+        first, second = Owner(tmp_path, 1), Owner(tmp_path, 2)
+        for owner in (first, second):
+            await owner.add_fault("before")
+            await owner.finish()
+        second.recordings.remove_parts(second.run, {0})
+        for owner in (first, second):
+            await owner.recordings.close()
+
+    asyncio.run(story())
+    names = {path.name for path in (tmp_path / "run_1").iterdir()}
+    assert names == {"00000.fence1.mcap", "00000.fence2.mcap"}
 
 
 def test_what_late_writers_left_is_removed_from_completed_runs(tmp_path: Path) -> None:
