@@ -151,7 +151,6 @@ def build(
             finally:
                 following.cancel()
                 await _close_all(metrics, retention, driver, imports, executor)
-                # What is recorded is written before others may claim its run.
                 await _close_all(registry, records, node, replay_pool, pool, store)
 
     readiness = _readiness_of(store, pool, registry)

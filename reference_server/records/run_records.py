@@ -113,7 +113,7 @@ class RunRecords:
         return self._settings.name
 
     async def close(self) -> None:
-        """Returns when all that was recorded is written."""
+        """Returns when all that was recorded is written: then others may go on."""
         if self._removing is not None:
             self._removing.cancel()
             await asyncio.wait([self._removing])
