@@ -7,11 +7,14 @@ import threading
 import time
 from pathlib import Path
 from random import Random
+from types import SimpleNamespace
 from typing import Any, cast
 
 import asyncpg
 import pytest
 
+from reference_record.formats.envelope import sign_envelope
+from reference_record.keys import make_key
 from tests.attack import reliability_page
 from tests.attack.raw_client import Answer
 from tests.attack.watcher import History
@@ -20,6 +23,7 @@ from tests.chaos.chaos_campaign import Campaign, Counts, Round
 from tests.chaos.chaos_cluster import ChaosCluster
 from tests.chaos.chaos_faults import FAULTS, FULL_AT
 from tests.chaos.push_player import PushPlayer
+from tests.chaos.record_audit import RecordAudit
 from tests.chaos.write_audit import WriteAudit
 from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
 
@@ -78,6 +82,26 @@ def _scored(result: str | None) -> tuple[Any, ...]:
 def test_a_wrong_write_is_found(rows: list[tuple[Any, ...]], found: str) -> None:
     audit = WriteAudit(cast("ChaosCluster", _Written(*rows)))
     sentences = list(audit.judge())
+    assert len(sentences) == bool(found)
+    assert found in "".join(sentences)
+
+
+@pytest.mark.parametrize(
+    ("previous", "found"),
+    [((None, "sha of 1"), ""), (("other", "sha of 1"), "r1"), ((None, None), "r2")],
+)
+def test_statements_of_two_chains_are_found(
+    tmp_path: Path, previous: tuple[str | None, ...], found: str
+) -> None:
+    """As two nodes sign that do not know of each other."""
+    key = make_key()
+    rows: list[tuple[Any, ...]] = []
+    for number, named in enumerate(previous, 1):
+        said = {"predicate": {"previous_statement_sha256": named}}
+        signed = sign_envelope(json.dumps(said).encode(), key)
+        rows.append((number, f"r{number}", signed, f"sha of {number}"))
+    cluster: Any = SimpleNamespace(execute=lambda _: rows)
+    sentences = list(RecordAudit(cluster, tmp_path).judge_chain())
     assert len(sentences) == bool(found)
     assert found in "".join(sentences)
 
