@@ -240,11 +240,17 @@ class Recordings:
                     if draft.stat().st_mtime < self._opened_at_wall:
                         draft.unlink()
 
-    def runs_with_leftovers(self) -> list[str]:
-        """Of the runs where an episode has its file, and more than that. Blocks."""
-        return [run_id for run_id in self.run_ids() if self._has_leftovers(run_id)]
+    def runs_with_leftovers(self, since_wall: float = 0.0) -> list[str]:
+        """Of the runs where an episode has its file, and more than that. Blocks.
 
-    def _has_leftovers(self, run_id: str) -> bool:
+        since_wall: only of those in whose folders a name was added or removed then.
+        """
+        return [run for run in self.run_ids() if self._has_leftovers(run, since_wall)]
+
+    def _has_leftovers(self, run_id: str, since_wall: float) -> bool:
+        with contextlib.suppress(OSError):
+            if (self._folder / run_id).stat().st_mtime < since_wall:
+                return False
         written = [(path.suffix, index) for path, index, _ in self._written(run_id)]
         counts = Counter(index for _, index in written)
         return any(suffix == ".mcap" and counts[index] > 1 for suffix, index in written)

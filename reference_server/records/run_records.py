@@ -52,6 +52,8 @@ from reference_sim.engine import engine_fingerprint
 log = logging.getLogger("proctor.records")
 
 REMOVE_EVERY_S = 3600.0
+# The clocks of files and nodes may differ.
+LEFTOVERS_S = 3 * REMOVE_EVERY_S
 RUNS_PER_READ = 200
 # At most, in an archive: the manifest and the statement; a line, names and headers.
 OTHER_FILES_BYTES = 2**26
@@ -120,13 +122,14 @@ class RunRecords:
         await self._recordings.close()
 
     async def _remove_for_ever(self) -> None:
-        has_leftovers = True
+        has_leftovers, since_wall = True, 0.0
         while True:
             try:
                 if has_leftovers:
-                    await self.remove_leftovers()
+                    await self.remove_leftovers(since_wall)
                     # Of nodes that come and go there are always some.
                     has_leftovers = self._recordings.is_shared
+                    since_wall = time.time() - LEFTOVERS_S
                 await self.remove_deleted()
                 if self._settings.keep_days:
                     await self.remove_old(time.time())
@@ -134,13 +137,15 @@ class RunRecords:
                 log.warning("recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)
 
-    async def remove_leftovers(self) -> None:
+    async def remove_leftovers(self, since_wall: float = 0.0) -> None:
         """Remove the drafts and parts that are left where a server was killed.
 
         Parts stay until the run is completed: its results may have to be joined again.
+        since_wall: only of runs that wrote something since then.
         """
         await asyncio.to_thread(self._recordings.remove_drafts)
-        run_ids = await asyncio.to_thread(self._recordings.runs_with_leftovers)
+        find = self._recordings.runs_with_leftovers
+        run_ids = await asyncio.to_thread(find, since_wall)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
             for run_id in (one for one in heads if heads[one].state == "completed"):

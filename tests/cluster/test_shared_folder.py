@@ -275,6 +275,9 @@ def test_what_late_writers_left_is_removed_from_completed_runs(tmp_path: Path) -
     recordings.remove_drafts()
     assert draft.exists()
     assert recordings.runs_with_leftovers() == ["run_1"]
+    changed_at = folder.stat().st_mtime
+    assert recordings.runs_with_leftovers(changed_at) == ["run_1"]
+    assert recordings.runs_with_leftovers(changed_at + 1) == []
     recordings.remove_unused("run_1", {0: 12, 2: 3})
     assert {path.name for path in folder.iterdir()} == kept
     assert recordings.runs_with_leftovers() == []

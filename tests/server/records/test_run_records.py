@@ -55,7 +55,7 @@ class FewRuns:
     def remove_drafts(self) -> None:
         pass
 
-    def runs_with_leftovers(self) -> list[str]:
+    def runs_with_leftovers(self, _since_wall: float) -> list[str]:
         return []
 
     def run_ids(self) -> list[str]:
