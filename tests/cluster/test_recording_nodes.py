@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -30,6 +32,7 @@ from reference_sim import benchmark_registry
 from reference_sim.replay.episode_replay import replay_episode
 from reference_sim.replay.record_replay import resolve
 from tests.support.paths import ROOT
+from tests.support.processes import descendants
 from tests.support.server.cluster_nodes import Cluster, attach, go_on, pause, predict
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import predict_body, submit
@@ -195,6 +198,34 @@ def test_an_owner_that_was_paused_changes_no_recording(
     )
     topics = [topic for topic, _ in messages[begins:]]
     assert topics == ["/attempt", "/turn", "/turn", "/attempt", "/result"]
+
+
+def test_a_machine_that_was_paused_answers_no_turn_that_is_not_recorded(
+    cluster: Cluster,
+) -> None:
+    """Node and simulators stand still in a turn, until the other node has completed
+    the run. Expect no answer to that turn."""
+    first, second = cluster.clients
+    run_id = submit(first, "delay")
+    turn = attach(first, run_id)
+    body = predict_body(turn, delay_s=0.5)
+    node = cluster.nodes[0]
+    with ThreadPoolExecutor(1) as thread:
+        late = thread.submit(
+            first.post, f"/v1/runs/{run_id}/workers/w/predict", json=body
+        )
+        wait_until(lambda: is_played(first, run_id), "the turn is in play")
+        pause(node)
+        simulators = descendants(node.process.pid)
+        for pid in simulators:
+            os.kill(pid, signal.SIGSTOP)
+        assert end_episode(second, run_id, attach(second, run_id), delay_s=0)["done"]
+        fetch_record(second, run_id)
+        for pid in simulators:
+            os.kill(pid, signal.SIGCONT)
+        time.sleep(0.5)  # so long its turn takes
+        go_on(node)
+        assert late.result().status_code in (404, 410, 503), late.result().text
 
 
 def is_played(client: httpx.Client, run_id: str) -> bool:
