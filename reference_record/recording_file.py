@@ -103,6 +103,7 @@ def join_parts(
     folder: Path,
     target: Path,
     last: Sequence[tuple[str, int, Message]],
+    earlier: Sequence[Path] = (),
     *,
     steps: int | None = None,
     level: int = LEVEL,
@@ -110,15 +111,16 @@ def join_parts(
     """Write all parts in `folder`, and then these messages, to the file `target`.
 
     REC-124: also the parts that a process wrote which has been killed.
-    last: topic, nanoseconds since 1970, message. steps: those that the turns of the
-    last attempt must have, None for any. level: of the compression. Raises OSError;
-    then `target` is what it was.
+    last: topic, nanoseconds since 1970, message. earlier: folders whose parts come
+    before. steps: those that the turns of the last attempt must have, None for any.
+    level: of the compression. Raises OSError; then `target` is what it was.
     """
+    parts = [part for one in (*earlier, folder) for part in parts_of(one)]
     draft = target.with_suffix(DRAFT_SUFFIX)
     try:
         with _open_new(draft) as file:
             os.fchmod(file.fileno(), 0o600)
-            summary = _write_all(_RecordingWriter(file, level), folder, last, steps)
+            summary = _write_all(_RecordingWriter(file, level), parts, last, steps)
             file.flush()
             os.fsync(file.fileno())
         draft.replace(target)
@@ -140,12 +142,12 @@ def _open_new(draft: Path) -> BinaryIO:
 
 def _write_all(
     writer: _RecordingWriter,
-    folder: Path,
+    parts: Sequence[Path],
     last: Sequence[tuple[str, int, Message]],
     steps: int | None,
 ) -> RecordingSummary:
     figures = _Figures()
-    for part in parts_of(folder):
+    for part in parts:
         try:
             for topic, at_ns, message in read_part(part):
                 figures.add(topic, message)

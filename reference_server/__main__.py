@@ -14,6 +14,7 @@ import gc
 import socket
 import sys
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
 import uvicorn
@@ -34,7 +35,10 @@ from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import TokenFile
 from reference_server.push.key_encryption import KeyEncryption
+from reference_server.records.run_records import open_key
+from reference_server.records.shared_folder import NotShared, check_shared
 from reference_server.settings import Settings
+from reference_server.storage.node_store import NodeStore
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system import open_files
@@ -134,17 +138,17 @@ def _serve(
     configured: Tokens | None,
 ) -> int:
     try:
-        if not settings.node_url:
-            settings.node_url = _url(settings.host, listener.getsockname()[1])
+        port = listener.getsockname()[1]
+        settings.node_url = settings.node_url or _url(settings.host, port)
         traces = _traces_of(settings)
         _check_database_and_keys(settings)
+        _check_cluster(settings)
         _check_simulators(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
         TokenFile(settings.tokens_file_path, Tokens({})).read()
     except (_CannotUse, made_token.BadTokenFile, BadTokens, OSError) as error:
         _print_line(str(error))
         return 2
-    port = listener.getsockname()[1]
     made_token.publish(port, None if made is None else settings.token_path)
     tokens = configured or Tokens.of_local_account(str(made))
     limiter = ConnectionLimiter(_connection_limits(settings))
@@ -225,6 +229,36 @@ def _check_database_and_keys(settings: Settings) -> None:
             "the seeds of sealed splits last until this server stops, and so do runs "
             "that have them: name a file with --seed-secret"
         )
+
+
+def _check_cluster(settings: Settings) -> None:
+    """What this node records and signs must be that of the others."""
+    if settings.cluster == "off" or settings.recordings == "off":
+        return
+    folder, path = settings.records_path, settings.signing_key_path
+    assert folder is not None, "a database in memory is not shared"
+    assert path is not None, "a database in memory is not shared"
+    try:
+        keyid = open_key(path).keyid
+        asyncio.run(_check_shared(settings, folder, keyid))
+    except StoreFailed as error:
+        raise _CannotUse(f"cannot use the database ({error})") from error
+    except NotShared as error:
+        raise _CannotUse(f"cannot be a node of this cluster: {error}") from error
+    except (OSError, UnusableRecord) as error:
+        raise _CannotUse(
+            f"cannot use {folder}, or the key in {path} ({error}); see --records-dir "
+            "and --signing-key"
+        ) from error
+
+
+async def _check_shared(settings: Settings, folder: Path, keyid: str) -> None:
+    store = Store(settings.database_url, is_shared=True)
+    nodes = NodeStore(store, settings.node_lease_s)
+    try:
+        await check_shared(nodes, settings.node_url, folder, keyid, settings.host_name)
+    finally:
+        await store.close()
 
 
 def _check_simulators(settings: Settings) -> None:

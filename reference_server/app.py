@@ -54,6 +54,7 @@ from reference_server.records.board_history import BoardHistory
 from reference_server.records.record_imports import ImportSettings, RecordImports
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
+from reference_server.records.shared_folder import show_node
 from reference_server.rules.capacity import Quota
 from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
@@ -151,8 +152,9 @@ def build(
             try:
                 yield
             finally:
+                # What is recorded is written before others may claim its run.
                 await _close_all(token_file, metrics, retention, driver, imports)
-                await _close_all(executor, registry, node, records, replay_pool)
+                await _close_all(executor, registry, records, node, replay_pool)
                 await _close_all(pool, store, traces)
 
     readiness = _readiness_of(store, pool, registry)
@@ -279,11 +281,18 @@ def _node_of(
     """service: is there once the server is put together."""
     if settings.cluster == "off":
         return None
+    folder = settings.records_path
+
+    def announce(node_id: str) -> None:
+        if settings.recordings != "off" and folder is not None:
+            show_node(folder, node_id)
+
     return ServerNode(
         NodeStore(store, settings.node_lease_s),
         settings.node_url or f"http://{settings.host}:{settings.port}",
         settings.node_lease_s,
         service,
+        announce,
     )
 
 
@@ -367,15 +376,22 @@ def _storage_of(
 def _recordings_of(settings: Settings) -> Recordings | None:
     if settings.recordings == "off":
         return None
-    pictures = settings.recordings == "pictures"
-    return Recordings(settings.records_path, pictures=pictures)
+    return Recordings(
+        settings.records_path,
+        pictures=settings.recordings == "pictures",
+        is_shared=settings.cluster == "on",
+    )
 
 
 def _store_of(settings: Settings, recordings: Recordings | None) -> Store:
+    is_shared = settings.cluster == "on"
     if recordings is None:
-        return Store(settings.database_url, is_shared=settings.cluster == "on")
+        return Store(settings.database_url, is_shared=is_shared)
     return Store(
-        settings.database_url, recordings.finish_unplayed, recordings.remove_parts
+        settings.database_url,
+        recordings.finish_unplayed,
+        recordings.remove_parts,
+        is_shared=is_shared,
     )
 
 
@@ -385,7 +401,7 @@ def _records_of(
     if recordings is None:
         return None
     host = HostSettings(
-        settings.public_url or settings.host,
+        settings.host_name,
         settings.signing_key_path,
         settings.record_promise,
         settings.records_keep_days,

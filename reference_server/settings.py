@@ -58,8 +58,9 @@ class Settings(BaseSettings):
         "off",
         description="Whether several servers share the database: each is a node that "
         "plays runs of its own, and passes requests for those of the others on. Needs "
-        "equal settings on all nodes, recordings off, no profiles and, without an "
-        "SQLite file, tokens, sealing_key and seed_secret.",
+        "equal settings on all nodes, record_imports off, no profiles and, without an "
+        "SQLite file, tokens, sealing_key and seed_secret; with recordings, "
+        "signing_key and a folder records_dir that all nodes share, too.",
     )
     node_url: str = Field(
         "",
@@ -476,11 +477,8 @@ class Settings(BaseSettings):
             return self
         if ":memory:" in self.database:
             raise ValueError("cluster needs a database that other servers can open")
-        if self.recordings != "off" or self.record_imports != "off":
-            raise ValueError(
-                "cluster needs recordings off and record_imports off: each node would "
-                "sign a chain of records of its own; add --recordings off"
-            )
+        if self.record_imports != "off":
+            raise ValueError("cluster needs record_imports off")
         if self.profiles:
             raise ValueError("cluster needs profiles empty")
         if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104
@@ -492,6 +490,12 @@ class Settings(BaseSettings):
         if not (is_file or (self.tokens and self.sealing_key and self.seed_secret)):
             raise ValueError(
                 "cluster needs tokens, sealing_key and seed_secret, equal on all nodes"
+            )
+        is_shared = is_file or (self.records_dir and self.signing_key)
+        if self.recordings != "off" and not is_shared:
+            raise ValueError(
+                "cluster needs records_dir, a folder that all nodes share, and "
+                "signing_key, equal on all nodes; or recordings off"
             )
         return self
 
@@ -570,6 +574,11 @@ class Settings(BaseSettings):
         if "://" in self.database:
             return Path("var/records")
         return Path(f"{self.database}.records")
+
+    @property
+    def host_name(self) -> str:
+        """What records call this host."""
+        return self.public_url or self.host
 
     @property
     def spares(self) -> int:

@@ -271,6 +271,10 @@ class _Exchange:
         self.has_no_reader = True
 
 
+class _LeaseLost(Exception):
+    """Others removed this node while it carried out a request."""
+
+
 class _RunMoved(Exception):
     """Another node has the run by now; nothing was done, and nothing answered."""
 
@@ -416,7 +420,7 @@ class RunForwarding:
             if node is not None:
                 await self._connections.pass_on(node, scope, receive, send)
                 return
-            app = self._app
+            app: ASGIApp = self._answer_here
         except Refused as refused:
             if not is_passed_on:  # its owner is not found now
                 refused = Refused(refused.code, refused.detail)
@@ -426,6 +430,34 @@ class RunForwarding:
             text = "The database is not available."
             app = problem_response(Refused("unavailable", text), _GO_ELSEWHERE)
         await app(scope, receive, send)
+
+    async def _answer_here(self, scope: Scope, receive: Receive, send: Send) -> None:
+        try:
+            await self._app(scope, receive, self._while_valid(send))
+        except _LeaseLost:
+            text = "The lease of the node ended before it could answer."
+            refused = Refused("unavailable", text)
+            await problem_response(refused, _GO_ELSEWHERE)(scope, receive, send)
+
+    def _while_valid(self, send: Send) -> Send:
+        """Begins no answer after the lease: others may have gone on with the run.
+
+        A node that was paused in a turn would answer what is in no recording.
+        """
+        membership = self._connections.membership
+        node_id = membership.node_id
+
+        async def send_while_valid(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                try:
+                    await membership.ensure_lease()
+                except StoreFailed as error:
+                    raise _LeaseLost from error
+                if membership.node_id != node_id:
+                    raise _LeaseLost
+            await send(message)
+
+        return send_while_valid
 
     async def _find_node(self, scope: Scope) -> Node | None:
         """The other node that has the run: one that passed a request on may be late."""

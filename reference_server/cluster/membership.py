@@ -55,7 +55,8 @@ class Membership:
 
     url: where other nodes reach this one. on_lost: forgets all runs of this node; it
     may await nothing. adopt: begins to load an open run that was claimed: nothing else
-    goes on with it, and no other node looks for it any more.
+    goes on with it, and no other node looks for it any more. announce: is called with
+    the id of this node before it joins with it; raises StoreFailed.
     """
 
     def __init__(
@@ -65,9 +66,11 @@ class Membership:
         lease_s: float,
         on_lost: Callable[[], None],
         adopt: Callable[[str], None],
+        *,
+        announce: Callable[[str], None] = lambda _: None,
     ) -> None:
         self._nodes, self.lease_s = nodes, lease_s
-        self._on_lost, self._adopt = on_lost, adopt
+        self._on_lost, self._adopt, self._announce = on_lost, adopt, announce
         self._node = _new_node(url, secrets.token_hex(32))
         self._claims = True
         self._valid_until = 0.0
@@ -99,6 +102,7 @@ class Membership:
     async def open(self) -> None:
         """Join the nodes. Raises StoreFailed."""
         began = _now()
+        await asyncio.to_thread(self._announce, self.node_id)
         await self._nodes.join(self._node, is_new=True)
         self._valid_until = began + self.lease_s
         await self._look_for_others()
@@ -154,6 +158,7 @@ class Membership:
             self._node = _new_node(self._node.url, self._node.secret)
             self._owners.clear()
             self._on_lost()
+            await asyncio.to_thread(self._announce, self.node_id)
             began = _now()
             await self._nodes.join(self._node)
         self._valid_until = began + self.lease_s

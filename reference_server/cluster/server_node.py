@@ -25,6 +25,7 @@ class ServerNode:
     """From `open` to `close` a node, which claims runs without an owner.
 
     url: where other nodes reach it. service: once the server is put together.
+    announce: as of Membership.
     """
 
     def __init__(
@@ -33,6 +34,7 @@ class ServerNode:
         url: str,
         lease_s: float,
         service: Callable[[], RunService],
+        announce: Callable[[str], None],
     ) -> None:
         self._service = service
         self.membership = Membership(
@@ -41,6 +43,7 @@ class ServerNode:
             lease_s,
             on_lost=self._forget_runs,
             adopt=self._adopt,
+            announce=announce,
         )
         self._connections = NodeConnections(self.membership)
         self.views = ViewsElsewhere(self._connections, self._view_run)

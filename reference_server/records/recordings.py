@@ -8,6 +8,11 @@ finished, never dropped.
 
     RECORDS/RUN_ID/00042.parts/000001.part    an episode in play
     RECORDS/RUN_ID/00042.mcap                 an episode with its result
+
+The nodes of a cluster share the folder. What a node writes of a run is named after the
+fence with which it owns the run (00042.fence2.parts, 00042.fence2.mcap): whatever an
+earlier owner still writes, or its simulators do, is no file of its successor. Parts of
+earlier owners belong to the recording, before those of later ones.
 """
 
 from __future__ import annotations
@@ -18,12 +23,13 @@ import logging
 import re
 import shutil
 import time
-from collections.abc import Callable, Iterator
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 from weakref import WeakValueDictionary
 
 import msgspec
@@ -51,11 +57,19 @@ log = logging.getLogger("proctor.records")
 # Episodes whose files are written at once.
 THREADS = 4
 
-# The name of the file and of the folder of parts: the index of the episode.
-_EPISODE = re.compile("[0-9]{5}")
+# The name of the file and of the folder of parts: the index of the episode, and the
+# fence of who writes, unless that is 0.
+_EPISODE = re.compile(r"(?P<index>[0-9]{5})(?:\.fence(?P<fence>[1-9][0-9]*))?")
 
 Done = TypeVar("Done")
-Key = tuple[str, int]  # run id, index of the episode
+
+
+class Key(NamedTuple):
+    """Of which episode, by its index, something is written, and with which fence."""
+
+    run_id: str
+    episode: int
+    fence: int
 
 
 class RecordingFailed(Exception):
@@ -66,10 +80,13 @@ class Recordings:
     """All recordings below one folder.
 
     folder: None for one that is removed by `close`. pictures: what cameras show is
-    recorded, too.
+    recorded, too. is_shared: other nodes write to the folder, too.
     """
 
-    def __init__(self, folder: Path | None, *, pictures: bool = False) -> None:
+    def __init__(
+        self, folder: Path | None, *, pictures: bool = False, is_shared: bool = False
+    ) -> None:
+        self.is_shared = is_shared
         self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
         self._folder = folder or Path(self._temporary.name if self._temporary else "")
         self._pictures = pictures
@@ -99,9 +116,9 @@ class Recordings:
 
     async def begin(self, run: Run, episode: Episode) -> RecordingPlan:
         """Where the next playing of the episode is recorded. Raises RecordingFailed."""
-        key = run.run_id, episode.index
+        key = Key(run.run_id, episode.index, run.fence)
         await self._write(key)
-        return RecordingPlan(str(self._parts(*key)), episode.attempt, self._pictures)
+        return RecordingPlan(str(self._parts(key)), episode.attempt, self._pictures)
 
     def add_fault(
         self, run: Run, episode: Episode, seq: int, code: str, detail: str
@@ -109,13 +126,13 @@ class Recordings:
         """REC-105: what broke in a turn of the attempt in play; written soon."""
         now = timestamp(time.time_ns())
         fault = Fault(episode.attempt, seq, code, detail, now)
-        self._append((run.run_id, episode.index), "/fault", fault)
+        self._append(Key(run.run_id, episode.index, run.fence), "/fault", fault)
 
     def end_attempt(self, run: Run, index: int, attempt: int, reason: str) -> None:
         """REC-105: an attempt is over without a result; written soon."""
         now = timestamp(time.time_ns())
         ended = AttemptEvent(attempt, "ended", now, reason)
-        self._append((run.run_id, index), "/attempt", ended)
+        self._append(Key(run.run_id, index, run.fence), "/attempt", ended)
 
     async def finish(self, run: Run, episode: Episode, result: Result) -> Recording:
         """Join all that was recorded of the episode with its result, durably.
@@ -124,7 +141,8 @@ class Recordings:
         last call decides. Raises RecordingFailed, also when what is on disk does not
         have the turns of the result: who counted it could not show how it came.
         """
-        await self._write((run.run_id, episode.index))
+        key = Key(run.run_id, episode.index, run.fence)
+        await self._write(key)
         at_ns = int(result.finished_at_wall * 1e9)
         last: list[tuple[str, int, Message]] = []
         steps = None if result.outcome == "abandoned" else result.steps
@@ -140,9 +158,9 @@ class Recordings:
             at=timestamp(at_ns),
         )
         last.append(("/result", at_ns, recorded))
-        key = run.run_id, episode.index
-        parts, target = self._parts(*key), self.path(*key)
-        work = partial(join_parts, parts, target, last, steps=steps)
+        parts, target = self._parts(key), self._file(key)
+        earlier = self._parts_before(key)
+        work = partial(join_parts, parts, target, last, earlier, steps=steps)
         summary = await self._in_thread(key, work)
         COUNTERS.recordings += 1
         COUNTERS.recording_bytes += summary.bytes
@@ -154,6 +172,7 @@ class Recordings:
             summary.first_digest,
             summary.last_digest,
             latency,
+            key.fence,
         )
 
     async def finish_unplayed(self, run: Run) -> None:
@@ -176,15 +195,23 @@ class Recordings:
         """These episodes are stored: where they have a result, the file is final."""
         for index in stored:
             if run.episodes[index].recording is not None:
-                folder = self._parts(run.run_id, index)
-                self._threads_of((run.run_id, index)).submit(remove_parts, folder)
+                key = Key(run.run_id, index, run.fence)
+                folders = [*self._parts_before(key), self._parts(key)]
+                self._threads_of(key).submit(_remove_all_parts, folders)
 
-    def path(self, run_id: str, index: int) -> Path:
-        """The file of an episode that has its result."""
-        return self._folder / run_id / f"{index:05d}.mcap"
+    def path(self, run_id: str, index: int, fence: int = 0) -> Path:
+        """The file of an episode that has its result; fence: of its recording."""
+        return self._file(Key(run_id, index, fence))
 
-    def _parts(self, run_id: str, index: int) -> Path:
-        return self._folder / run_id / f"{index:05d}.parts"
+    def _file(self, key: Key) -> Path:
+        return self._folder / key.run_id / f"{_name_of(key)}.mcap"
+
+    def _parts(self, key: Key) -> Path:
+        return self._folder / key.run_id / f"{_name_of(key)}.parts"
+
+    def _parts_before(self, key: Key) -> list[Path]:
+        """Where earlier owners of the run wrote, the first one first."""
+        return [self._parts(key._replace(fence=fence)) for fence in range(key.fence)]
 
     # --- runs ---
 
@@ -195,31 +222,58 @@ class Recordings:
 
     def run_ids(self) -> list[str]:
         """Of the runs that have files here. Reads the folder."""
-        return sorted(path.name for path in self._folder.iterdir())
+        names = (path.name for path in self._folder.iterdir())
+        return sorted(name for name in names if not name.startswith("."))
 
     # --- what a crash has left ---
 
     def remove_drafts(self) -> None:
-        """Of files that were being joined before this server was opened. Blocks."""
+        """Of files that were being joined before this server was opened. Blocks.
+
+        In a shared folder they may be those of another node: `remove_unused`.
+        """
+        if self.is_shared:
+            return
         for draft in self._folder.glob("*/*" + DRAFT_SUFFIX):
             if _EPISODE.fullmatch(draft.stem):
                 with contextlib.suppress(OSError):
                     if draft.stat().st_mtime < self._opened_at_wall:
                         draft.unlink()
 
-    def runs_with_joined_parts(self) -> list[str]:
-        """Of the runs where an episode has its file and its parts. Blocks."""
-        return sorted({folder.parent.name for folder in self._joined_parts("*")})
+    def runs_with_leftovers(self, since_wall: float = 0.0) -> list[str]:
+        """Of the runs where an episode has its file, and more than that. Blocks.
 
-    def remove_joined_parts(self, run_id: str) -> None:
-        """Of a run whose results are all stored: no part is needed. Blocks."""
-        for folder in self._joined_parts(run_id):
-            _remove_folder(folder)
+        since_wall: only of those in whose folders a name was added or removed then.
+        """
+        return [run for run in self.run_ids() if self._has_leftovers(run, since_wall)]
 
-    def _joined_parts(self, run_id: str) -> Iterator[Path]:
-        for folder in self._folder.glob(f"{run_id}/*.parts"):
-            if _EPISODE.fullmatch(folder.stem) and folder.with_suffix(".mcap").exists():
-                yield folder
+    def _has_leftovers(self, run_id: str, since_wall: float) -> bool:
+        with contextlib.suppress(OSError):
+            if (self._folder / run_id).stat().st_mtime < since_wall:
+                return False
+        written = [(path.suffix, index) for path, index, _ in self._written(run_id)]
+        counts = Counter(index for _, index in written)
+        return any(suffix == ".mcap" and counts[index] > 1 for suffix, index in written)
+
+    def remove_unused(self, run_id: str, fences: Mapping[int, int]) -> None:
+        """Of a run whose results are all stored, what no result names. Blocks.
+
+        fences: index of an episode → fence of its stored recording.
+        """
+        for path, index, fence in self._written(run_id):
+            if index in fences and (path.suffix, fence) != (".mcap", fences[index]):
+                _remove(path)
+
+    def _written(self, run_id: str) -> Iterator[tuple[Path, int, int]]:
+        """The files and folders of a run, each with its episode's index and fence."""
+        try:
+            paths = sorted((self._folder / run_id).iterdir())
+        except OSError:  # it was removed meanwhile, or is a file
+            return
+        for path in paths:
+            found = _EPISODE.fullmatch(path.stem)
+            if found and path.suffix in (".parts", ".mcap", DRAFT_SUFFIX):
+                yield path, int(found["index"]), int(found["fence"] or 0)
 
     # --- writing in order ---
 
@@ -233,7 +287,7 @@ class Recordings:
         try:
             await self._write(key)
         except (RecordingFailed, StoreFailed) as failed:  # `begin`, `finish` try again
-            log.warning("run %s, episode %d: %s", *key, failed)
+            log.warning("run %s, episode %d: %s", key.run_id, key.episode, failed)
 
     async def _write(self, key: Key) -> None:
         """What was not written yet, or could not be. Raises RecordingFailed.
@@ -243,7 +297,7 @@ class Recordings:
         lock = self._locks.setdefault(key, asyncio.Lock())
         async with lock:
             while messages := self._pending.get(key):
-                work = partial(append_part, self._parts(*key), *messages[0])
+                work = partial(append_part, self._parts(key), *messages[0])
                 await self._in_thread(key, work)
                 del messages[0]
             self._pending.pop(key, None)
@@ -261,6 +315,24 @@ class Recordings:
             if error.errno in NO_ROOM:  # no episode is charged with it
                 raise StoreFailed(text) from error
             raise RecordingFailed(text) from error
+
+
+def _name_of(key: Key) -> str:
+    return f"{key.episode:05d}" + (f".fence{key.fence}" if key.fence else "")
+
+
+def _remove_all_parts(folders: Iterable[Path]) -> None:
+    for folder in folders:
+        remove_parts(folder)
+
+
+def _remove(path: Path) -> None:
+    """A file, or a folder with all that it has."""
+    if path.is_dir():
+        _remove_folder(path)
+        return
+    with contextlib.suppress(OSError):
+        path.unlink()
 
 
 def _remove_folder(folder: Path) -> None:

@@ -45,13 +45,15 @@ from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.manifest import without_sealed_seeds
 from reference_server.rules.run import Episode, PublicKey, RunHead
-from reference_server.storage.store import Store, StoreFailed
+from reference_server.storage.store import NotTheNext, Store, StoreFailed
 from reference_server.system.private_files import restrict
 from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")
 
 REMOVE_EVERY_S = 3600.0
+# The clocks of files and nodes may differ.
+LEFTOVERS_S = 3 * REMOVE_EVERY_S
 RUNS_PER_READ = 200
 # At most, in an archive: the manifest and the statement; a line, names and headers.
 OTHER_FILES_BYTES = 2**26
@@ -77,6 +79,12 @@ class RecordUnavailable(Exception):
     """The run has no record: it was not recorded, or its recordings were removed."""
 
 
+def open_key(path: Path) -> SigningKey:
+    """The key in a file, made when there is none. Raises UnusableRecord, OSError."""
+    restrict(path)  # a volume that is mounted may give it to a group
+    return load_or_make(path)
+
+
 class RunRecords:
     """Records of this server's runs."""
 
@@ -92,9 +100,7 @@ class RunRecords:
         """Read or make the key. Raises UnusableRecord, OSError and StoreFailed."""
         self._recordings.open()
         path = self._settings.key_path
-        if path is not None:  # a volume that is mounted may give it to a group
-            restrict(path)
-        self._key = make_key() if path is None else load_or_make(path)
+        self._key = make_key() if path is None else open_key(path)
         await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
         self._removing = asyncio.create_task(self._remove_for_ever())
 
@@ -109,19 +115,21 @@ class RunRecords:
         return self._settings.name
 
     async def close(self) -> None:
-        """Returns when all that was recorded is written."""
+        """Returns when all that was recorded is written: then others may go on."""
         if self._removing is not None:
             self._removing.cancel()
             await asyncio.wait([self._removing])
         await self._recordings.close()
 
     async def _remove_for_ever(self) -> None:
-        has_leftovers = True
+        has_leftovers, since_wall = True, 0.0
         while True:
             try:
                 if has_leftovers:
-                    await self.remove_leftovers()
-                    has_leftovers = False
+                    await self.remove_leftovers(since_wall)
+                    # Of nodes that come and go there are always some.
+                    has_leftovers = self._recordings.is_shared
+                    since_wall = time.time() - LEFTOVERS_S
                 await self.remove_deleted()
                 if self._settings.keep_days:
                     await self.remove_old(time.time())
@@ -129,17 +137,26 @@ class RunRecords:
                 log.warning("recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)
 
-    async def remove_leftovers(self) -> None:
+    async def remove_leftovers(self, since_wall: float = 0.0) -> None:
         """Remove the drafts and parts that are left where a server was killed.
 
         Parts stay until the run is completed: its results may have to be joined again.
+        since_wall: only of runs that wrote something since then.
         """
         await asyncio.to_thread(self._recordings.remove_drafts)
-        run_ids = await asyncio.to_thread(self._recordings.runs_with_joined_parts)
+        find = self._recordings.runs_with_leftovers
+        run_ids = await asyncio.to_thread(find, since_wall)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
             for run_id in (one for one in heads if heads[one].state == "completed"):
-                await asyncio.to_thread(self._recordings.remove_joined_parts, run_id)
+                await self._remove_unused(run_id)
+
+    async def _remove_unused(self, run_id: str) -> None:
+        """What no result of a completed run names."""
+        found = await self._store.read_window(run_id, 0, None)
+        episodes = () if found is None else found[1]
+        fences = {e.index: e.recording.fence for e in episodes if e.recording}
+        await asyncio.to_thread(self._recordings.remove_unused, run_id, fences)
 
     async def remove_deleted(self) -> None:
         """Remove what is left of deleted runs: a server may end before it is removed.
@@ -205,9 +222,7 @@ class RunRecords:
         lines = [_line(episode) for episode in episodes]
         _refuse_too_large(lines)
         recordings = {
-            recording_name(episode.index): self._recordings.path(
-                run.run_id, episode.index
-            )
+            recording_name(episode.index): self.recording_path(run.run_id, episode)
             for episode in episodes
         }
         read = partial(
@@ -231,28 +246,40 @@ class RunRecords:
         score: Mapping[str, Any],
         files: UnsignedRecord,
     ) -> Record:
-        """As `fetch`, unless another fetch of the record signs it meanwhile."""
-        async with self._signing:
-            statement = await self._store.find_statement(run.run_id)
-            if statement is not None:
-                return await asyncio.to_thread(_reopened, run.run_id, files, statement)
-            evaluation = await self._evaluation(run, episodes, score)
-            record = await asyncio.to_thread(files.sign, evaluation, self._key)
-            statement = b"".join(record.contents[STATEMENT].blocks())
-            await self._store.add_statement(
-                run.run_id, statement, record.statement_sha256
-            )
-            return record
+        """As `fetch`, unless another fetch of the record signs it meanwhile.
 
-    def recording_path(self, run_id: str, index: int) -> Path:
+        In a cluster a node signs again what came behind the statement of another one.
+        """
+        async with self._signing:
+            while True:
+                statement = await self._store.find_statement(run.run_id)
+                if statement is not None:
+                    reopen = partial(_reopened, run.run_id, files, statement)
+                    return await asyncio.to_thread(reopen)
+                evaluation = await self._evaluation(run, episodes, score)
+                record = await asyncio.to_thread(files.sign, evaluation, self._key)
+                statement = b"".join(record.contents[STATEMENT].blocks())
+                try:
+                    await self._store.add_statement(
+                        run.run_id,
+                        statement,
+                        record.statement_sha256,
+                        evaluation.previous_statement_sha256,
+                    )
+                except NotTheNext:
+                    continue
+                return record
+
+    def recording_path(self, run_id: str, episode: Episode) -> Path:
         """REC-107: the file that a record has, too."""
-        return self._recordings.path(run_id, index)
+        fence = 0 if episode.recording is None else episode.recording.fence
+        return self._recordings.path(run_id, episode.index, fence)
 
     async def recording_size(self, run_id: str, episode: Episode) -> int | None:
         """Bytes of the recording of an episode; None if it has none (any more)."""
         if episode.recording is None:
             return None
-        path = self._recordings.path(run_id, episode.index)
+        path = self.recording_path(run_id, episode)
         is_there = await asyncio.to_thread(path.is_file)
         return episode.recording.bytes if is_there else None
 

@@ -56,7 +56,8 @@ class Recording:
     """The finished recording of an episode, as its file is.
 
     first_digest, last_digest: of the simulator's state; None if nothing was played.
-    latency: quantiles in milliseconds, by name.
+    latency: quantiles in milliseconds, by name. fence: of the owner that wrote it; its
+    file is named after it.
     """
 
     sha256: str
@@ -65,6 +66,7 @@ class Recording:
     first_digest: str | None
     last_digest: str | None
     latency: Mapping[str, float]
+    fence: int = 0
 
 
 @dataclass(frozen=True, slots=True)

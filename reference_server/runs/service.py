@@ -344,7 +344,7 @@ class RunService:
         size = await records.recording_size(run_id, found[0])
         if size is None:
             raise Refused("not_found", f"{episode_id} has no recording.")
-        return records.recording_path(run_id, index), size
+        return records.recording_path(run_id, found[0]), size
 
     def _require_records(self) -> RunRecords:
         if self.records is None:

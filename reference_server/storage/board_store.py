@@ -70,6 +70,7 @@ class BoardStore:
         """
 
         def store(connection: sa.Connection) -> Changed:
+            self._store.lock_order(connection)
             if needs_run and self._store.is_deleted(connection, run_id):
                 raise RunDeleted(run_id)
             before = _entry_of_run(connection, run_id)
@@ -94,7 +95,6 @@ class BoardStore:
     def _append(self, connection: sa.Connection, members: Mapping[str, Any]) -> int:
         """Returns the bytes of the leaf."""
         leaf = msgspec.json.encode(members, order="deterministic")
-        # Two servers that share the database cannot take the same index.
         index = connection.scalar(_SIZE)
         hashed = self._leaf_hash(leaf)
         row = {"index": index, "leaf": leaf.decode(), "leaf_sha256": hashed}

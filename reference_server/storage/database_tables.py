@@ -56,7 +56,15 @@ nodes = sa.Table(
     sa.Column("secret", sa.String(64), nullable=False),
     sa.Column("renewed_at", sa.Float, nullable=False),
 )
-# Updated by what counts the runs of an account, so that two nodes do not at once.
+# What all nodes must have equally, by name.
+cluster_facts = sa.Table(
+    "cluster_facts",
+    TABLES,
+    sa.Column("name", sa.String(32), primary_key=True),
+    sa.Column("value", sa.Text, nullable=False),
+)
+# Updated by what counts the runs of an account, so that two nodes do not at once; the
+# row * also by what adds to a sequence of the host, such as its statements.
 accounts = sa.Table(
     "accounts",
     TABLES,

@@ -8,7 +8,7 @@ the run names (`store.py`).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import sqlalchemy as sa
@@ -19,6 +19,7 @@ from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.lifecycle import WAITING_STATES
 from reference_server.rules.run import State
 from reference_server.rules.run_owner import StoredOwner
+from reference_server.storage.database_tables import cluster_facts as _facts
 from reference_server.storage.database_tables import nodes as _nodes
 from reference_server.storage.database_tables import runs as _runs
 from reference_server.storage.store import Store, StoreFailed
@@ -107,6 +108,40 @@ class NodeStore:
 
     def __init__(self, store: Store, lease_s: float) -> None:
         self._store, self._lease_s = store, lease_s
+
+    async def facts(self) -> dict[str, str]:
+        """What all nodes must have equally, by name."""
+        return await self._store.read(_read_facts)
+
+    async def agree(
+        self, url: str, facts: Mapping[str, str], lasting: Collection[str]
+    ) -> dict[str, str]:
+        """What the cluster has of these facts, of which some become those of this node.
+
+        That are those that it did not have and, unless they are `lasting`, all of them
+        when no other node lives. url: of this node, which may have ended and come back.
+        """
+        others = sa.select(_nodes.c.node_id).where(
+            _nodes.c.url != url, _silent_s <= self._lease_s
+        )
+
+        def store(connection: sa.Connection) -> dict[str, str]:
+            self._store.lock_order(connection)
+            known = _read_facts(connection)
+            is_alone = connection.execute(others).first() is None
+            for name, value in facts.items():
+                if name in known and (name in lasting or not is_alone):
+                    continue
+                connection.execute(_facts.delete().where(_facts.c.name == name))
+                connection.execute(_facts.insert().values(name=name, value=value))
+                known[name] = value
+            return known
+
+        return await self._store.write_in_turn(store)
+
+    def is_over(self, silent_s: float) -> bool:
+        """Whether the lease of a node that was silent so long has ended."""
+        return silent_s > self._lease_s
 
     async def join(self, node: Node, *, is_new: bool = False) -> None:
         """Add a node. Raises StoreFailed if another one at its address lives.
@@ -272,3 +307,8 @@ class NodeStore:
 def _owned_run(*row: Any) -> OwnedRun:
     *of_run, owner, fence, is_new = row
     return OwnedRun(WaitingRun(*of_run), owner, fence, bool(is_new))
+
+
+def _read_facts(connection: sa.Connection) -> dict[str, str]:
+    query = sa.select(_facts.c.name, _facts.c.value)
+    return {row.name: row.value for row in connection.execute(query)}

@@ -16,7 +16,7 @@ import sqlalchemy as sa
 from reference_server.storage.database_tables import TABLES
 
 # Oldest first; the last one is that of this code. Each is a file of `migrations/`.
-VERSIONS = ("0001", "0002")
+VERSIONS = ("0001", "0002", "0003")
 MIGRATIONS = Path(__file__).parent / "migrations"
 # Of those who would upgrade one PostgreSQL database at a time.
 _UPGRADE_LOCK = 0x50726F63_75706772

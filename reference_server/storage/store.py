@@ -41,7 +41,7 @@ from reference_server.storage.database_tables import signing_keys as _signing_ke
 from reference_server.storage.database_tables import statements as _statements
 from reference_server.storage.schema_version import Upgrade
 
-__all__ = ["OwnershipLost", "RunIsKept", "Store", "StoreFailed"]
+__all__ = ["NotTheNext", "OwnershipLost", "RunIsKept", "Store", "StoreFailed"]
 
 # Decoded manifests kept, for all the runs that share them.
 CACHED_MANIFESTS_MAX = 64
@@ -98,11 +98,21 @@ _OLD_EPISODE = _episodes.delete().where(
     _episodes.c.index == sa.bindparam("of_index"),
 )
 
+_LAST_STATEMENT = (
+    sa.select(_statements.c.sha256).order_by(_statements.c.number.desc()).limit(1)
+)
+
 _OF_NO_ACCOUNT = {"account": "", "counted": 0}
+# Of no account: of what is of the host, and not of one of them.
+_OF_ALL_ACCOUNTS = "*"
 
 
 class OwnershipLost(StoreFailed):
     """Another node has claimed the run: nothing of it was stored, nor will be."""
+
+
+class NotTheNext(Exception):
+    """Another node has signed meanwhile, this run or another one."""
 
 
 class RunIsKept(Exception):
@@ -322,6 +332,7 @@ class Store:
         of_run = _runs.update().where(_runs.c.number == run.number)
 
         def store(connection: sa.Connection) -> None:
+            self.lock_order(connection)  # for the entry
             self._before_delete(connection, run.run_id, by_host)
             connection.execute(
                 _episodes.delete().where(_episodes.c.number == run.number)
@@ -463,6 +474,14 @@ class Store:
         counted = _accounts.update().where(_accounts.c.account == account)
         connection.execute(counted.values(counted=_accounts.c.counted + 1))
 
+    def lock_order(self, connection: sa.Connection) -> None:
+        """To be called first by a transaction that adds to what has one order.
+
+        What it then reads no other node changes before it ends: the last statement, the
+        leaves of the leaderboard, an entry.
+        """
+        self._lock_account(connection, _OF_ALL_ACCOUNTS)
+
     async def usage_of(self, account: str) -> Quota:
         """What an account has of what its quota bounds."""
         return await self.read(partial(_usage_of, account=account))
@@ -509,15 +528,28 @@ class Store:
 
     async def last_statement_sha256(self) -> str | None:
         """Of the statement that was signed last; None before the first."""
-        query = sa.select(_statements.c.sha256).order_by(_statements.c.number.desc())
         async with self._database.transaction_that_reads() as connection:
-            return await connection.scalar(query.limit(1))
+            return await connection.scalar(_LAST_STATEMENT)
 
-    async def add_statement(self, run_id: str, statement: bytes, sha256: str) -> None:
-        """Store the statement of a run that has none."""
+    async def add_statement(
+        self, run_id: str, statement: bytes, sha256: str, previous: str | None
+    ) -> None:
+        """Store the statement of a run that has none, behind the one that it names.
+
+        previous: its digest; None for the first. Raises NotTheNext.
+        """
         row = {"run_id": run_id, "statement": statement, "sha256": sha256}
-        async with self._write_lock, self._transaction() as connection:
-            await connection.execute(_statements.insert().values(row))
+        is_there = sa.select(_statements.c.number).where(_statements.c.run_id == run_id)
+
+        def store(connection: sa.Connection) -> None:
+            self.lock_order(connection)
+            if connection.scalar(_LAST_STATEMENT) != previous:
+                raise NotTheNext(run_id)
+            if connection.scalar(is_there) is not None:
+                raise NotTheNext(run_id)
+            connection.execute(_statements.insert().values(row))
+
+        await self.write_in_turn(store)
 
     async def use_key(self, keyid: str, public_key: bytes, now_wall: float) -> None:
         """This key signs from now on; all others are retired."""
@@ -525,15 +557,16 @@ class Store:
         retire = keys.update().where(
             keys.c.keyid != keyid, keys.c.retired_at_wall.is_(None)
         )
-        async with self._write_lock, self._transaction() as connection:
-            await connection.execute(retire.values(retired_at_wall=now_wall))
-            again = keys.update().where(keys.c.keyid == keyid)
-            known = await connection.execute(again.values(retired_at_wall=None))
-            if known.rowcount == 0:
-                row = {"keyid": keyid, "public_key": public_key}
-                await connection.execute(
-                    keys.insert().values(row | {"created_at_wall": now_wall})
-                )
+        again = keys.update().where(keys.c.keyid == keyid).values(retired_at_wall=None)
+        row = {"keyid": keyid, "public_key": public_key, "created_at_wall": now_wall}
+
+        def store(connection: sa.Connection) -> None:
+            self.lock_order(connection)
+            connection.execute(retire.values(retired_at_wall=now_wall))
+            if connection.execute(again).rowcount == 0:
+                connection.execute(keys.insert().values(row))
+
+        await self.write_in_turn(store)
 
     async def keys(self) -> list[PublicKey]:
         """All keys that signed, the newest first."""

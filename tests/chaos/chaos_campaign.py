@@ -19,6 +19,7 @@ from tests.chaos.chaos_faults import FAULTS, Fault
 from tests.chaos.chaos_player import ChaosPlayer
 from tests.chaos.chaos_rounds import Counts, Round
 from tests.chaos.push_player import PushPlayer, scripted_policy
+from tests.chaos.record_audit import RecordAudit
 from tests.chaos.write_audit import WriteAudit
 
 NODES = 3
@@ -37,6 +38,7 @@ class Campaign:
     ) -> None:
         self._cluster, self._seed = cluster, seed
         self._audit = WriteAudit(cluster)
+        self._records = RecordAudit(cluster, cluster.directory)
         self._judged: set[str] = set()
         self._tracebacks = [0] * NODES
         self._players: list[ChaosPlayer] = []
@@ -111,6 +113,7 @@ class Campaign:
             self._audit.claims,
             sum(player.compared for player in players),
             self._audit.rows,
+            self._records.records,
         )
 
     def _wait_for_operations(
@@ -166,7 +169,9 @@ class Campaign:
             with _RetryingClient(
                 self._cluster.url, WATCHER, timeout_s=timeout_s
             ) as client:
-                return check_histories(client, histories, is_fault_expected=True)
+                found = check_histories(client, histories, is_fault_expected=True)
+                done = [history for history in histories if history.is_done]
+                return [*found, *self._records.judge(client, done)]
         except (NoAnswer, OSError) as error:
             return [f"the runs cannot be read: {error!r}"]
 

@@ -30,7 +30,10 @@ PROGRAM = "tests.attack.patched_server"
 
 
 class ChaosCluster:
-    """Opened by `open`. url: of the balancer. database: name of the nodes' one."""
+    """Opened by `open`. url: of the balancer. database: name of the nodes' one.
+
+    directory: of all files, among them the recordings, which the nodes share.
+    """
 
     def __init__(
         self,
@@ -44,7 +47,7 @@ class ChaosCluster:
         self.fronts: list[Link] = []
         self.peers: list[Link] = []
         self.databases: list[Link] = []
-        self._directory = directory
+        self.directory = directory
         self._ports: list[int] = []
         url = postgresql.create()
         self.database = url.partition("@/")[2].partition("?")[0]
@@ -77,7 +80,7 @@ class ChaosCluster:
         self.execute(
             f"CREATE ROLE {user} SUPERUSER LOGIN PASSWORD '{PASSWORD}'", "SELECT 1"
         )
-        folder = self._directory / user
+        folder = self.directory / user
         folder.mkdir()
         self._ports.append(0)  # a node finds one when it starts
         peer, peer_port = self.links.open_port(lambda: self._ports[number])
@@ -87,7 +90,8 @@ class ChaosCluster:
         self.fronts.append(front)
         settings = {
             "PROCTOR_CLUSTER": "on",
-            "PROCTOR_RECORDINGS": "off",
+            "PROCTOR_RECORDS_DIR": str(self.directory / "records"),
+            "PROCTOR_SIGNING_KEY": str(self.directory / "signing-key"),
             "PROCTOR_PROFILES": "",
             "PROCTOR_NODE_LEASE_S": str(self.lease_s),
             "PROCTOR_NODE_URL": f"http://{HOST}:{peer_port}",
@@ -98,8 +102,8 @@ class ChaosCluster:
             "PROCTOR_DATABASE": f"postgresql://{user}:{PASSWORD}@/{self.database}"
             f"?host={folder}",
             "ATTACK_DIRECTORY": str(folder),
-            "PROCTOR_SEALING_KEY": str(self._directory / "key"),
-            "PROCTOR_SEED_SECRET": str(self._directory / "seeds"),
+            "PROCTOR_SEALING_KEY": str(self.directory / "key"),
+            "PROCTOR_SEED_SECRET": str(self.directory / "seeds"),
         }
         node = AttackedServer(folder, settings, program=PROGRAM)
         self.nodes.append(node)
@@ -137,7 +141,7 @@ class ChaosCluster:
 
     def shift_clock(self, number: int, by_s: float) -> None:
         """Let the wall clock of a node be wrong by so much."""
-        (self._directory / f"node{number}" / "clock").write_text(str(by_s))
+        (self.directory / f"node{number}" / "clock").write_text(str(by_s))
 
     def logs(self) -> list[str]:
         """Of each node, from its first start on."""

@@ -49,7 +49,7 @@ def summary(rounds: Sequence[Round], conditions: Conditions) -> Iterator[str]:
         f"{len(rounds)} rounds, seed {conditions.seed}: {findings} findings in "
         f"{counts.runs:,} runs, {counts.operations:,} turns, starts and "
         f"changes of push runs, {counts.compared:,} turns with two answers, "
-        f"{counts.writes:,} writes, and "
+        f"{counts.writes:,} writes, {counts.records:,} records, and "
         f"{counts.claims:,} claims of runs by another node"
     )
     yield (
@@ -72,7 +72,9 @@ def write(rounds: Sequence[Round], conditions: Conditions) -> None:
         "4. Whenever the owner of a run changes, its fence grows.\n"
         "5. A turn that is sent twice, to two nodes at once, has one answer.\n"
         "6. A stop and a resume lose nothing that is scored.\n"
-        "7. Events come once each, and all, to a reader who reconnects to any node.\n\n"
+        "7. Events come once each, and all, to a reader who reconnects to any node.\n"
+        "8. Each completed run has a record that verifies and has what was "
+        "acknowledged; all are one chain.\n\n"
         "Time: the longest in which a player had no success, from the fault on; for a "
         "database or a network\nthat is away as a whole, from its return. A player "
         "waits a lease and a second for an answer.\nThe balancer is the one of "

@@ -25,7 +25,7 @@ class Counts:
     """Of a campaign, or of rounds of it.
 
     operations: turns, starts and changes of push runs. compared: turns with two
-    answers. writes: of runs and episodes, that were judged.
+    answers. writes: of runs and episodes, that were judged. records: of completed runs.
     """
 
     runs: int = 0
@@ -33,6 +33,7 @@ class Counts:
     claims: int = 0
     compared: int = 0
     writes: int = 0
+    records: int = 0
 
     def __add__(self, other: Counts) -> Counts:
         return self._each(other, 1)

@@ -7,11 +7,14 @@ import threading
 import time
 from pathlib import Path
 from random import Random
+from types import SimpleNamespace
 from typing import Any, cast
 
 import asyncpg
 import pytest
 
+from reference_record.formats.envelope import sign_envelope
+from reference_record.keys import make_key
 from tests.attack import reliability_page
 from tests.attack.raw_client import Answer
 from tests.attack.watcher import History
@@ -28,6 +31,7 @@ from tests.chaos.chaos_rounds import (
     faults_to_play,
 )
 from tests.chaos.push_player import PushPlayer
+from tests.chaos.record_audit import RecordAudit
 from tests.chaos.write_audit import WriteAudit
 from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
 
@@ -45,7 +49,7 @@ def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
         counts = campaign.counts()
     assert [one.findings for one in rounds] == [[] for _ in GATE]
     assert counts.runs >= 4
-    seen = counts.claims, counts.compared, counts.writes
+    seen = counts.claims, counts.compared, counts.writes, counts.records
     assert all(seen), counts  # so there was something to find
 
 
@@ -86,6 +90,26 @@ def _scored(result: str | None) -> tuple[Any, ...]:
 def test_a_wrong_write_is_found(rows: list[tuple[Any, ...]], found: str) -> None:
     audit = WriteAudit(cast("ChaosCluster", _Written(*rows)))
     sentences = list(audit.judge())
+    assert len(sentences) == bool(found)
+    assert found in "".join(sentences)
+
+
+@pytest.mark.parametrize(
+    ("previous", "found"),
+    [((None, "sha of 1"), ""), (("other", "sha of 1"), "r1"), ((None, None), "r2")],
+)
+def test_statements_of_two_chains_are_found(
+    tmp_path: Path, previous: tuple[str | None, ...], found: str
+) -> None:
+    """As two nodes sign that do not know of each other."""
+    key = make_key()
+    rows: list[tuple[Any, ...]] = []
+    for number, named in enumerate(previous, 1):
+        said = {"predicate": {"previous_statement_sha256": named}}
+        signed = sign_envelope(json.dumps(said).encode(), key)
+        rows.append((number, f"r{number}", signed, f"sha of {number}"))
+    cluster: Any = SimpleNamespace(execute=lambda _: rows)
+    sentences = list(RecordAudit(cluster, tmp_path).judge_chain())
     assert len(sentences) == bool(found)
     assert found in "".join(sentences)
 

@@ -54,6 +54,8 @@ def test_the_address_and_the_token_are_printed_at_once(tmp_path: Path) -> None:
                 headers={"Authorization": f"Bearer {said['token']}"},
             )
             assert answer.status_code == 200
+            served = httpx.get(f"{said['url']}/v1").json()
+            assert {"record", "board"} <= set(served["profiles"])
         finally:
             cluster.terminate()
     assert cluster.returncode == 0

@@ -207,6 +207,7 @@ def test_a_node_without_a_lease_acts_for_no_run(database: UsedDatabase) -> None:
 
     async def scenario(nodes: Nodes) -> None:
         lost: list[str] = []
+        announced: list[str] = []
 
         member = Membership(
             NodeStore(nodes.stores[0], 0.0),  # a lease that is always over
@@ -214,6 +215,7 @@ def test_a_node_without_a_lease_acts_for_no_run(database: UsedDatabase) -> None:
             0.0,
             lambda: lost.append(member.node_id),
             lambda _run_id: None,
+            announce=announced.append,
         )
         await member.open()
         first_id = member.node_id
@@ -223,6 +225,7 @@ def test_a_node_without_a_lease_acts_for_no_run(database: UsedDatabase) -> None:
         await member.ensure_lease()
         assert lost == [member.node_id]
         assert member.node_id != first_id
+        assert announced == [first_id, member.node_id]
         await member.close()
         assert await live(nodes.nodes[1]) == ["first", "second"]
 

@@ -166,6 +166,7 @@ def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
                 "import_store.py",
                 "migrations/versions/r0001_baseline.py",
                 "migrations/versions/r0002_nodes.py",
+                "migrations/versions/r0003_cluster_facts.py",
                 "node_store.py",
                 "postgresql.py",
                 "schema_version.py",

@@ -233,16 +233,27 @@ def test_an_account_without_token_is_for_this_machine_alone(
         Settings(flageval_account="local", **other)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("recordings", [{}, {"recordings": "pictures"}])
-def test_a_node_that_would_record_does_not_start(recordings: dict[str, str]) -> None:
-    """Recordings are on by default; the sentence says what to add."""
-    with pytest.raises(ValidationError, match="add --recordings off"):
-        Settings(cluster="on", **recordings)  # type: ignore[arg-type]
+def test_nodes_that_record_share_a_folder_and_a_key() -> None:
+    """Beside an SQLite file both are found by themselves; elsewhere they are named."""
+    assert Settings(cluster="on").recordings == "actions"
+    cluster: dict[str, Any] = {"cluster": "on", "database": "postgresql://host/name"}
+    cluster |= {"tokens": "a:run:t", "sealing_key": "key", "seed_secret": "seeds"}
+    shared: dict[str, Any] = {"records_dir": "/shared", "signing_key": "signing-key"}
+    assert Settings(**cluster, **shared).records_dir
+    assert Settings(**cluster, recordings="off").records_dir == ""
+    for name, value in shared.items():
+        with pytest.raises(ValidationError, match="needs records_dir, a folder that"):
+            Settings(**cluster, **{name: value})
+
+
+def test_a_node_takes_no_records() -> None:
+    with pytest.raises(ValidationError, match="cluster needs record_imports off"):
+        Settings(cluster="on", record_imports="on")
 
 
 @pytest.mark.parametrize("host", ["0.0.0.0", "::"])  # noqa: S104
 def test_a_node_on_every_address_is_given_the_url_of_one(host: str) -> None:
-    cluster: dict[str, Any] = {"cluster": "on", "recordings": "off"}
+    cluster: dict[str, Any] = {"cluster": "on"}
     assert Settings(**cluster).cluster == "on"
     given = Settings(**cluster, host=host, node_url="http://10.0.0.1:8460")
     assert given.node_url is not None

@@ -36,7 +36,7 @@ class ReferenceServer:
     def __init__(self, directory: Path, **settings: str) -> None:
         self._directory = directory
         self.database_file = directory / "proctor.sqlite"
-        self._settings = settings
+        self.settings = settings
         self._port = "0"
         self.start()
 
@@ -47,7 +47,7 @@ class ReferenceServer:
             "PROCTOR_PORT": self._port,
             "PROCTOR_DATABASE": str(self.database_file),
             "PROCTOR_TOKENS": tokens.format(**TOKENS),
-        } | self._settings
+        } | self.settings
         with (self._directory / "log").open("ab") as log:
             self.process = subprocess.Popen(
                 self.command,

@@ -32,7 +32,6 @@ async def start_node(port: int) -> tuple[asyncio.subprocess.Process, str]:
     """
     settings = {
         "PROCTOR_CLUSTER": "on",
-        "PROCTOR_RECORDINGS": "off",
         "PROCTOR_PORT": str(port),
     }
     node = await asyncio.create_subprocess_exec(

@@ -256,7 +256,7 @@ def test_each_event_is_written_once_by_several_writers(
         right(*arguments)
 
     monkeypatch.setattr(recording_parts.PartWriter, "write", write_message)
-    run: Any = SimpleNamespace(run_id="run_1")
+    run: Any = SimpleNamespace(run_id="run_1", fence=0)
     episode: Any = SimpleNamespace(index=0, attempt=1)
 
     async def write() -> None:

@@ -27,6 +27,8 @@ class Removed(Exception):
 class FewRuns:
     """A store and recordings of runs that ended at the given times."""
 
+    is_shared = False
+
     def __init__(self, *answers: dict[str, tuple[str, float]]) -> None:
         self.answers, self.removed = list(answers), list[str]()
         self.failures, self.is_last = 0, False
@@ -53,7 +55,7 @@ class FewRuns:
     def remove_drafts(self) -> None:
         pass
 
-    def runs_with_joined_parts(self) -> list[str]:
+    def runs_with_leftovers(self, _since_wall: float) -> list[str]:
         return []
 
     def run_ids(self) -> list[str]:

@@ -143,7 +143,7 @@ def test_all_that_is_stored_goes_and_the_run_stays_counted(tmp_path: Path) -> No
         turn = await parts.executor.attach(first, Attach("w", "key"))
         await parts.executor.predict(first, predict_command(turn, end=1))
         await parts.service.stop_run("alice", "run_1")
-        await parts.store.add_statement("run_1", b"statement", "0" * 64)
+        await parts.store.add_statement("run_1", b"statement", "0" * 64, None)
         assert count_rows(parts.path, "episodes") == 1
         await parts.service.delete_run("alice", "run_1")
         assert not await is_there(parts, "run_1")

@@ -41,7 +41,8 @@ class Cluster:
                 folder.mkdir()
                 given = {
                     "PROCTOR_CLUSTER": "on",
-                    "PROCTOR_RECORDINGS": "off",
+                    "PROCTOR_RECORDS_DIR": str(directory / "records"),
+                    "PROCTOR_SIGNING_KEY": str(directory / "signing-key"),
                     "PROCTOR_NODE_LEASE_S": str(LEASE_S),
                     "PROCTOR_SPARE_SIMULATORS": "1",
                     "PROCTOR_LOG_LEVEL": "info",

@@ -18,7 +18,8 @@ WRITES = (("UPDATE", "runs"), ("INSERT", "runs"), ("INSERT", "episodes"))
 
 # What the first database with a version has, and none before it.
 MAKE_UNVERSIONED = (
-    *(f"DROP TABLE {name}" for name in ("alembic_version", "nodes", "accounts")),
+    "DROP TABLE alembic_version",
+    *(f"DROP TABLE {name}" for name in ("nodes", "accounts", "cluster_facts")),
     *(f"ALTER TABLE runs DROP COLUMN {name}" for name in ("owner", "fence")),
 )
 

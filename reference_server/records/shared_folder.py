@@ -1,0 +1,111 @@
+"""What the nodes of a cluster must have in common to record and to sign as one host.
+
+One folder of recordings, one key and one name. The folder has an id, which the database
+stores: a node that has another folder does not start, as others would not find what it
+records. A copy has the same id; so each node leaves a file with its own name, which who
+starts has to see while that node lives. It knows no HTTP.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import secrets
+import time
+from collections.abc import Collection, Mapping
+from pathlib import Path
+
+from reference_server.storage.node_store import NodeStore
+from reference_server.storage.store import StoreFailed
+from reference_server.system import private_files
+
+ID_FILE = ".folder-id"
+# Has an empty file for each node, by its id.
+NODES = ".nodes"
+# Older ones of nodes that are not in the list are removed; these were killed.
+STARTING_S = 3600.0
+
+FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
+
+
+class NotShared(Exception):
+    """This node has not what the others have; the text says what to do."""
+
+
+async def check_shared(
+    nodes: NodeStore, url: str, folder: Path, keyid: str, host: str
+) -> None:
+    """Compare this node with the cluster, before it joins.
+
+    url: of this node. The key and the name may change when no other node lives. Raises
+    NotShared, StoreFailed and OSError.
+    """
+    listed = await nodes.listed()
+    _forget_killed(folder, listed)
+    known = await nodes.facts()
+    found = _read_id(folder)
+    if found is None and FOLDER not in known:
+        found = _make_id(folder)
+    facts = {FOLDER: found or "", KEY: keyid, HOST: host}
+    if FOLDER not in known or found == known[FOLDER]:
+        known = await nodes.agree(url, facts, lasting={FOLDER})
+    _compare(known, facts, folder)
+    for node_id, other in listed.items():
+        lives = other.node.url != url and not nodes.is_over(other.silent_s)
+        if lives and not (folder / NODES / node_id).exists():
+            raise NotShared(
+                f"{folder} is not the folder of the node at {other.node.url}, but a "
+                "copy of it, or that node records nothing: set records_dir and "
+                "recordings as there"
+            )
+
+
+def show_node(folder: Path, node_id: str) -> None:
+    """To be called before the node joins. Raises StoreFailed."""
+    try:
+        (folder / NODES).mkdir(mode=0o700, parents=True, exist_ok=True)
+        (folder / NODES / node_id).touch(mode=0o600)
+    except OSError as error:
+        raise StoreFailed(f"the folder of recordings: {error}") from error
+
+
+def _forget_killed(folder: Path, listed: Collection[str]) -> None:
+    before = time.time() - STARTING_S
+    for path in (folder / NODES).glob("*"):
+        with contextlib.suppress(OSError):
+            if path.name not in listed and path.stat().st_mtime < before:
+                path.unlink()
+
+
+def _compare(known: Mapping[str, str], facts: Mapping[str, str], folder: Path) -> None:
+    """known: of the cluster. Raises NotShared."""
+    if known[FOLDER] != facts[FOLDER]:
+        raise NotShared(
+            f"{folder} is not the folder with the recordings of this cluster: set "
+            "records_dir to the one that all nodes share; or, if that was lost for "
+            f"good, write {known[FOLDER]} into {folder / ID_FILE}"
+        )
+    if known[KEY] != facts[KEY]:
+        raise NotShared(
+            f"the other nodes sign records with {known[KEY]}, and this one would with "
+            f"{facts[KEY]}: set signing_key to a copy of their file"
+        )
+    if known[HOST] != facts[HOST]:
+        raise NotShared(
+            f"the records of the other nodes are of the host {known[HOST]}, and those "
+            f"of this one would be of {facts[HOST]}: set public_url, equal on all nodes"
+        )
+
+
+def _read_id(folder: Path) -> str | None:
+    """None of a folder that no cluster has used."""
+    try:
+        return (folder / ID_FILE).read_text().strip() or None
+    except FileNotFoundError:
+        return None
+
+
+def _make_id(folder: Path) -> str:
+    """Two nodes that start at once make one."""
+    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    made = secrets.token_hex(16).encode()
+    return private_files.read_or_create(folder / ID_FILE, lambda: made).decode()

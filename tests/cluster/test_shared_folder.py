@@ -1,0 +1,291 @@
+"""What nodes have in common to record, and what late writers leave in their folder."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import shutil
+import time
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import msgspec
+import pytest
+
+from reference_record.formats.mcap_reader import McapReader
+from reference_record.recording_file import DRAFT_SUFFIX
+from reference_server.records.recordings import Recordings
+from reference_server.records.shared_folder import (
+    ID_FILE,
+    NODES,
+    STARTING_S,
+    NotShared,
+    check_shared,
+    show_node,
+)
+from reference_server.rules.run import Recording, Result
+from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.store import NotTheNext, Store
+from tests.support.server.databases import UsedDatabase
+
+LEASE_S = 60.0
+URLS = "http://127.0.0.1:1", "http://127.0.0.1:2"
+ABANDONED = Result("abandoned", 0.0, 1, 0, False, False, 0.0, 1.0)
+
+
+@asynccontextmanager
+async def opened(database: UsedDatabase) -> AsyncIterator[tuple[Store, NodeStore]]:
+    store = Store(database.url, is_shared=True)
+    await store.open()
+    try:
+        yield store, NodeStore(store, LEASE_S)
+    finally:
+        await store.close()
+
+
+def run_with(
+    database: UsedDatabase, story: Callable[[Store, NodeStore], Awaitable[None]]
+) -> None:
+    async def run() -> None:
+        async with opened(database) as (store, nodes):
+            await story(store, nodes)
+
+    asyncio.run(run())
+
+
+# --- what they have in common ---
+
+
+def test_a_node_with_another_folder_is_refused(
+    database: UsedDatabase, tmp_path: Path
+) -> None:
+    """Also when no other node lives, and with a folder of another cluster."""
+    right, other = tmp_path / "records", tmp_path / "other"
+
+    async def story(_: Store, nodes: NodeStore) -> None:
+        for url in URLS:
+            await check_shared(nodes, url, right, "key", "host")
+        for _again in range(2):
+            with pytest.raises(NotShared, match=f"{other} is not the folder") as said:
+                await check_shared(nodes, URLS[1], other, "key", "host")
+            other.mkdir(exist_ok=True)
+            (other / ID_FILE).write_text("of another cluster")
+        assert (right / ID_FILE).read_text() in str(said.value)
+        await check_shared(nodes, URLS[1], right, "key", "host")
+
+    run_with(database, story)
+
+
+def test_a_node_with_a_copy_of_the_folder_is_refused(
+    database: UsedDatabase, tmp_path: Path
+) -> None:
+    """It has the id of the right one, and not what those that live write there."""
+    right, copied = tmp_path / "records", tmp_path / "copied"
+
+    async def story(_: Store, nodes: NodeStore) -> None:
+        await check_shared(nodes, URLS[0], right, "key", "host")
+        shutil.copytree(right, copied)
+        show_node(right, "a")
+        await nodes.join(Node("a", URLS[0], "secret"))
+        with pytest.raises(NotShared, match=f"the node at {URLS[0]}, but a copy"):
+            await check_shared(nodes, URLS[1], copied, "key", "host")
+        for name, age_s in (("killed", STARTING_S + 9), ("starts", 0), ("a", 1e6)):
+            show_node(right, name)
+            os.utime(right / NODES / name, (0, time.time() - age_s))
+        await check_shared(nodes, URLS[1], right, "key", "host")
+        assert {path.name for path in (right / NODES).iterdir()} == {"a", "starts"}
+
+    run_with(database, story)
+
+
+@pytest.mark.parametrize(
+    ("mine", "text"),
+    [(("other", "host"), "set signing_key"), (("key", "other"), "set public_url")],
+)
+def test_a_node_signs_as_those_that_live(
+    database: UsedDatabase, tmp_path: Path, mine: tuple[str, str], text: str
+) -> None:
+    """Who is alone may have another key or name; the next ones need the same."""
+    theirs = "key", "host"
+
+    async def story(_: Store, nodes: NodeStore) -> None:
+        await check_shared(nodes, URLS[0], tmp_path, *theirs)
+        await nodes.join(Node("a", URLS[0], "secret"))
+        show_node(tmp_path, "a")
+        with pytest.raises(NotShared, match=text):
+            await check_shared(nodes, URLS[1], tmp_path, *mine)
+        await check_shared(nodes, URLS[1], tmp_path, *theirs)
+        # The same node again, after a crash: its own lease does not stand against it.
+        await check_shared(nodes, URLS[0], tmp_path, *mine)
+        with pytest.raises(NotShared, match=text):
+            await check_shared(nodes, URLS[1], tmp_path, *theirs)
+
+    run_with(database, story)
+
+
+def test_nodes_that_start_at_once_make_one_id(
+    database: UsedDatabase, tmp_path: Path
+) -> None:
+    async def start(url: str) -> None:
+        async with opened(database) as (_, nodes):
+            await check_shared(nodes, url, tmp_path / "records", "key", "host")
+
+    async def start_all() -> None:
+        async with opened(database):
+            await asyncio.gather(*map(start, URLS))
+
+    asyncio.run(start_all())
+
+
+# --- one chain ---
+
+
+def test_a_statement_names_the_last_one(database: UsedDatabase) -> None:
+    """Expect no second one behind the same, and none of a run that has one."""
+
+    async def story(store: Store, _: NodeStore) -> None:
+        await store.add_statement("run_1", b"1", "sha of 1", None)
+        for late in (None, "sha of 2"):
+            with pytest.raises(NotTheNext):
+                await store.add_statement("run_2", b"2", "sha of 2", late)
+        with pytest.raises(NotTheNext):
+            await store.add_statement("run_1", b"again", "sha of it", "sha of 1")
+        await store.add_statement("run_2", b"2", "sha of 2", "sha of 1")
+        assert await store.last_statement_sha256() == "sha of 2"
+        assert await store.find_statement("run_1") == b"1"
+
+    run_with(database, story)
+
+
+def test_nodes_add_one_statement_after_another(database: UsedDatabase) -> None:
+    """Four nodes add five each, and begin again behind what came before."""
+
+    async def sign(node: int) -> None:
+        async with opened(database) as (store, _):
+            for number in range(5):
+                name = f"{node} {number}"
+                while True:
+                    last = await store.last_statement_sha256()
+                    said = (last or "").encode()
+                    try:
+                        await store.add_statement(name, said, name, last)
+                    except NotTheNext:
+                        continue
+                    break
+
+    async def sign_all() -> None:
+        async with opened(database):
+            await asyncio.gather(*map(sign, range(4)))
+
+    asyncio.run(sign_all())
+    rows = database.execute("SELECT statement, sha256 FROM statements ORDER BY number")
+    assert len(rows) == 20
+    assert [bytes(said).decode() for said, _ in rows[1:]] == [s for _, s in rows[:-1]]
+
+
+# --- recordings of several owners ---
+
+
+class Owner:
+    """A node that owns, or owned, the run `run_1` with a fence."""
+
+    def __init__(self, folder: Path, fence: int) -> None:
+        self.recordings = Recordings(folder, is_shared=True)
+        self.recordings.open()
+        self.episode: Any = SimpleNamespace(index=0, attempt=1, recording="finished")
+        self.run: Any = SimpleNamespace(
+            run_id="run_1", fence=fence, episodes=[self.episode]
+        )
+
+    async def add_fault(self, detail: str) -> None:
+        add = self.recordings.add_fault
+        add(self.run, self.episode, 0, "simulator_fault", detail)
+        await self.recordings.begin(self.run, self.episode)
+
+    async def finish(self) -> Recording:
+        return await self.recordings.finish(self.run, self.episode, ABANDONED)
+
+    def path(self) -> Path:
+        return self.recordings.path("run_1", 0, self.run.fence)
+
+
+async def finish_twice(folder: Path, fence: int = 1) -> tuple[Owner, Owner]:
+    """The second owner's recording is finished, and then, late, that of the first.
+
+    fence: of the first one; 0 for a server that had the database for itself.
+    """
+    first, second = Owner(folder, fence), Owner(folder, 12)
+    await first.add_fault("before")
+    await second.add_fault("after")
+    await second.finish()
+    before = second.path().read_bytes()
+    await first.add_fault("late")
+    recording = await first.finish()
+    assert (recording.fence, second.path().read_bytes()) == (fence, before)
+    for owner in (first, second):
+        await owner.recordings.close()
+    return first, second
+
+
+@pytest.mark.parametrize("fence", [0, 1])
+def test_an_earlier_owner_changes_no_file_of_a_later_one(
+    tmp_path: Path, fence: int
+) -> None:
+    """What it wrote before is in it, and comes first; what it writes late is not."""
+    _, second = asyncio.run(finish_twice(tmp_path, fence))
+    path = second.path()
+    with path.open("rb") as file:
+        messages = list(McapReader(path.name, file, path.stat().st_size).messages())
+    faults = [
+        msgspec.json.decode(data) for topic, data in messages if topic == "/fault"
+    ]
+    assert [fault["detail"] for fault in faults] == ["before", "after"]
+
+
+def test_parts_of_all_owners_are_removed_when_a_result_is_stored(
+    tmp_path: Path,
+) -> None:
+    async def story() -> None:
+        first, second = Owner(tmp_path, 1), Owner(tmp_path, 2)
+        for owner in (first, second):
+            await owner.add_fault("before")
+            await owner.finish()
+        second.recordings.remove_parts(second.run, {0})
+        for owner in (first, second):
+            await owner.recordings.close()
+
+    asyncio.run(story())
+    names = {path.name for path in (tmp_path / "run_1").iterdir()}
+    assert names == {"00000.fence1.mcap", "00000.fence2.mcap"}
+
+
+def test_what_late_writers_left_is_removed_from_completed_runs(tmp_path: Path) -> None:
+    """A draft is only known to be of no use when the run is completed."""
+    _, second = asyncio.run(finish_twice(tmp_path))
+    folder, recordings = tmp_path / "run_1", second.recordings
+    draft = (folder / "00000.fence1.mcap").with_suffix(DRAFT_SUFFIX)
+    draft.touch()
+    os.utime(draft, (1.0, 1.0))
+    for name in ("00001.fence1.parts", "00002.fence3.draft", "notes.mcap"):
+        (folder / name).touch()
+    kept = {"00000.fence12.mcap", "00001.fence1.parts", "notes.mcap"}
+    recordings.remove_drafts()
+    assert draft.exists()
+    assert recordings.runs_with_leftovers() == ["run_1"]
+    changed_at = folder.stat().st_mtime
+    assert recordings.runs_with_leftovers(changed_at) == ["run_1"]
+    assert recordings.runs_with_leftovers(changed_at + 1) == []
+    recordings.remove_unused("run_1", {0: 12, 2: 3})
+    assert {path.name for path in folder.iterdir()} == kept
+    assert recordings.runs_with_leftovers() == []
+
+
+def test_the_id_of_a_folder_is_no_run(tmp_path: Path) -> None:
+    (tmp_path / ID_FILE).touch()
+    (tmp_path / "run_1").mkdir()
+    recordings = Recordings(tmp_path, is_shared=True)
+    assert recordings.run_ids() == ["run_1"]
+    assert recordings.runs_with_leftovers() == []
