@@ -99,9 +99,12 @@ def test_a_refusal_may_not_be_the_end_of_a_stream() -> None:
     """No node has the run yet. Expect that no reader sees the body of that."""
     sent = Sent().part(run_event("a")).part(b"a problem", status=503, headers=[])
     assert sent.goes_on()
+    assert sent.stream.is_refused
+    asyncio.run(sent.stream.keep_alive())
     sent.part(b"another one", status=404, headers=[])
     assert not sent.goes_on()
-    assert sent.end().body == run_event("a")
+    assert not sent.stream.is_refused
+    assert sent.end().body == run_event("a") + b":\n\n"
 
 
 def test_a_run_that_may_be_resumed_is_followed() -> None:
