@@ -50,6 +50,11 @@ class FollowedStream:
             and not self._is_over()
         )
 
+    @property
+    def is_refused(self) -> bool:
+        """Whether no node has sent the last part; one may later."""
+        return self._status == _LATER
+
     def _is_over(self) -> bool:
         """Whether the run can change no more (EVT-006)."""
         if not self._last_run:
@@ -76,6 +81,11 @@ class FollowedStream:
         elif self._status == _GOES_ON and (body := message.get("body", b"")):
             await self._send({**message, "more_body": True})
             self._note(body)
+
+    async def keep_alive(self) -> None:
+        """A comment between two parts: the stream is not dead (EVT-008)."""
+        comment = {"type": "http.response.body", "body": b":\n\n", "more_body": True}
+        await self._send(comment)
 
     async def end(self) -> None:
         """After the last part; what was not sent whole stays incomplete."""

@@ -383,11 +383,13 @@ class RunForwarding:
             began, last_id = _now(), stream.last_id
             behind = stream.scope_behind(scope)
             await self._answer_or_repeat(behind, request, stream.send)
-            if stream.last_id != last_id or _now() - began > FOLLOW_PAUSE_S:
+            is_long = not stream.is_refused and _now() - began > FOLLOW_PAUSE_S
+            if is_long or stream.last_id != last_id:
                 sent_at = _now()
             elif _now() - sent_at > 2 * membership.lease_s + SILENT_S:
                 return
             else:
+                await stream.keep_alive()
                 await asyncio.sleep(FOLLOW_PAUSE_S)
 
     async def _answer_or_repeat(

@@ -58,6 +58,9 @@ class Sent:
     def goes_on(self) -> bool:
         return self.stream.can_go_on
 
+    def is_refused(self) -> bool:
+        return self.stream.is_refused
+
     def end(self) -> Sent:
         asyncio.run(self.stream.end())
         return self
@@ -99,9 +102,12 @@ def test_a_refusal_may_not_be_the_end_of_a_stream() -> None:
     """No node has the run yet. Expect that no reader sees the body of that."""
     sent = Sent().part(run_event("a")).part(b"a problem", status=503, headers=[])
     assert sent.goes_on()
+    assert sent.is_refused()
+    asyncio.run(sent.stream.keep_alive())
     sent.part(b"another one", status=404, headers=[])
     assert not sent.goes_on()
-    assert sent.end().body == run_event("a")
+    assert not sent.is_refused()
+    assert sent.end().body == run_event("a") + b":\n\n"
 
 
 def test_a_run_that_may_be_resumed_is_followed() -> None:

@@ -352,10 +352,11 @@ def test_runs_of_a_dead_node_leave_the_queue_without_a_request(tmp_path: Path) -
     database = str(tmp_path / "proctor.sqlite")  # one machine needs no PostgreSQL
     with Cluster.of(tmp_path, database, PROCTOR_MAX_ACTIVE_RUNS="1") as cluster:
         first, second = cluster.clients
-        submit(first, "score")
-        run_id = submit(first, "score")
+        _, playing, run_id = (submit(one, "score") for one in (first, second, first))
         assert first.get(f"/v1/runs/{run_id}").json()["queue_position"] == 1
         cluster.kill(0)
+        stopped = second.post(f"/v1/runs/{playing}/stop", json={"mode": "abort"})
+        assert stopped.status_code == 200
 
         def state() -> str:
             found = second.get("/v1/runs").json()["runs"]
