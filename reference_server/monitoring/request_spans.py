@@ -60,11 +60,12 @@ class RequestSpans:
             return
         parent = read_traceparent(scope)
         is_trusted = parent is not None and self._trusts(scope)
-        with self._recorder.request(parent, is_trusted=is_trusted) as span:
-            if span.is_recorded:
-                await self._answer(span, scope, receive, send)
-            else:
-                await self._app(scope, receive, send)
+        span = self._recorder.request(parent, is_trusted=is_trusted)
+        if not span.is_recorded:  # as most are
+            await self._app(scope, receive, send)
+            return
+        with span:
+            await self._answer(span, scope, receive, send)
 
     async def _answer(
         self, span: Span, scope: Scope, receive: Receive, send: Send
@@ -82,9 +83,13 @@ class RequestSpans:
 
 def read_traceparent(scope: Scope) -> TraceParent | None:
     """That of the request; None without one, with several, or with anything else."""
-    found = [value for name, value in scope["headers"] if name == b"traceparent"]
-    match = _TRACEPARENT.fullmatch(found[0]) if len(found) == 1 else None
-    if match is None:
+    found = None
+    for name, value in scope["headers"]:
+        if name == b"traceparent":
+            if found is not None:
+                return None
+            found = value
+    if found is None or (match := _TRACEPARENT.fullmatch(found)) is None:
         return None
     trace_id, span_id, flags = (int(one, 16) for one in match.groups())
     if trace_id == 0 or span_id == 0:

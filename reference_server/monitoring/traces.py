@@ -100,6 +100,13 @@ class _Hidden:
 _CURRENT: ContextVar[_Recorded | None] = ContextVar("span", default=None)
 
 
+def _not_recorded() -> Span:
+    """Of a request; its task may have been begun by that of another one."""
+    if _CURRENT.get() is not None:
+        _CURRENT.set(None)
+    return NOT_RECORDED
+
+
 class Traces:
     """Records spans from `open` to `close`.
 
@@ -154,13 +161,13 @@ class Traces:
         """Of a trace that goes on, or a new one, which names an unknown parent."""
         if parent is not None and is_trusted:
             if not parent.is_recorded:
-                return _Hidden()
+                return _not_recorded()
             context = trace.set_span_in_context(
                 trace.NonRecordingSpan(_context_of(parent)), _NO_PARENT
             )
             return self._begin("request", context, trace.SpanKind.SERVER)
         if not self._is_drawn():
-            return _Hidden()
+            return _not_recorded()
         links = [] if parent is None else [trace.Link(_context_of(parent))]
         return self._begin("request", _NO_PARENT, trace.SpanKind.SERVER, links)
 
