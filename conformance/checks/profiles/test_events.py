@@ -201,7 +201,7 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
     nothing.
 
     Expect each change within a second, also where the state stays as it is, and no
-    repeated `run` event.
+    repeated `run` event, also for a reader that goes on after the last one.
     """
     run = context.submit(*["count"] * 4)
     workers = [run.worker() for _ in range(min(2, context.limits["max_workers"]))]
@@ -227,7 +227,13 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
         run.until("ready")
         expect_change_in_time(context, reader, in_state("ready"), "ready")
         reader.collect_for(PAUSE_S)
-        bodies = [event.body for event in reader.received if event.kind == "run"]
+        events = list(reader.received)
+    with follow_run(run, ids_of(events)[-1]) as again:
+        expect.equal(again.first_status(), 200, "status at the last id")
+        again.collect_for(PAUSE_S)
+        repeated = [event.body for event in again.received]
+        expect.equal(repeated, [], "events after the last one")
+    bodies = [event.body for event in events if event.kind == "run"]
     for last, body in itertools.pairwise(bodies):
         expect.true(body != last, "no `run` event without a change", body)
 
@@ -272,8 +278,8 @@ def expect_resumable(run: RunClient) -> None:
 def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
     """Runs that are completed, failed for good, stopped, and failed but retryable.
 
-    Expect the streams of the first two to end, and 204 after their last id; the others
-    to stay open.
+    Expect the streams of the first two to end, and 204 after their last id and no
+    earlier one; the others to stay open.
     """
     for state in ("completed", "failed not_retryable"):
         run = make_run_in_state(context, state)
@@ -285,6 +291,9 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
                 )
             what = f"the end of the stream of a run that is {state}"
             expect.true(reader.wait_for_end(), what, "none")
+        for earlier in ids_of(events)[:-1]:
+            with follow_run(run, earlier) as again:
+                expect.equal(again.first_status(), 200, "status at an earlier id")
     for state in ("stopped", "failed"):
         run = make_run_in_state(context, state)
         with follow_run(run) as reader:

@@ -45,8 +45,9 @@ def test_stop_001_abort_keeps_results(context: CheckContext) -> None:
 
 @requirement("STOP-002")
 def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
-    """Two workers continue with predict and heartbeat after the run is aborted; another
-    one, whose session is done, with heartbeat.
+    """Two workers continue with predict and heartbeat after the run is aborted, which
+    is what a stop without a mode does; another one, whose session is done, with
+    heartbeat.
 
     Expect `session_ended` for requests that were accepted before.
     """
@@ -55,7 +56,7 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     for worker in attached_workers:
         worker.predict(context.action())
         worker.heartbeat()
-    run.stop()
+    expect.ok(run.call("stop_run", json={}))
     for worker in attached_workers:
         expect.refused(worker.try_predict(context.action()), "session_ended")
         expect.refused(worker.try_heartbeat(), "session_ended")
