@@ -317,6 +317,7 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
     # Ids may be numbers that each run counts: five episodes count beyond one.
     others = [foreign[-1], *(id_ for id_ in foreign[:1] if id_ not in known)]
     others += [re.sub(r"\d+", lambda found: str(int(found[0]) + 1000), own, count=1)]
+    others += ids_to_come(known)
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, *others):
         if wrong == own:
             continue  # of letters alone
@@ -324,6 +325,14 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
         expect.refused(answer, "invalid_request")
     with follow_run(run, own) as reader:
         expect.equal(reader.first_status(), 200, "status at an id of the run")
+
+
+def ids_to_come(known: list[str]) -> list[str]:
+    """Give ids that a later event could have, if ids end in a number that counts."""
+    numbers = [int(found[-1]) for id_ in known if (found := re.findall(r"\d+", id_))]
+    following = str(max(numbers, default=0) + 1)
+    made = [re.sub(r"\d+(?=\D*$)", following, id_) for id_ in known]
+    return [id_ for id_ in made if id_ not in known]
 
 
 @background
