@@ -30,6 +30,7 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 POLL_S = 0.05
+LONGEST_QUEUE_S = 10
 
 COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
     "attach_worker": lambda run: run.worker("newcomer").try_attach(),
@@ -248,10 +249,12 @@ def expect_queued_for(run: RunClient, since: float, queue_s: float) -> None:
 @background
 def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
     """A run with `queue_s` waits; is stopped in the queue and resumed; is stopped when
-    it is ready and resumed.
+    it is ready and resumed. Another one waits as long as a run may.
 
     Expect it `queued` for that time, counted from the submit or the last resume.
     """
+    began_at = time.monotonic()
+    longest = context.submit("score", wait_ready=False, queue_s=LONGEST_QUEUE_S)
     queue_s = 0.8
     before = time.monotonic()
     run = context.submit("score", wait_ready=False, queue_s=queue_s)
@@ -263,6 +266,8 @@ def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
         before = time.monotonic()
         run.resume()
         expect_queued_for(run, before, queue_s)
+    time.sleep(max(0.0, began_at + LONGEST_QUEUE_S - 1 - time.monotonic()))
+    expect_queued_for(longest, began_at, LONGEST_QUEUE_S)
 
 
 @requirement("LIFE-811")

@@ -117,18 +117,23 @@ def scored(run: RunClient) -> dict[int, Any]:
 
 @requirement("RES-001")
 def test_res_001_resume_keeps_results(context: CheckContext) -> None:
-    """A run with two scored episodes is stopped, resumed, and played to its end.
+    """A run with two scored episodes and an abandoned one is stopped, resumed, and
+    played to its end.
 
-    Expect the two results unchanged after the resume and in the completed run.
+    Expect the three results unchanged after the resume and in the completed run.
     """
-    worker = submit_and_attach(context, *["score"] * 4)
+    worker = submit_and_attach(context, *["score"] * 5, max_attempts=2)
     run = worker.run
     worker.play(score=0.25)
+    for _ in range(2):
+        worker.predict(context.action(score=1))
+        worker.detach()
+        worker.attach()
     worker.play(score=0.75)
     worker.predict(context.action(score=1))
     run.stop()
     before = scored(run)
-    if len(before) != 2:
+    if len(before) != 3:
         raise SetUpFailed("a result is missing after the stop", breaks="STOP-001")
     run.resume()
     expect.equal(scored(run), before, "results after the resume")

@@ -156,13 +156,16 @@ def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
     the middle of its next turn.
 
     Expect the attempt closed and counted, and the session ended: its turn is refused
-    unless it was over by then, and so is its next request.
+    unless it was over by then and is answered whole, and so is its next request.
     """
     for ended_by, end in ENDS.items():
         worker = submit_and_attach(context, "delay", "delay", max_steps=100)
         worker.predict(context.action())
         turn = end_during_turn(worker, end)
-        if turn.status != 200:
+        if turn.status == 200:
+            whole = {"seq": 2, "executed_steps": 1}
+            expect.equal({name: turn.json[name] for name in whole}, whole, "the turn")
+        else:
             expect.refused(turn, "session_ended", ended_by=ended_by)
         expect.equal(worker.run.get()["live_workers"], 0, "live_workers")
         episode = worker.run.episodes()[index_of(worker)]
