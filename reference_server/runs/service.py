@@ -161,8 +161,10 @@ class RunService:
     ) -> Run:
         """The run, stopped (abort) or stopping (drain)."""
         run = await self._run_accepting(account, run_id, Stop(mode))
+        changes = changes_state(run, "stop_abort" if mode == "abort" else "stop_drain")
         self.executor.release_sessions(effects.stop(run, mode, time.time()))
-        await self.registry.commit(run)
+        if changes:  # LIFE-403, LIFE-502, LIFE-503: else nothing that it shows does
+            await self.registry.commit(run)
         return run
 
     async def resume_run(self, account: str, run_id: str) -> Run:

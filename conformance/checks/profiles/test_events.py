@@ -202,7 +202,7 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
     nothing.
 
     Expect each change within a second, also where the state stays as it is, and no
-    repeated `run` event.
+    repeated `run` event, also for a reader that goes on after the last one.
     """
     run = context.submit(*["count"] * 4)
     workers = [run.worker() for _ in range(min(2, context.limits["max_workers"]))]
@@ -228,7 +228,13 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
         run.until("ready")
         expect_change_in_time(context, reader, in_state("ready"), "ready")
         reader.collect_for(PAUSE_S)
-        bodies = [event.body for event in reader.received if event.kind == "run"]
+        events = list(reader.received)
+    with follow_run(run, ids_of(events)[-1]) as again:
+        expect.equal(again.first_status(), 200, "status at the last id")
+        again.collect_for(PAUSE_S)
+        repeated = [event.body for event in again.received]
+        expect.equal(repeated, [], "events after the last one")
+    bodies = [event.body for event in events if event.kind == "run"]
     for last, body in itertools.pairwise(bodies):
         expect.true(body != last, "no `run` event without a change", body)
 
@@ -273,8 +279,8 @@ def expect_resumable(run: RunClient) -> None:
 def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
     """Runs that are completed, failed for good, stopped, and failed but retryable.
 
-    Expect the streams of the first two to end, and 204 after their last id; the others
-    to stay open.
+    Expect the streams of the first two to end, and 204 after their last id and no
+    earlier one; the others to stay open.
     """
     for state in ("completed", "failed not_retryable"):
         run = make_run_in_state(context, state)
@@ -286,6 +292,9 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
                 )
             what = f"the end of the stream of a run that is {state}"
             expect.true(reader.wait_for_end(), what, "none")
+        for earlier in ids_of(events)[:-1]:
+            with follow_run(run, earlier) as again:
+                expect.equal(again.first_status(), 200, "status at an earlier id")
     for state in ("stopped", "failed"):
         run = make_run_in_state(context, state)
         with follow_run(run) as reader:
@@ -322,6 +331,7 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
     others = [foreign[-1], *(id_ for id_ in foreign[:1] if id_ not in known)]
     others += [re.sub(r"\d+", lambda found: str(int(found[0]) + 1000), own, count=1)]
     others += altered_ids(own)
+    others += ids_to_come(known)
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, *others):
         if wrong == own:
             continue  # of letters alone
@@ -329,6 +339,14 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
         expect.refused(answer, "invalid_request")
     with follow_run(run, own) as reader:
         expect.equal(reader.first_status(), 200, "status at an id of the run")
+
+
+def ids_to_come(known: list[str]) -> list[str]:
+    """Give ids that a later event could have, if ids end in a number that counts."""
+    numbers = [int(found[-1]) for id_ in known if (found := re.findall(r"\d+", id_))]
+    following = str(max(numbers, default=0) + 1)
+    made = [re.sub(r"\d+(?=\D*$)", following, id_) for id_ in known]
+    return [id_ for id_ in made if id_ not in known]
 
 
 @background

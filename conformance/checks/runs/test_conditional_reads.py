@@ -69,8 +69,8 @@ def change_later(change: Callable[[], Any]) -> float:
 @background
 @requirement("RUN-012")
 def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> None:
-    """Two long-polls wait while a run gets a worker, gets a result, and another is
-    stopped.
+    """Two long-polls wait while a run gets a worker, gets a result, loses its worker,
+    and another is stopped.
 
     Expect each to return at once with the new state.
     """
@@ -80,6 +80,7 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
     changes: list[tuple[RunClient, str, Callable[[], Any]]] = [
         (attached, "running", worker.attach),
         (attached, "running", worker.play),
+        (attached, "ready", worker.detach),
         (stopped, "stopped", stopped.stop),
     ]
     for run, state, change in changes:

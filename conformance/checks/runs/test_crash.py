@@ -3,6 +3,7 @@
 import threading
 import time
 import uuid
+from datetime import datetime
 from typing import Any
 
 from conformance.checks.support.expected_states import expect_state_soon
@@ -174,6 +175,16 @@ def expect_run_unchanged(run: RunClient, shown: dict[str, Any]) -> None:
         expect.true(now["run"]["reason"], "a reason when failed", None)
 
 
+def require_no_step_back(run: RunClient, updated_at: str) -> None:
+    """Require that a restart did not set back when a run changed last."""
+    run.get()
+    times = (run.body["created_at"], updated_at, run.body["updated_at"])
+    moments = [datetime.fromisoformat(time_) for time_ in times]
+    if moments != sorted(moments):
+        text = f"updated_at was {updated_at}, and is {run.body['updated_at']}"
+        raise SetUpFailed(f"{text} after a restart", breaks="RUN-021")
+
+
 def expect_key_in_use(context: CheckContext, key: str, first: dict[str, Any]) -> None:
     """Expect the run of a key for its body, and a conflict for another body."""
     body = context.submit_body(options={"tasks": ["score", "count"]})
@@ -202,11 +213,14 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         answer = submit(server.context, body, headers={"Idempotency-Key": key})
         first = expect.require(answer, 201, "`submit_run`")
         before = [run.snapshot() for run in runs]
+        updated = [run.body["updated_at"] for run in runs]
         order = listed_ids(server.context, runs)
         server.kill9()
         server.restart()
         for run, shown in zip(runs, before, strict=True):
             expect_run_unchanged(run, shown)
+        for run, updated_at in zip(runs, updated, strict=True):
+            require_no_step_back(run, updated_at)
         expect.equal(listed_ids(server.context, runs), order, "runs listed")
         expect_key_in_use(server.context, key, first)
 

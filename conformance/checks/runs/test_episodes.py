@@ -307,7 +307,8 @@ def test_epi_007_seeds_are_not_in_turns(context: CheckContext) -> None:
 
 @requirement("EPI-008")
 def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
-    """Four workers attach at once, and end their episodes at once, several times.
+    """Four workers attach at once, and end their episodes at once, several times. The
+    one with the first episode is taken over, and another one attaches again.
 
     Expect different episodes for all workers.
     """
@@ -322,6 +323,12 @@ def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
         context.call_concurrently(*[worker.play for worker in attached_workers])
         held = sorted([*held, *map(index_of, attached_workers)])
         expect.equal(held, sorted(set(held)), f"episodes held after {number + 1}")
+    first, other, *_ = sorted(attached_workers, key=index_of)
+    first.attach(takeover=True)
+    other.detach()
+    again = expect.ok(other.try_attach())
+    both = [index_of(first), again["episode"]["index"]]
+    expect.true(both[0] != both[1], "another episode than after the takeover", both)
 
 
 def close_by_lease(worker: WorkerClient) -> None:

@@ -1,5 +1,6 @@
 """What a run and its episodes show: the submission, times, counts, ids (RUN)."""
 
+import uuid
 from collections.abc import Callable, Mapping
 from datetime import datetime, timedelta
 from functools import partial
@@ -100,7 +101,7 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
 @requirement("RUN-019")
 def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> None:
     """Runs in every state are listed, and one while it is played; another one is
-    submitted, stopped and resumed.
+    submitted, stopped, submitted again with its Idempotency-Key, and resumed.
 
     Expect each time the run that `get_run` shows.
     """
@@ -115,7 +116,8 @@ def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> No
         run = worker.run
         shown = find_listed(context, {run.id})[run.id]
         expect.equal(shown, run.get(), "a run that is played, in `list_runs`")
-    answer = expect.ok(submit(context, context.submit_body()), 201)
+    body, key = context.submit_body(), {"Idempotency-Key": uuid.uuid4().hex}
+    answer = expect.ok(submit(context, body, headers=key), 201)
     run = context.adopt(answer)
     expect.equal(
         without(answer, *_CHANGES_BY_ITSELF),
@@ -124,6 +126,8 @@ def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> No
     )
     stopped = run.stop()
     expect.equal(stopped, run.get(), "the run that is stopped")
+    again = expect.ok(submit(context, body, headers=key), 201)
+    expect.equal(again, run.get(), "the run that is submitted again")
     resumed = run.resume()
     expect.equal(
         without(resumed, *_CHANGES_BY_ITSELF),

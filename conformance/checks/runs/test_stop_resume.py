@@ -45,8 +45,9 @@ def test_stop_001_abort_keeps_results(context: CheckContext) -> None:
 
 @requirement("STOP-002")
 def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
-    """Two workers continue with predict and heartbeat after the run is aborted; another
-    one, whose session is done, with heartbeat.
+    """Two workers continue with predict and heartbeat after the run is aborted, which
+    is what a stop without a mode does; another one, whose session is done, with
+    heartbeat.
 
     Expect `session_ended` for requests that were accepted before.
     """
@@ -55,7 +56,7 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     for worker in attached_workers:
         worker.predict(context.action())
         worker.heartbeat()
-    run.stop()
+    expect.ok(run.call("stop_run", json={}))
     for worker in attached_workers:
         expect.refused(worker.try_predict(context.action()), "session_ended")
         expect.refused(worker.try_heartbeat(), "session_ended")
@@ -116,18 +117,23 @@ def scored(run: RunClient) -> dict[int, Any]:
 
 @requirement("RES-001")
 def test_res_001_resume_keeps_results(context: CheckContext) -> None:
-    """A run with two scored episodes is stopped, resumed, and played to its end.
+    """A run with two scored episodes and an abandoned one is stopped, resumed, and
+    played to its end.
 
-    Expect the two results unchanged after the resume and in the completed run.
+    Expect the three results unchanged after the resume and in the completed run.
     """
-    worker = submit_and_attach(context, *["score"] * 4)
+    worker = submit_and_attach(context, *["score"] * 5, max_attempts=2)
     run = worker.run
     worker.play(score=0.25)
+    for _ in range(2):
+        worker.predict(context.action(score=1))
+        worker.detach()
+        worker.attach()
     worker.play(score=0.75)
     worker.predict(context.action(score=1))
     run.stop()
     before = scored(run)
-    if len(before) != 2:
+    if len(before) != 3:
         raise SetUpFailed("a result is missing after the stop", breaks="STOP-001")
     run.resume()
     expect.equal(scored(run), before, "results after the resume")

@@ -61,11 +61,20 @@ def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
 def test_att_002_can_repeat_attach(context: CheckContext) -> None:
     """The response to an attach was lost, at the beginning and again after a turn.
 
-    Expect the same session and its latest turn for the same key, and the session
-    to continue.
+    Expect the same session and its latest turn for the same key, also a turn with a
+    fault, and the session to continue.
     """
     worker = context.submit("count").worker()
     worker.attach()
+    broken = submit_and_attach(context, "fault")
+    broken.predict(context.action())
+    fault = broken.predict(context.action(fault=1))
+    again = expect.ok(broken.try_attach(attach_key=broken.attach_key))
+    expect.equal(
+        without(again, "lease", "timing"),
+        without(fault, "lease", "timing"),
+        "the turn with a fault",
+    )
     for _ in range(2):
         again = expect.ok(worker.try_attach(attach_key=worker.attach_key))
         volatile = ("lease", "timing")
@@ -241,11 +250,12 @@ def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) ->
     worker = run.worker()
     worker.attach(assumes={"control_rate_hz": 10})
     detach_only_worker(worker)
-    before = run.snapshot()
+    before, updated_at = run.snapshot(), run.body["updated_at"]
     for assumes, pointer in WRONG:
         answer = worker.try_attach(assumes=assumes)
         expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
     expect.equal(run.snapshot(), before, "the run afterwards")
+    expect.equal(run.body["updated_at"], updated_at, "updated_at of the run")
 
 
 def assumptions(space: dict[str, Any]) -> dict[str, Any]:
@@ -301,7 +311,7 @@ def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> No
     run = context.submit("score")
     for worker_id in ("a b", "a.b", "ä", "a:b", "a\n", "w" * 65):
         expect.refused(run.worker(worker_id).try_attach(), "invalid_request")
-    run.worker("-_A0z" + "w" * 59).attach()
+    expect.ok(run.worker("-_A0z" + "w" * 59).try_attach())
 
 
 @requirement("DET-001")

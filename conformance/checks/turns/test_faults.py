@@ -22,10 +22,13 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     """The simulator fails in the third step of an episode; the episode is repeated. It
     fails in a run that drains.
 
-    Expect `fault` in that turn only, and the same episode and attempt at step 0.
+    Expect `fault` in that turn only, and the same episode and attempt at step 0, as it
+    was seen first.
     """
     worker = submit_and_attach(context, "fault", max_attempts=1)
-    turn = worker.predict(context.action(), context.action())
+    first = worker.turn["observation"]
+    action = context.action(vector=[0.5] * 8, clipped=[0.5] * 2)
+    turn = worker.predict(action, action)
     expect.true("fault" not in turn, "no fault before it breaks", turn.get("fault"))
     broken = turn["episode"]
     turn = expect.ok(worker.try_predict(context.action(fault=1)))
@@ -33,7 +36,7 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     expect.equal(turn["fault"]["episode_id"], broken["episode_id"], "fault.episode_id")
     expect.equal(turn["fault"]["faults"], 1, "fault.faults")
     expect.equal(turn["episode"], broken | {"step": 0}, "episode")
-    expect.equal(count(turn), [0], "count")
+    expect.equal(turn["observation"], first, "observation")
     turn = worker.play(success=1)
     expect.true("fault" not in turn, "no fault when it goes well", turn.get("fault"))
     expect.equal(turn["episode_result"]["outcome"], "success", "outcome")
@@ -305,10 +308,12 @@ def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> No
 @requirement("FAULT-014")
 def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
     """The first of two workers (if allowed) fails the run, in two ways; the other one
-    has played, or has only attached.
+    has played, or has only attached, or is done.
 
-    Expect `session_ended` with `ended_by` `run_failed` for requests of both.
+    Expect `session_ended` with `ended_by` `run_failed` for requests of both; where one
+    that is done was still live, for its heartbeat.
     """
+    ended: dict[str, Any] = {"ended_by": "run_failed"}
     for fault in (1, 2):
         run = context.submit("fault", "score", "score", max_faults=1)
         workers = attach_beside_a_fault_task(run)
@@ -318,8 +323,15 @@ def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
             worker.heartbeat()
         workers[0].try_predict(context.action(fault=fault))
         run.until("failed")
-        ended: dict[str, Any] = {"ended_by": "run_failed"}
         for worker in workers[::-1]:
             answer = worker.try_predict(context.action())
             expect.refused(answer, "session_ended", **ended)
             expect.refused(worker.try_heartbeat(), "session_ended", **ended)
+    if context.limits["max_workers"] > 1:
+        done, failing = attach_workers(context.submit("count", "fault"), 2)
+        done.play()
+        accepted = done.try_heartbeat()
+        failing.try_predict(context.action(fault=2))
+        done.run.until("failed")
+        if accepted.status == 200:
+            expect.refused(done.try_heartbeat(), "session_ended", **ended)

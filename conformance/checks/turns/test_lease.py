@@ -125,10 +125,12 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
 @requirement("LEASE-002")
 @background
 def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
-    """A worker sends nothing for nearly its whole lease, and so does one whose run is
-    completed; another one is silent for all of it.
+    """A worker sends nothing for nearly its whole lease, and so do one whose run is
+    completed and one that took over in the middle of another lease; one more is silent
+    for all of it.
 
-    Expect the turn of the first and the repeat of the second to be accepted.
+    Expect the turn of the first, the repeat of the second and the turn of the third to
+    be accepted.
     """
     silent, silent_began = attach_with_lease(context)
     finished, _ = attach_with_lease(context)
@@ -136,12 +138,18 @@ def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
     last = finished.try_predict(end)
     expect.require(last, 200, "the last turn")
     worker, began = attach_with_lease(context)
+    later, middle = attach_with_lease(context)
+    sleep_until(middle.started_at + 0.5 * lease_of(context))
+    taken = later.try_attach(takeover=True)
+    later.session_id = expect.require(taken, 200, "a takeover")["session_id"]
     sleep_nearly_through(last, context)
     expect_inside_lease(finished.try_predict(end, seq=1), last, context)
     sleep_nearly_through(began, context)
     expect_inside_lease(try_next_predict(worker), began, context)
     sleep_past(silent_began, context)
     require_ended_session(silent)
+    sleep_nearly_through(taken, context)
+    expect_inside_lease(try_next_predict(later), taken, context)
 
 
 def expect_lease_extension(

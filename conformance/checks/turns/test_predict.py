@@ -139,14 +139,17 @@ def test_pred_009_done_after_the_last_episode(context: CheckContext) -> None:
 
 @requirement("PRED-012")
 def test_pred_012_observes_all(context: CheckContext) -> None:
-    """A chunk that is executed completely, and one that the episode's end truncates.
+    """A chunk that is executed completely, one that the episode's end truncates, and
+    one that ends the last episode.
 
     Expect one observation per executed action, in order, each with its own image.
     """
     worker = submit_and_attach(context, "echo", "echo")
     chunk = [context.action(vector=[n] * 8) for n in (3.0, 1.0, 2.0)]
     chunk_ending = [context.action(), context.action(end=1), context.action()]
-    for actions, counts in ((chunk, [1, 2, 3]), (chunk_ending, [4, 5])):
+    last_chunk = chunk_ending[:2]
+    played = ((chunk, [1, 2, 3]), (chunk_ending, [4, 5]), (last_chunk, [1, 2]))
+    for actions, counts in played:
         turn = expect.ok(worker.try_predict(*actions, observe="all"))
         worker.seq += 1
         states = [observation["state"] for observation in turn["observations"]]

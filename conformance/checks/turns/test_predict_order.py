@@ -9,6 +9,7 @@ from conformance.checks.support.given_states import (
     count,
     expect_pointer,
     require_not_seq_refusal,
+    start_drain,
     submit_and_attach,
 )
 from conformance.checks.support.long_turns import long_turn_s
@@ -117,9 +118,10 @@ def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
 @requirement("PRED-010")
 def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
     """The response to the last turn of the run was lost, and of another worker, which
-    was done before.
+    was done before; and to the last turn of a drain.
 
-    Expect it again when the `predict` is repeated, although the run is completed.
+    Expect it again when the `predict` is repeated, although the run is completed, or
+    has stopped.
     """
     worker = submit_and_attach(context, "score")
     turn = worker.play(score=0.25)
@@ -135,6 +137,12 @@ def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
         late.run.until("completed")
         again = expect.ok(early.try_predict(action, seq=early.seq))
         expect.equal(again, turn, "the repeated turn of the worker that was done first")
+    drained = submit_and_attach(context, "score", "score")
+    start_drain(drained.run)
+    turn = drained.play(score=0.25)
+    drained.run.until("stopped")
+    again = expect.ok(drained.try_predict(action, seq=drained.seq))
+    expect.equal(again, turn, "the repeated turn of a drained run")
 
 
 @requirement("PRED-011")
@@ -378,7 +386,8 @@ def reversed_members(value: Any) -> Any:
 
 @requirement("PRED-025")
 def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
-    """A client that writes its members in another order, and 1.0 as 1, repeats a turn.
+    """A client that writes its members in another order, and 1.0 as 1, repeats a turn;
+    where MessagePack is offered, in that encoding, too.
 
     Expect the stored response; with another value, `seq_conflict`.
     """
@@ -389,6 +398,9 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
     turn = expect.require(worker.run.call("predict", json=body, **how), 200, "predict")
     again = worker.run.call("predict", json=reversed_members(body), **how)
     expect.equal(expect.ok(again), turn, "the repeated turn")
+    if context.speaks_msgpack:
+        again = worker.run.call("predict", json=body, msgpack=True, **how)
+        expect.equal(expect.ok(again), turn, "the turn repeated in MessagePack")
     other = {**body, "actions": [context.action(score=1), action]}
     answer = worker.run.call("predict", json=reversed_members(other), **how)
     expect.refused(answer, "seq_conflict")

@@ -85,18 +85,20 @@ def expect_another_session(worker: WorkerClient, answer: Answer) -> None:
 
 @requirement("ATT-018")
 def test_att_018_key_names_one_session(context: CheckContext) -> None:
-    """The longest key; keys that differ in the last character, in case, in length; the
-    key under another worker, and after the end of the session; a worker and a key that
-    together read like others.
+    """The longest key, which ends in a space; keys that differ in the last character,
+    in case, in length, in how a letter is composed; the key under another worker, after
+    a takeover, and after the end of the session; a worker and a key that together read
+    like others.
 
-    Expect `worker_busy` for the different ones, and never the same session for the
-    others.
+    Expect `worker_busy` for the different ones and after the takeover, and never the
+    same session for the others.
     """
     run = context.submit("count", "count", "count")
-    worker, key = run.worker("one"), "k" * 127 + "Z"
+    worker, key = run.worker("one"), "e\u0301" + "k" * 124 + "Z "
     worker.attach(attach_key=key)
     worker.predict(context.action())
-    for other in (key[:-1] + "z", key[:-1] + "Y", key[:-1], "K" + key[1:]):
+    others = [key[:-1] + "\t", key[:-2] + "z ", key[:-1], "\u00e9" + key[2:]]
+    for other in (*others, "E" + key[1:]):
         answer = require_not_state_refusal(worker.try_attach(attach_key=other))
         expect.refused(answer, "worker_busy")
     again = expect.ok(worker.try_attach(attach_key=key))
@@ -105,14 +107,19 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
         expect_another_session(worker, run.worker("two").try_attach(attach_key=key))
         for sign in "-_":
             first = submit_and_attach(context, "count", "count")
-            key = f"{first.id}{sign}{first.attach_key}"
+            joined_key = f"{first.id}{sign}{first.attach_key}"
             joined = first.run.worker(f"{first.id}{sign}{first.id}")
             joined.attach(attach_key=first.attach_key)
             expect_another_session(
-                joined, first.try_attach(attach_key=key, takeover=True)
+                joined, first.try_attach(attach_key=joined_key, takeover=True)
             )
-    worker.detach()
-    expect_another_session(worker, worker.try_attach(attach_key=key))
+    later = run.worker("one")
+    later.attach(takeover=True)
+    expect.refused(worker.try_attach(attach_key=key), "worker_busy")
+    later.detach()
+    for ended in (worker, later):
+        again = worker.try_attach(attach_key=ended.attach_key, takeover=True)
+        expect_another_session(ended, again)
 
 
 def end_during_turn(
@@ -149,13 +156,16 @@ def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
     the middle of its next turn.
 
     Expect the attempt closed and counted, and the session ended: its turn is refused
-    unless it was over by then, and so is its next request.
+    unless it was over by then and is answered whole, and so is its next request.
     """
     for ended_by, end in ENDS.items():
         worker = submit_and_attach(context, "delay", "delay", max_steps=100)
         worker.predict(context.action())
         turn = end_during_turn(worker, end)
-        if turn.status != 200:
+        if turn.status == 200:
+            whole = {"seq": 2, "executed_steps": 1}
+            expect.equal({name: turn.json[name] for name in whole}, whole, "the turn")
+        else:
             expect.refused(turn, "session_ended", ended_by=ended_by)
         expect.equal(worker.run.get()["live_workers"], 0, "live_workers")
         episode = worker.run.episodes()[index_of(worker)]
@@ -218,8 +228,8 @@ SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] =
 
 @requirement("DET-005")
 def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
-    """Sessions end by a detach, by an abort, and by a failure of their run; then the
-    run is aborted.
+    """Sessions end by a detach, by an abort, and by a failure of their run; then they
+    are detached, and the run is aborted or resumed.
 
     Expect `session_ended` for heartbeat and predict, with what ended them, each time;
     LEASE-012 looks at leases.
@@ -236,6 +246,9 @@ def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
             worker.try_predict(context.action(), seq=worker.seq),
         ):
             expect.refused(answer, "session_ended", ended_by=ended_by)
-        if ended_by == "detached":
-            worker.run.stop()
+        for change in (
+            worker.try_detach,
+            worker.run.stop if ended_by == "detached" else worker.run.resume,
+        ):
+            change()
             expect.refused(worker.try_heartbeat(), "session_ended", ended_by=ended_by)
