@@ -272,7 +272,7 @@ class RunForwarding:
             if node is not None:
                 await self._connections.pass_on(node, scope, receive, send)
                 return
-            app: ASGIApp = self._answer
+            app: ASGIApp = self._answer_here
         except Refused as refused:
             app = problem_response(refused, _GO_ELSEWHERE)
         except StoreFailed as error:
@@ -281,7 +281,7 @@ class RunForwarding:
             app = problem_response(Refused("unavailable", text), _GO_ELSEWHERE)
         await app(scope, receive, send)
 
-    async def _answer(self, scope: Scope, receive: Receive, send: Send) -> None:
+    async def _answer_here(self, scope: Scope, receive: Receive, send: Send) -> None:
         try:
             await self._app(scope, receive, self._while_valid(send))
         except _LeaseLost:
