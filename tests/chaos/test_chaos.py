@@ -23,8 +23,7 @@ from tests.chaos.chaos_campaign import Campaign, Counts, Round
 from tests.chaos.chaos_cluster import ChaosCluster
 from tests.chaos.chaos_faults import FAULTS, FULL_AT
 from tests.chaos.push_player import PushPlayer
-from tests.chaos.record_audit import RecordAudit
-from tests.chaos.write_audit import WriteAudit
+from tests.chaos.write_audit import RecordAudit, WriteAudit
 from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
 
 # Those that need no time of their own: each ends as soon as all players go on.
