@@ -19,8 +19,7 @@ from tests.chaos.chaos_faults import FAULTS, Fault
 from tests.chaos.chaos_player import ChaosPlayer
 from tests.chaos.chaos_rounds import Counts, Round
 from tests.chaos.push_player import PushPlayer, scripted_policy
-from tests.chaos.record_audit import RecordAudit
-from tests.chaos.write_audit import WriteAudit
+from tests.chaos.write_audit import RecordAudit, WriteAudit
 
 NODES = 3
 # Until a round has failed: the players do not go on.

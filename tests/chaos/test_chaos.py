@@ -31,8 +31,7 @@ from tests.chaos.chaos_rounds import (
     faults_to_play,
 )
 from tests.chaos.push_player import PushPlayer
-from tests.chaos.record_audit import RecordAudit
-from tests.chaos.write_audit import WriteAudit
+from tests.chaos.write_audit import RecordAudit, WriteAudit
 from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
 
 # Those that need no time of their own: each ends as soon as all players go on.
