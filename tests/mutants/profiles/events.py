@@ -199,9 +199,9 @@ def sends_results_before_they_are_stored() -> None:
         self.notify(run)
         await right(self, run)
 
-    async def save_slowly(self: Store, run: Run) -> None:
+    async def save_slowly(self: Store, run: Run, *checks: Any) -> None:
         await asyncio.sleep(0.25)
-        await save(self, run)
+        await save(self, run, *checks)
 
     async def always_stored(_self: RunRegistry, _run: Run) -> bool:
         return True

@@ -1,6 +1,6 @@
 """The pool on Ray without Ray: requests, room, what is given back, what is refused.
 
-What needs a cluster is in tests/cluster/ray_checks.py.
+What needs a cluster is in tests/cluster/on_ray/ray_checks.py.
 """
 
 from __future__ import annotations

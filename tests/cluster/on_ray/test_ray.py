@@ -18,7 +18,7 @@ TIMEOUT_S = 300.0  # 25 s on a machine with nothing else to do
 
 @pytest.mark.slow("starts a Ray cluster")
 def test_simulators_on_a_ray_cluster() -> None:
-    checks = [str(PYTHON), "-m", "pytest", "-q", "tests/cluster/ray_checks.py"]
+    checks = [str(PYTHON), "-m", "pytest", "-q", "tests/cluster/on_ray/ray_checks.py"]
     # Ray leaves its own processes and files to the collector.
     quiet = ["-p", "no:cacheprovider", "-W", "ignore::ResourceWarning"]
     # Of the outer pytest, whose plugins may not be there.
