@@ -1,7 +1,7 @@
 """Simulators on a real Ray cluster of three machines, all on this one.
 
-Run by tests/cluster/on_ray/test_ray.py in .venv-cluster, where Ray is installed. What needs no
-cluster is in tests/sim/process/test_ray_pool.py.
+Run by tests/cluster/on_ray/test_ray.py in .venv-cluster, where Ray is installed. What
+needs no cluster is in tests/sim/process/test_ray_pool.py.
 """
 
 from __future__ import annotations
