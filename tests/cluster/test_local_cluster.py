@@ -52,9 +52,10 @@ def test_the_address_and_the_token_are_printed_at_once(tmp_path: Path) -> None:
             answer = httpx.get(
                 f"{said['url']}/v1/benchmarks",
                 headers={"Authorization": f"Bearer {said['token']}"},
+                timeout=TIMEOUT_S,
             )
             assert answer.status_code == 200
-            served = httpx.get(f"{said['url']}/v1").json()
+            served = httpx.get(f"{said['url']}/v1", timeout=TIMEOUT_S).json()
             assert {"record", "board"} <= set(served["profiles"])
         finally:
             cluster.terminate()
