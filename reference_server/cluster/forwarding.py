@@ -373,16 +373,18 @@ class RunForwarding:
     async def _follow(
         self, scope: Scope, request: RepeatableRequest, stream: FollowedStream
     ) -> None:
-        """Send what follows an event stream that ended before its run has.
+        """Send what follows an event stream that can go on.
 
         Its next node may not be known before a lease has ended.
         """
         membership = self._connections.membership
         sent_at = _now()
-        while stream.can_go_on and not request.has_no_reader and membership.claims:
+        while not request.has_no_reader and membership.claims:
             began, last_id = _now(), stream.last_id
             behind = stream.scope_behind(scope)
             await self._answer_or_repeat(behind, request, stream.send)
+            if not stream.can_go_on:  # a comment would end an event that is cut off
+                return
             is_long = not stream.is_refused and _now() - began > FOLLOW_PAUSE_S
             if is_long or stream.last_id != last_id:
                 sent_at = _now()
@@ -418,6 +420,8 @@ class RunForwarding:
             await self._connections.membership.ensure_lease()
             node = await self._find_node(scope)
             if node is not None and is_passed_on:
+                # What this node remembers may be older than what that one read.
+                self._connections.membership.note_moved(_run_id(scope) or "")
                 raise OwnedElsewhere(_run_id(scope) or "")
             if node is not None:
                 await self._connections.pass_on(node, scope, receive, send)

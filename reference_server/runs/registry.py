@@ -518,6 +518,14 @@ class RunRegistry:
         self._wake(run.run_id)
         self._admit()
 
+    async def check_open_elsewhere(self, account: str) -> None:
+        """LIM-007: refuse before anything has changed, where that is known by then.
+
+        What opens at the same moment is seen by the transaction (`commit_opened`).
+        """
+        if self._ownership is not None:
+            self.usage.check_opened(await self._store.usage_of(account))
+
     def open_again(self, run: Run) -> None:
         """LIM-007: a resume makes a run count at once, or is refused."""
         self.refuse_if_ending()

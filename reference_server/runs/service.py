@@ -161,15 +161,16 @@ class RunService:
     ) -> Run:
         """The run, stopped (abort) or stopping (drain)."""
         run = await self._run_accepting(account, run_id, Stop(mode))
-        changes = changes_state(run, "stop_abort" if mode == "abort" else "stop_drain")
         self.executor.release_sessions(effects.stop(run, mode, time.time()))
-        if changes:  # LIFE-403, LIFE-502, LIFE-503: else nothing that it shows does
-            await self.registry.commit(run)
+        await self.registry.commit(run)
         return run
 
     async def resume_run(self, account: str, run_id: str) -> Run:
         """The run, in the queue again; unchanged when it goes on already."""
         run = await self._run_accepting(account, run_id, Resume())
+        if changes_state(run, "resume_run"):
+            await self.registry.check_open_elsewhere(run.account)
+            run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
             self.registry.open_again(run)
             effects.resume(run, self.registry.queue_until(run.submission))

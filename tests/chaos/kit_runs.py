@@ -45,7 +45,7 @@ def main() -> int:
     ):
         for number in range(options.runs):
             seed, before = FIRST_SEED + number, kills[0]
-            found = _run_kit(cluster.url, seed, Path(directory, "report"))
+            found = _run_kit(cluster.url, seed, Path(directory, f"report-{seed}"))
             wrong = alarms_of(found)
             alarms += bool(wrong)
             counts = found["counts"]["MUST"] if "counts" in found else {}

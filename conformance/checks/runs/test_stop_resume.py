@@ -129,6 +129,8 @@ def test_res_001_resume_keeps_results(context: CheckContext) -> None:
         worker.predict(context.action(score=1))
         worker.detach()
         worker.attach()
+    if len(scored(run)) != 2:
+        raise SetUpFailed("two attempts of two abandon nothing", breaks="EPI-004")
     worker.play(score=0.75)
     worker.predict(context.action(score=1))
     run.stop()

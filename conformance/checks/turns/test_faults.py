@@ -26,7 +26,7 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     was seen first.
     """
     worker = submit_and_attach(context, "fault", max_attempts=1)
-    first = worker.turn["observation"]
+    first = worker.turn["observation"]["state"]
     action = context.action(vector=[0.5] * 8, clipped=[0.5] * 2)
     turn = worker.predict(action, action)
     expect.true("fault" not in turn, "no fault before it breaks", turn.get("fault"))
@@ -36,7 +36,7 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     expect.equal(turn["fault"]["episode_id"], broken["episode_id"], "fault.episode_id")
     expect.equal(turn["fault"]["faults"], 1, "fault.faults")
     expect.equal(turn["episode"], broken | {"step": 0}, "episode")
-    expect.equal(turn["observation"], first, "observation")
+    expect.equal(turn["observation"]["state"], first, "state")
     turn = worker.play(success=1)
     expect.true("fault" not in turn, "no fault when it goes well", turn.get("fault"))
     expect.equal(turn["episode_result"]["outcome"], "success", "outcome")
