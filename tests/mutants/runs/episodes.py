@@ -45,10 +45,7 @@ def counts_attempts_that_never_began() -> None:
     put(effects, "_close_attempt", wrong)
 
 
-@mutant(
-    *("ATR-003", "ATR-004", "DET-003", "EPI-003", "EPI-004", "EPI-009", "LEASE-012"),
-    "STOP-001",
-)
+@mutant("ATR-003", "ATR-004", "DET-003", "EPI-003", "EPI-004", "EPI-009", "LEASE-012")
 def counts_no_attempt() -> None:
     """A client can repeat an episode until its result is good."""
     right = effects._close_attempt
