@@ -102,7 +102,7 @@ def counts_clipped_actions_of_a_broken_attempt() -> None:
     put(effects, "record_fault", wrong)
 
 
-@mutant("ATR-006")
+@mutant("ATR-006", "PRED-006")
 def adds_up_the_rewards_of_the_last_turn() -> None:
     """The return of an episode depends on the length of the policy's chunks."""
     right = effects.end_turn
