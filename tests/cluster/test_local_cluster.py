@@ -47,8 +47,9 @@ def test_the_address_and_the_token_are_printed_at_once(tmp_path: Path) -> None:
         assert cluster.stdout is not None
         try:
             assert select.select([cluster.stdout], [], [], TIMEOUT_S)[0], "no line"
-            said = SAID.fullmatch(os.read(cluster.stdout.fileno(), 4096).decode())
-            assert said is not None
+            text = os.read(cluster.stdout.fileno(), 4096).decode()
+            said = SAID.fullmatch(text)
+            assert said is not None, text
             answer = httpx.get(
                 f"{said['url']}/v1/benchmarks",
                 headers={"Authorization": f"Bearer {said['token']}"},

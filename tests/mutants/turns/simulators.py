@@ -199,7 +199,7 @@ def sleeps_less_than_commanded() -> None:
     spoil_play(lambda acts: [{**a, "delay_s": [a["delay_s"][0] * 0.8]} for a in acts])
 
 
-@mutant("CAL-005")
+@mutant("CAL-005", "PRED-017")
 def ends_an_episode_too_early() -> None:
     """`end` is rounded."""
     spoil_play(
@@ -207,7 +207,7 @@ def ends_an_episode_too_early() -> None:
     )
 
 
-@mutant("CAL-006")
+@mutant("CAL-006", "PRED-025")
 def sends_a_tensor_in_every_task() -> None:
     """A policy that needs no tensors pays for them in every turn."""
 
