@@ -7,9 +7,10 @@ players and lease, is not played again when it is started again.
 from __future__ import annotations
 
 import json
+import operator
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, astuple, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -36,18 +37,10 @@ class Counts:
     records: int = 0
 
     def __add__(self, other: Counts) -> Counts:
-        return self._each(other, 1)
+        return Counts(*map(operator.add, astuple(self), astuple(other)))
 
     def __sub__(self, other: Counts) -> Counts:
-        return self._each(other, -1)
-
-    def _each(self, other: Counts, sign: int) -> Counts:
-        return Counts(
-            *(
-                getattr(self, one.name) + sign * getattr(other, one.name)
-                for one in fields(self)
-            )
-        )
+        return Counts(*map(operator.sub, astuple(self), astuple(other)))
 
 
 @dataclass

@@ -11,23 +11,23 @@ from __future__ import annotations
 import argparse
 import contextlib
 import itertools
-import json
-import os
 import signal
-import subprocess
 import sys
 import tempfile
 import threading
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 from tests.attack.attacked_server import ATTACKER, WATCHER, WATCHER_READS
 from tests.chaos.chaos_campaign import NODES
 from tests.chaos.chaos_cluster import ChaosCluster
-from tests.support.paths import ROOT
-from tools.measurements.false_alarms import alarms_of
+from tools.measurements.false_alarms import alarms_of, read_report
 
+TOKENS = {
+    "PROCTOR_TOKEN": WATCHER,
+    "PROCTOR_TOKEN_2": ATTACKER,
+    "PROCTOR_TOKEN_READ": WATCHER_READS,
+}
 FIRST_SEED = 2000
 # A node that was started again is left alone for so long, more than its lease.
 BETWEEN_KILLS_S = 8.0
@@ -45,36 +45,19 @@ def main() -> int:
     ):
         for number in range(options.runs):
             seed, before = FIRST_SEED + number, kills[0]
-            found = _run_kit(cluster.url, seed, Path(directory, f"report-{seed}"))
+            report = Path(directory, f"report-{seed}")
+            found = read_report(report, seed, ["--url", cluster.url], **TOKENS)
             wrong = alarms_of(found)
             alarms += bool(wrong)
-            counts = found["counts"]["MUST"] if "counts" in found else {}
             print(
                 f"seed {seed}  {found['elapsed_s']:6.1f} s  {kills[0] - before} kills  "
-                f"{found['conclusion'].splitlines()[0]}  {counts or ''}",
+                f"{found['conclusion'].splitlines()[0]}  {found['counts']['MUST']}",
                 *(f"    {id_}  {text}" for id_, text in wrong.items()),
                 sep="\n",
                 flush=True,
             )
     print(f"{options.runs - alarms} of {options.runs} runs without an alarm")
     return int(alarms > 0)
-
-
-def _run_kit(url: str, seed: int, report: Path) -> dict[str, Any]:
-    """The report of one run."""
-    tokens = {"": WATCHER, "_2": ATTACKER, "_READ": WATCHER_READS}
-    subprocess.run(
-        [
-            *(sys.executable, "-m", "conformance", "--url", url),
-            *("--seed", str(seed), "--report", str(report)),
-        ],
-        cwd=ROOT,
-        env=os.environ | {f"PROCTOR_TOKEN{name}": of for name, of in tokens.items()},
-        stdout=subprocess.DEVNULL,
-        check=False,
-    )
-    found: dict[str, Any] = json.loads((report / "report.json").read_text())
-    return found
 
 
 @contextlib.contextmanager

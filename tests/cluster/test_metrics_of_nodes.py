@@ -47,10 +47,7 @@ def test_each_number_moves_where_it_happens(tmp_path: Path) -> None:
         assert pages[1][request, "passed_on", "2xx"] == 2
         # It waits behind the run that is played, whose lease ends: no node has room.
         full = other.post("/v1/runs", json=body).json()["run_id"]
-        wait_until(
-            lambda: other.get(f"/v1/runs/{full}").json()["state"] == "ready",
-            "the other node has a run, too",
-        )
+        wait_for_state(other, full, "ready")
         pushed = submit_push_run(owner, policy.url)
         queued = "proctor_queue_oldest_seconds"
         wait_for(0, lambda page: page[queued,] > 0, "the queue grows older")

@@ -22,7 +22,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -63,19 +63,35 @@ def keep_processors_busy() -> Iterator[None]:
             process.wait()
 
 
+def read_report(
+    report: Path, seed: int, options: Sequence[str], **tokens: str
+) -> dict[str, Any]:
+    """Run the kit with these options; give its report, which is also in a folder.
+
+    tokens: variables of its environment.
+    """
+    command = [sys.executable, "-m", "conformance", "--report", str(report)]
+    subprocess.run(
+        [*command, "--seed", str(seed), *options],
+        cwd=ROOT,
+        env=os.environ | tokens,
+        stdout=subprocess.DEVNULL,
+        check=False,
+    )
+    found: dict[str, Any] = json.loads((report / "report.json").read_text())
+    return found
+
+
 def run_kit(server: str, seed: int, options: list[str]) -> dict[str, Any]:
     """Judge a server; give the exit code, the time, and each row that is an alarm."""
     with tempfile.TemporaryDirectory() as report:
-        command = [sys.executable, "-m", "conformance", "--report", report]
-        command += ["--seed", str(seed), "--start-cmd", server, *options]
-        done = subprocess.run(command, cwd=ROOT, stdout=subprocess.DEVNULL, check=False)
-        found = json.loads(Path(report, "report.json").read_text())
+        found = read_report(Path(report), seed, ["--start-cmd", server, *options])
         alarms = alarms_of(found)
         if alarms:  # to find the cause
             kept = f"{Path(shlex.split(server)[-1]).name}-{seed}"
             shutil.copytree(report, ALARMED / kept, dirs_exist_ok=True)
     elapsed_s = round(found["elapsed_s"], 1)
-    return {"exit_code": done.returncode, "elapsed_s": elapsed_s, "alarms": alarms}
+    return {"exit_code": found["exit_code"], "elapsed_s": elapsed_s, "alarms": alarms}
 
 
 def alarms_of(found: dict[str, Any]) -> dict[str, str]:

@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 import httpx
 import pytest
 
+from tests.support.push_runs import wait_for_state
 from tests.support.server.cluster_nodes import (
     Cluster,
     attach,
@@ -79,10 +80,6 @@ def view(client: httpx.Client, run_id: str) -> dict[str, Any]:
     answer = client.get(f"/v1/runs/{run_id}")
     assert answer.status_code == 200, answer.text
     return dict(answer.json())
-
-
-def wait_for_state(client: httpx.Client, run_id: str, state: str) -> None:
-    wait_until(lambda: view(client, run_id)["state"] == state, f"the run is {state}")
 
 
 def test_a_node_with_room_takes_what_waits_at_another(cluster: Cluster) -> None:
