@@ -8,6 +8,7 @@ import socket
 import subprocess
 import sys
 from pathlib import Path
+from typing import IO
 
 import httpx
 import pytest
@@ -19,6 +20,16 @@ SAID = re.compile(
     r"A cluster of 2 nodes is listening at (?P<url>\S+)\n"
     r"token: (?P<token>\S+)  \(kept in \S+\)\nnodes: \S+, \S+\n"
 )
+
+
+def read_lines(stream: IO[bytes], count: int) -> str:
+    """So many lines of a pipe, or what has come when it ends or nothing comes."""
+    text = b""
+    while text.count(b"\n") < count and select.select([stream], [], [], TIMEOUT_S)[0]:
+        if not (read := os.read(stream.fileno(), 4096)):
+            break
+        text += read
+    return text.decode()
 
 
 def free_ports(size: int) -> int:
@@ -46,8 +57,7 @@ def test_the_address_and_the_token_are_printed_at_once(tmp_path: Path) -> None:
     ) as cluster:
         assert cluster.stdout is not None
         try:
-            assert select.select([cluster.stdout], [], [], TIMEOUT_S)[0], "no line"
-            text = os.read(cluster.stdout.fileno(), 4096).decode()
+            text = read_lines(cluster.stdout, 3)
             said = SAID.fullmatch(text)
             assert said is not None, text
             answer = httpx.get(

@@ -62,8 +62,8 @@ async def serve(size: int) -> None:
             started[0][1],
             f"nodes: {', '.join(f'http://{HOST}:{port}' for port in ports)}",
         ]
-        # At once, also into a file or a pipe.
-        print(*filter(None, lines), sep="\n", flush=True)
+        # In one write, also into a file or a pipe: a reader gets all lines or none.
+        print("\n".join(filter(None, lines)), flush=True)
 
         stopping = asyncio.ensure_future(stopped.wait())
         all_ended = asyncio.ensure_future(asyncio.wait(ended))
