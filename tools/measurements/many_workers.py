@@ -43,6 +43,7 @@ class Worker:
     port: int
     added_s: list[float] = field(default_factory=list)
     repeated: int = 0
+    reconnected: int = 0
 
     async def connect(self) -> None:
         self._reader, self._writer = await asyncio.open_connection(HOST, self.port)
@@ -72,17 +73,28 @@ class Worker:
             f"Content-Type: application/json\r\nContent-Length: {len(data)}\r\n\r\n"
         )
         while True:
-            self._writer.write(head.encode() + data)
-            said = (await self._reader.readuntil(b"\r\n\r\n")).decode().lower()
-            status, _, fields = said.partition("\r\n")
-            named = dict(one.split(": ", 1) for one in fields.splitlines() if one)
-            content = await self._reader.readexactly(int(named["content-length"]))
-            if int(status.split()[1]) == 200:
+            try:
+                status, content = await self._send(head.encode() + data)
+            except (asyncio.IncompleteReadError, OSError):
+                self.reconnected += 1
+                self._writer.close()
+                await self.connect()
+                continue
+            if status == 200:
                 return json.loads(content)
-            if int(status.split()[1]) not in AGAIN:
+            if status not in AGAIN:
                 raise RuntimeError(f"{method} {path}: {status} {content[:300]!r}")
             self.repeated += 1
             await asyncio.sleep(1.0)
+
+    async def _send(self, request: bytes) -> tuple[int, bytes]:
+        """Status and body of the answer. Raises if the connection is closed."""
+        self._writer.write(request)
+        said = (await self._reader.readuntil(b"\r\n\r\n")).decode().lower()
+        status, _, fields = said.partition("\r\n")
+        named = dict(one.split(": ", 1) for one in fields.splitlines() if one)
+        content = await self._reader.readexactly(int(named["content-length"]))
+        return int(status.split()[1]), content
 
 
 @contextmanager
@@ -175,6 +187,7 @@ def main() -> None:
     )
     print(f"turns of a worker: {min(turns)} to {max(turns)}")
     print(f"requests sent again for want of room: {sum(w.repeated for w in workers)}")
+    print(f"connections opened again: {sum(w.reconnected for w in workers)}")
 
 
 if __name__ == "__main__":
