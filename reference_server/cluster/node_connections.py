@@ -17,6 +17,7 @@ from typing import Any
 import httpcore
 from starlette.types import Message, Receive, Scope, Send
 
+from reference_server.cluster.kept_connections import KeptConnections
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_headers import (
     SECRET_HEADER,
@@ -61,11 +62,7 @@ class NodeConnections:
     def __init__(self, membership: Membership) -> None:
         self.membership = membership
         self.failures = RepeatedFailures(log)
-        self._pool = httpcore.AsyncConnectionPool(
-            max_connections=CONNECTIONS_MAX,
-            max_keepalive_connections=CONNECTIONS_MAX,
-            keepalive_expiry=KEEPALIVE_S,
-        )
+        self._kept = KeptConnections(CONNECTIONS_MAX, KEEPALIVE_S)
         self._questions = httpcore.AsyncConnectionPool(
             max_connections=QUESTIONS_AT_ONCE_MAX, max_keepalive_connections=0
         )
@@ -77,7 +74,7 @@ class NodeConnections:
 
     async def close(self) -> None:
         await self._reachability.close()
-        await self._pool.aclose()
+        await self._kept.close()
         await self._questions.aclose()
 
     async def _answers(self, node: Node) -> bool:
@@ -117,7 +114,7 @@ class NodeConnections:
         incomplete: the server closes its connection then.
         """
         scope[OPERATION] = PASSED_ON
-        exchange = _Exchange(self._pool, node, scope, receive, send)
+        exchange = _Exchange(self._kept, node, scope, receive, send)
         try:
             with span("pass on to owner", is_call=True):
                 await self._carry_out(exchange, node)
@@ -150,13 +147,15 @@ class NodeConnections:
     async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
         """What a node answers to a request of this one; None if it ends."""
         headers = [(b"host", b"node"), (SECRET_HEADER, node.secret.encode())]
-        answers: list[httpcore.Response] = []
+        answers: list[bytes] = []
 
         async def ask() -> None:
-            url = node.url + path
-            answers.append(
-                await self._pool.request("POST", url, headers=headers, content=body)
-            )
+            url = httpcore.URL(node.url + path)
+            async with self._kept.stream(
+                "POST", url, headers=headers, content=body
+            ) as response:
+                if response.status == 200:
+                    answers.append(await response.aread())
 
         try:
             with span("read from node", is_call=True):
@@ -165,7 +164,7 @@ class NodeConnections:
         except (*_NOT_REACHED, OSError) as error:
             self.failures.report("a node was not reached", repr(error))
             return None
-        return next((one.content for one in answers if one.status == 200), None)
+        return next(iter(answers), None)
 
 
 class _ClientLeft(Exception):
@@ -177,13 +176,13 @@ class _Exchange:
 
     def __init__(
         self,
-        pool: httpcore.AsyncConnectionPool,
+        kept: KeptConnections,
         node: Node,
         scope: Scope,
         receive: Receive,
         send: Send,
     ) -> None:
-        self._pool, self._node, self._scope = pool, node, scope
+        self._kept, self._node, self._scope = kept, node, scope
         self._receive, self._send = receive, send
         self._body_read = asyncio.Event()
         self.is_begun = self.is_answered = self.has_no_reader = False
@@ -200,7 +199,7 @@ class _Exchange:
         url = httpcore.URL(
             scheme=base.scheme, host=base.host, port=base.port, target=target
         )
-        async with self._pool.stream(
+        async with self._kept.stream(
             self._scope["method"],
             url,
             headers=headers,
