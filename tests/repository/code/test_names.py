@@ -2,8 +2,8 @@
 
 Every word of every hand-written text file is compared with BANNED: identifiers, file
 names, comments, help, error texts, pages and rules alike. `python -m
-tests.repository.code.test_names` prints all findings. What generators write follows from
-their input, so generated files are left out.
+tests.repository.code.test_names` prints all findings. What generators write follows
+from their input, so generated files are left out.
 """
 
 from __future__ import annotations
