@@ -55,7 +55,8 @@ async def show_leaderboard(call: PageCall) -> str:
         selected["sort"] = "rank"
     rows = [row for row in ranking["rows"] if _has(row["entry"], selected["text"])]
     rows.sort(key=_SORTS[selected["sort"]])
-    others, is_part = [], False
+    others: list[tuple[str, int]] = []
+    is_part = False
     if not ranking["rows"]:
         others, is_part = await _other_manifests(call)
     return render_page(

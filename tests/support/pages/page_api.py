@@ -26,7 +26,7 @@ from tests.support.server.server_parts import calibration_run
 ENTRIES_PER_PAGE = 2
 RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
 FAILURE = Result("failure", 0.0, 1, 1, True, False, 0.0, 1e9)
-EMPTY_RANKING = {
+EMPTY_RANKING: Mapping[str, Any] = {
     "manifest_sha256": "0" * 64,
     "episodes_total": None,
     "ranked": 0,
