@@ -100,7 +100,7 @@ mutation: setup ## Judge the kit on machine-made changes of a server, rewrite it
 attack: setup ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1 ARGS=--write
 	@$(python) -m tests.attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
-chaos: setup; @$(python) -m tests.chaos --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; ARGS='--rounds 100 --write'
+chaos: setup; @$(python) -m tests.chaos --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; ARGS="--long --clusters 2 --write"
 experts: setup; @$(python) tools/experts.py --write $(ARGS) ## Measure the scripted experts, rewrite their page
 bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their page
 	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth && $(python) -m benchmarks.page_speed && $(python) -m benchmarks.recording_cost

@@ -14,7 +14,7 @@ import os
 import sqlite3
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,6 +32,11 @@ from reference_sim import benchmark_registry
 HEADERS = {"Authorization": f"Bearer {TOKEN}", "Content-Type": "application/json"}
 FIRST_FINISHED, FIRST_READY = 10, 10**6
 READY_RUNS = 1000
+# Of each template: the number of its first copy, and how many; None: as the case says.
+TEMPLATES: dict[State, tuple[int, int | None]] = {
+    "completed": (FIRST_FINISHED, None),
+    "ready": (FIRST_READY, READY_RUNS),
+}
 TASKS = ("score", "count", "delay", "echo")
 
 
@@ -95,11 +100,10 @@ def build_run(length: int, state: State) -> Run:
     )
 
 
-async def store_templates(path: Path, length: int) -> None:
-    store = Store(f"sqlite+aiosqlite:///{path}")
+async def store_templates(url: str, length: int) -> None:
+    store = Store(url)
     await store.open()
-    states: tuple[State, ...] = ("completed", "ready")
-    for state in states:
+    for state in TEMPLATES:
         run = build_run(length, state)
         await store.insert(run, None, "")
         run.changed = {e.index for e in run.episodes if e.result is not None}
@@ -107,15 +111,37 @@ async def store_templates(path: Path, length: int) -> None:
     await store.close()
 
 
-def copy_rows(database: sqlite3.Connection, table: str, source: int) -> None:
+def filling_statements(
+    database_case: DatabaseCase, columns: Mapping[str, Sequence[str]]
+) -> Iterator[str]:
+    """SQL that copies the rows of the templates, and removes those in the end.
+
+    For SQLite and PostgreSQL. columns: of the tables `runs` and `episodes`.
+    """
+    for state, (first, copies) in TEMPLATES.items():
+        count = database_case.runs if copies is None else copies
+        source = f"(SELECT number FROM runs WHERE run_id = 'template_{state}')"  # noqa: S608
+        yield "CREATE TEMP TABLE copies (n INTEGER, run_id TEXT)"
+        yield (
+            "WITH RECURSIVE counted(n) AS "  # noqa: S608
+            f"(SELECT 0 UNION ALL SELECT n + 1 FROM counted WHERE n + 1 < {count}) "
+            f"INSERT INTO copies SELECT {first} + n, '{state}_' || n FROM counted"
+        )
+        for table in ("runs", "episodes"):
+            yield _copying_statement(table, columns[table], source)
+        for table in ("episodes", "runs"):
+            yield f"DELETE FROM {table} WHERE number = {source}"  # noqa: S608
+        yield "DROP TABLE copies"
+
+
+def _copying_statement(table: str, names: Sequence[str], source: str) -> str:
     """Copy what a table has of the run `source`, once for each row of `copies`."""
-    names = [row[1] for row in database.execute(f"PRAGMA table_info({table})")]
-    replaced = {"number": "copies.n", "run_id": "copies.run_id"}
-    if table == "episodes":
-        del replaced["run_id"]
+    replaced = {"number": "copies.n"}
+    if table == "runs":
+        replaced["run_id"] = "copies.run_id"
     into = ", ".join(f'"{name}"' for name in names)
     shown = ", ".join(replaced.get(name, f't."{name}"') for name in names)
-    database.execute(
+    return (
         f"INSERT INTO {table} ({into}) SELECT {shown} FROM copies, {table} AS t "  # noqa: S608
         f"WHERE t.number = {source} ORDER BY copies.n"
     )
@@ -123,24 +149,15 @@ def copy_rows(database: sqlite3.Connection, table: str, source: int) -> None:
 
 def fill(path: Path, database_case: DatabaseCase) -> None:
     """Finished runs from FIRST_FINISHED on, and behind them runs for a worker."""
-    asyncio.run(store_templates(path, database_case.episodes))
+    url = f"sqlite+aiosqlite:///{path}"
+    asyncio.run(store_templates(url, database_case.episodes))
     with contextlib.closing(sqlite3.connect(path)) as database:
-        find = "SELECT number FROM runs WHERE run_id = ?"
-        for state, first, count in (
-            ("completed", FIRST_FINISHED, database_case.runs),
-            ("ready", FIRST_READY, READY_RUNS),
-        ):
-            (source,) = database.execute(find, [f"template_{state}"]).fetchone()
-            database.execute("CREATE TEMP TABLE copies (n INTEGER, run_id TEXT)")
-            database.executemany(
-                "INSERT INTO copies VALUES (?, ?)",
-                [(first + n, f"{state}_{n}") for n in range(count)],
-            )
-            copy_rows(database, "runs", source)
-            copy_rows(database, "episodes", source)
-            database.execute("DELETE FROM episodes WHERE number = ?", [source])
-            database.execute("DELETE FROM runs WHERE number = ?", [source])
-            database.execute("DROP TABLE copies")
+        columns = {
+            table: [row[1] for row in database.execute(f"PRAGMA table_info({table})")]
+            for table in ("runs", "episodes")
+        }
+        for statement in filling_statements(database_case, columns):
+            database.execute(statement)
         database.commit()
         database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
 
@@ -149,13 +166,13 @@ def fill(path: Path, database_case: DatabaseCase) -> None:
 
 
 class ServerProcess:
-    """A server on one database, and one persistent connection to it."""
+    """A server on one database, a file or a URL, and one lasting connection to it."""
 
-    def __init__(self, path: Path, **settings: str) -> None:
+    def __init__(self, database: Path | str, **settings: str) -> None:
         chosen = {
             "PROCTOR_PORT": "0",
             "PROCTOR_TOKENS": f"bench:read+run:{TOKEN}",
-            "PROCTOR_DATABASE": str(path),
+            "PROCTOR_DATABASE": str(database),
             "PROCTOR_MAX_ACTIVE_RUNS": "100000",
             "PROCTOR_WAIT_S_MAX": "120",
             "PROCTOR_MAX_EVENT_STREAMS": "1000",
@@ -204,8 +221,8 @@ class ServerProcess:
 
 
 @contextmanager
-def running_server(path: Path, **settings: str) -> Iterator[ServerProcess]:
-    server = ServerProcess(path, **settings)
+def running_server(database: Path | str, **settings: str) -> Iterator[ServerProcess]:
+    server = ServerProcess(database, **settings)
     try:
         yield server
     finally:

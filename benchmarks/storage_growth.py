@@ -116,14 +116,19 @@ def measure_requests(directory: Path, rounds: int) -> dict[str, Any]:
             )
             for database_case in DATABASE_CASES
         ]
-        for number in range(rounds):
-            if number == WARM_UP:
-                for one in requests:
-                    one.seconds.clear()
+        return compare_requests(requests, rounds)
+
+
+def compare_requests(requests: list[TimedRequests], rounds: int) -> dict[str, Any]:
+    """Play rounds in turn; p50 in ms of each operation, and the ratio to the first."""
+    for number in range(rounds):
+        if number == WARM_UP:
             for one in requests:
-                one.round(number)
+                one.seconds.clear()
+        for one in requests:
+            one.round(number)
     p50_ms = {one.database_case.name: one.p50_ms() for one in requests}
-    smallest = p50_ms[DATABASE_CASES[0].name]
+    smallest = p50_ms[requests[0].database_case.name]
     return {
         name: {
             "p50_ms": {
@@ -316,19 +321,20 @@ async def measure_waiting(
 
 def report(body: dict[str, Any]) -> str:
     """The part of docs/host/performance.md."""
-    database_cases = [database_case.name for database_case in DATABASE_CASES]
+    names = [database_case.name for database_case in DATABASE_CASES]
+    return "\n".join([requests_table(body["requests"], names), "", *sentences(body)])
+
+
+def requests_table(requests: dict[str, Any], names: list[str]) -> str:
+    """A row for each operation, a column for each of these databases."""
     rows = [
         [
-            f"`{name}`",
-            *(
-                f"{cost['p50_ms'][s]:.1f} ({cost['ratio'][s]:.2f})"
-                for s in database_cases
-            ),
+            f"`{operation}`",
+            *(f"{cost['p50_ms'][n]:.1f} ({cost['ratio'][n]:.2f})" for n in names),
         ]
-        for name, cost in body["requests"].items()
+        for operation, cost in requests.items()
     ]
-    table = performance_page.table(["p50 in ms (ratio)", *database_cases], rows)
-    return "\n".join([table, "", *sentences(body)])
+    return performance_page.table(["p50 in ms (ratio)", *names], rows)
 
 
 def sentences(body: dict[str, Any]) -> list[str]:

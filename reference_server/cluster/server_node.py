@@ -7,14 +7,10 @@ from typing import Any
 
 from starlette.types import ASGIApp, Scope
 
-from reference_server.cluster import shared_queue, views_elsewhere
-from reference_server.cluster.forwarding import (
-    NodeConnections,
-    PageForwarding,
-    RunForwarding,
-    has_secret_of,
-)
+from reference_server.cluster.forwarding import PageForwarding, RunForwarding
 from reference_server.cluster.membership import Membership
+from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.node_headers import has_secret_of
 from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.cluster.views_elsewhere import ViewsElsewhere
 from reference_server.runs.service import RunService
@@ -56,8 +52,8 @@ class ServerNode:
             path: RunForwarding(endpoint, self._connections, has_run)
             for path, endpoint in endpoints.items()
         }
-        routed[views_elsewhere.PATH] = self.views
-        routed[shared_queue.PATH] = self.queue
+        for requests in (self.views.requests, self.queue.requests):
+            routed[requests.path] = requests
         return routed
 
     def routed_pages(self, pages: ASGIApp, away: ASGIApp) -> ASGIApp:

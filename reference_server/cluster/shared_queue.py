@@ -19,13 +19,9 @@ from collections import Counter
 from collections.abc import Awaitable, Callable
 
 import msgspec
-from starlette.requests import Request
-from starlette.responses import Response
-from starlette.types import Receive, Scope, Send
 
-from reference_server.cluster.forwarding import NodeConnections, is_from_node
-from reference_server.http.problems import problem_response
-from reference_server.rules.refusal import Refused
+from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.node_requests import NodeRequests
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.node_store import Node, NodeStore, StoredQueue
 from reference_server.storage.store import StoreFailed
@@ -70,8 +66,16 @@ class SharedQueue:
         connections: NodeConnections,
         registry: Callable[[], RunRegistry],
     ) -> None:
-        self._nodes, self._connections = nodes, connections
-        self._membership, self._registry = connections.membership, registry
+        self._nodes, self._registry = nodes, registry
+        self._membership = connections.membership
+        self.requests = NodeRequests(
+            connections,
+            PATH,
+            asked=_Announced,
+            answered=_Places,
+            answer=self._answer,
+            timeout_s=TIMEOUT_S,
+        )
         self._fences: dict[str, int] = {}  # of runs that wait elsewhere
         self._places: dict[str, dict[str, int]] = {}  # of accounts, by node
         self._let_go: set[str] = set()  # runs that others may take since then
@@ -186,35 +190,20 @@ class SharedQueue:
 
     async def _post_to_all(self, announced: _Announced) -> None:
         others = self._membership.others()
-        body = msgspec.json.encode(announced)
-        await asyncio.gather(*(self._post(node, body) for node in others))
+        await asyncio.gather(*(self._post(node, announced) for node in others))
         there = {node.node_id for node in others}
         self._places = {n: of for n, of in self._places.items() if n in there}
 
-    async def _post(self, node: Node, body: bytes) -> None:
-        with contextlib.suppress(TimeoutError):
-            async with asyncio.timeout(TIMEOUT_S):
-                answer = await self._connections.post(node, PATH, body)
-                if answer is not None:
-                    found = msgspec.json.decode(answer, type=_Places)
-                    self._places[node.node_id] = found.places
+    async def _post(self, node: Node, announced: _Announced) -> None:
+        answer = await self.requests.ask(node, announced)
+        if answer is not None:
+            self._places[node.node_id] = answer.places
 
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+    async def _answer(self, announced: _Announced) -> _Places:
         """The answer to another node."""
-        try:
-            response = await self._answer(scope, receive)
-        except Refused as refused:
-            response = problem_response(refused)
-        await response(scope, receive, send)
-
-    async def _answer(self, scope: Scope, receive: Receive) -> Response:
-        if scope["method"] != "POST" or not is_from_node(scope, self._membership):
-            raise Refused("not_found", "Unknown path.")
-        body = await Request(scope, receive).body()
-        if msgspec.json.decode(body, type=_Announced).has_changed:
+        if announced.has_changed:
             self._look_is_due.set()
-        places = self._registry().places_of_accounts()
-        return Response(msgspec.json.encode(_Places(places)))
+        return _Places(self._registry().places_of_accounts())
 
     async def _repeat(
         self, work: Work, is_due: asyncio.Event, every_s: float | None

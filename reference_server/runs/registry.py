@@ -18,6 +18,7 @@ from __future__ import annotations
 import asyncio
 import contextvars
 import logging
+import math
 import time
 from collections import Counter, OrderedDict, deque
 from collections.abc import Awaitable, Callable, Mapping, Sequence
@@ -445,8 +446,7 @@ class RunRegistry:
         The task never raises; its result is whether the run was stored. check: as for
         Store.save.
         """
-        # RUN-021: a clock that is set back does not set the run back.
-        run.updated_at_wall = max(run.updated_at_wall, time.time())
+        run.updated_at_wall = _changed_at(run.updated_at_wall, time.time())
         saving = asyncio.ensure_future(self._save(run, check))
         self._saving[run.run_id] = saving
         self.run_in_background(saving)
@@ -1005,6 +1005,16 @@ class RunRegistry:
         except StoreFailed as error:
             self._failures.report("a run could not be loaded", str(error))
             self._reload_later(run_id)
+
+
+def _changed_at(before_wall: float, now_wall: float) -> float:
+    """When a run changed that had changed before: later, whatever the clock says.
+
+    RUN-021: a clock that is set back does not set the run back. What was stored since
+    its submission is known by that, too: another node takes a run from the queue only
+    while its times are equal (`node_store.py`).
+    """
+    return max(math.nextafter(before_wall, math.inf), now_wall)
 
 
 def _no_run(run_id: str) -> Refused:

@@ -9,9 +9,9 @@ from __future__ import annotations
 import argparse
 import itertools
 import os
+import subprocess
 import sys
 import time
-from pathlib import Path
 
 from tests.attack.verdicts import percentile
 from tests.chaos import chaos_page
@@ -28,11 +28,36 @@ def main() -> int:
         raise SystemExit(f"unknown faults: {', '.join(sorted(unknown))}")
     began_at = time.monotonic()
     kept = _kept_rounds(options)
+    others = [
+        subprocess.Popen([*_command(options), "--seed", str(options.seed + number)])
+        for number in range(1, options.clusters)
+    ]
+    _play(options, names, kept)
+    ended = [other.wait() for other in others]
+    kept.refresh()
+    conditions = chaos_page.Conditions(
+        sorted({one.seed for one in kept.rounds}),
+        options.players,
+        options.lease_s,
+        percentile(kept.loads, 0.5),
+        options.clusters,
+    )
+    print(*chaos_page.summary(kept.rounds, conditions), sep="\n")
+    print(f"{time.monotonic() - began_at:.0f} s")
+    if options.write:
+        chaos_page.write(kept.rounds, conditions)
+    return int(any(ended) or any(one.findings for one in kept.rounds))
+
+
+def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> None:
+    """Rounds of one cluster, until enough were played."""
+    began_at = time.monotonic()
     with Campaign.open(
         seed=options.seed, players=options.players, lease_s=options.lease_s
     ) as campaign:
         before = Counts()
-        for number in itertools.count(options.first + len(kept.rounds)):
+        for number in itertools.count(options.first + kept.played_with(options.seed)):
+            kept.refresh()
             chosen = names
             if options.long:
                 chosen = [n for n in faults_to_play(kept.rounds) if n in names]
@@ -41,26 +66,26 @@ def main() -> int:
                 break
             load = os.getloadavg()[0]
             played = campaign.play(number, chosen)
+            played.seed = options.seed
             played.counts, before = campaign.counts() - before, campaign.counts()
             kept.add(played, load)
             print(chaos_page.round_line(played), flush=True)
-    conditions = chaos_page.Conditions(
-        options.seed, options.players, options.lease_s, percentile(kept.loads, 0.5)
-    )
-    print(*chaos_page.summary(kept.rounds, conditions), sep="\n")
-    print(f"{time.monotonic() - began_at:.0f} s")
-    if options.write:
-        chaos_page.write(kept.rounds, conditions)
-    return int(any(one.findings for one in kept.rounds))
+
+
+def _command(options: argparse.Namespace) -> list[str]:
+    """For one more cluster of a long campaign; its seed is left out."""
+    command = [sys.executable, "-m", "tests.chaos", "--long", "--only", options.only]
+    for name in ("players", "lease_s", "first", "seconds"):
+        command += [f"--{name.replace('_', '-')}", str(getattr(options, name))]
+    return command
 
 
 def _kept_rounds(options: argparse.Namespace) -> KeptRounds:
     """Those of earlier starts of the same long campaign, else none."""
     if not options.long:
-        return KeptRounds({}, file=Path(os.devnull))
+        return KeptRounds({}, file=None)
     commit, _ = read_commit()
-    names = ("seed", "first", "players", "lease_s", "only")
-    chosen = {name: getattr(options, name) for name in names}
+    chosen = {name: getattr(options, name) for name in ("players", "lease_s", "only")}
     return KeptRounds({"commit": commit, **chosen})
 
 
@@ -71,6 +96,13 @@ def _options() -> argparse.Namespace:
         "--long",
         action="store_true",
         help="until each fault was made as often as promised; goes on where it ended",
+    )
+    parser.add_argument(
+        "--clusters",
+        type=int,
+        default=1,
+        metavar="N",
+        help="of --long: so many at once",
     )
     parser.add_argument("--first", type=int, default=0, help="number of the first one")
     parser.add_argument(
@@ -83,7 +115,10 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--players", type=int, default=6)
     parser.add_argument("--lease-s", type=float, default=5.0, help="of nodes")
     parser.add_argument("--write", action="store_true", help="rewrite its table")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.clusters > 1 and not options.long:
+        parser.error("several clusters share the rounds of --long only")
+    return options
 
 
 if __name__ == "__main__":

@@ -21,12 +21,16 @@ GOING_P99_S = 10.0
 
 @dataclass(frozen=True)
 class Conditions:
-    """Under which rounds were played. load: of the machine before half of them."""
+    """Under which rounds were played.
 
-    seed: int
+    load: of the machine before half of them. clusters: so many were broken at once.
+    """
+
+    seeds: Sequence[int]
     players: int
     lease_s: float
     load: float
+    clusters: int = 1
 
 
 def round_line(played: Round) -> str:
@@ -45,8 +49,9 @@ def summary(rounds: Sequence[Round], conditions: Conditions) -> Iterator[str]:
     counts = sum((one.counts for one in rounds), Counts())
     waits = [wait for one in rounds for wait in one.waits_s]
     findings = sum(len(one.findings) for one in rounds)
+    seeds = ", ".join(map(str, conditions.seeds))
     yield (
-        f"{len(rounds)} rounds, seed {conditions.seed}: {findings} findings in "
+        f"{len(rounds):,} rounds, seeds {seeds}: {findings} findings in "
         f"{counts.runs:,} runs, {counts.operations:,} turns, starts and "
         f"changes of push runs, {counts.compared:,} turns with two answers, "
         f"{counts.writes:,} writes, {counts.records:,} records, and "
@@ -83,10 +88,11 @@ def write(rounds: Sequence[Round], conditions: Conditions) -> None:
         "for 3 s.\nThe clocks of nodes are changed inside their programs, that of the "
         "database by libfaketime (without it\nthere is no such round); a full disk is "
         "a limit of the size of its files, at which PostgreSQL ends.\n\n"
-        f"Written by `make chaos ARGS=--write` on commit {commit} of {date}: "
-        f"{conditions.players} players, lease {conditions.lease_s:g} s,\n"
-        f"{os.cpu_count()} processors shared with other programs, load before half of "
-        f"the rounds {conditions.load:.1f} or less.\n\n"
+        f"Written by `make chaos` on commit {commit} of {date}: clusters at once "
+        f"{conditions.clusters}, each with {conditions.players} players\nand one of "
+        f"runs that nodes play; lease {conditions.lease_s:g} s; {os.cpu_count()} "
+        "processors shared with other programs; load before\nhalf of the rounds "
+        f"{conditions.load:.1f} or less.\n\n"
     )
     text = head + "\n\n".join(summary(rounds, conditions)) + "\n\n"
     text += "\n".join(_promises(rounds)) + "\n\n"

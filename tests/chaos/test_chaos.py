@@ -193,7 +193,7 @@ def test_the_table_replaces_an_earlier_one_and_nothing_else(
     reliability_page.PAGE.write_text("# Reliability\n\n## Long runs\n\nBy hand.\n")
     played = Round(0, FAULTS["node killed"], [0.5, 6.0], ["a result was lost"])
     played.count = 1
-    conditions = chaos_page.Conditions(1, 2, 5.0, 0.5)
+    conditions = chaos_page.Conditions([1, 2], 2, 5.0, 0.5)
     assert "BROKEN" in chaos_page.round_line(played)
     for _ in range(2):
         chaos_page.write([played], conditions)
@@ -232,10 +232,31 @@ def test_a_long_campaign_ends_when_all_was_tried() -> None:
 
 def test_a_long_campaign_goes_on_where_it_ended(tmp_path: Path) -> None:
     file = tmp_path / "var" / "chaos.jsonl"
-    kept = KeptRounds({"commit": "a", "seed": 1}, file)
+    kept = KeptRounds({"commit": "a"}, file)
     kept.add(_played("node killed", 1, number=7), 2.5)
-    KeptRounds({"commit": "b", "seed": 1}, file).add(_played("node ended", 1), 0.0)
-    again = KeptRounds({"commit": "a", "seed": 1}, file)
+    KeptRounds({"commit": "b"}, file).add(_played("node ended", 1), 0.0)
+    again = KeptRounds({"commit": "a"}, file)
     assert again.rounds == kept.rounds
     assert again.loads == [2.5]
-    assert KeptRounds({"commit": "a", "seed": 2}, file).rounds == []
+    assert KeptRounds({"commit": "a"}, None).rounds == []
+
+
+def test_clusters_that_are_broken_at_once_share_what_they_played(
+    tmp_path: Path,
+) -> None:
+    """Each reads what the others have added, once, and no half of a line."""
+    file = tmp_path / "var" / "chaos.jsonl"
+    one, other = (KeptRounds({"commit": "a"}, file) for _ in range(2))
+    one.add(_played("node killed", 1), 1.0)
+    other.add(_played("node ended", 1), 1.0)
+    other.rounds[-1].seed = 2
+    with file.open("a") as writer:
+        writer.write('{"under": {"comm')
+        writer.flush()
+        one.refresh()
+        one.refresh()
+        assert [kept.fault.name for kept in one.rounds] == ["node killed", "node ended"]
+        writer.write('it": "b"}}\n')
+    one.refresh()
+    assert len(one.rounds) == 2
+    assert [other.played_with(seed) for seed in (0, 2, 3)] == [1, 1, 0]

@@ -20,7 +20,7 @@ from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs import registry as registry_module
 from reference_server.runs import steady_clock
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage.node_store import OwnedRun, StoredQueue
+from reference_server.storage.node_store import NodeStore, OwnedRun, StoredQueue
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.counters import COUNTERS
 from tests.support.server.databases import UsedDatabase
@@ -50,9 +50,13 @@ class NodeRuns:
 
 @asynccontextmanager
 async def opened(
-    folder: Path, others: OtherQueues | None = None
+    where: Path | UsedDatabase, others: OtherQueues | None = None
 ) -> AsyncIterator[NodeRuns]:
-    store = Store(UsedDatabase.of_file(folder / "d.sqlite").url, is_shared=True)
+    """where: a folder for an SQLite file, or a database."""
+    used = (
+        UsedDatabase.of_file(where / "d.sqlite") if isinstance(where, Path) else where
+    )
+    store = Store(used.url, is_shared=True)
     ownership = Ownership()
 
     def on_change(run: Run) -> None:
@@ -350,6 +354,34 @@ def test_only_what_is_not_held_may_be_taken_by_other_nodes(tmp_path: Path) -> No
                 run = calibration_run(run_id=name, queue_until_wall=until)
                 await runs.registry.add(run, None, "")
             assert runs.registry.held_no_more() == ["past"]
+
+    asyncio.run(scenario())
+
+
+def test_a_resumed_run_is_known_though_the_clock_was_set_back(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its owner alone knows what ended its sessions: no other node takes it."""
+
+    async def scenario() -> None:
+        async with opened(database, OtherQueues()) as runs:
+            monkeypatch.setattr("time.time", lambda: 5000.0)
+            times = {"created_at_wall": 5000.0, "updated_at_wall": 5000.0}
+            for number in range(4):
+                name = f"run_{number}"
+                await runs.registry.add(calibration_run(run_id=name), None, "")
+            new = calibration_run(run_id="run_new", **times)
+            resumed = calibration_run(run_id="run_resumed", **times)
+            for run in (new, resumed):
+                assert (await runs.registry.add(run, None, "")).state == "queued"
+            monkeypatch.setattr("time.time", lambda: 4000.0)
+            effects.stop(resumed, "abort", 4000.0)
+            await runs.registry.commit(resumed)
+            effects.resume(resumed, 0.0)
+            await runs.registry.commit_opened(resumed)
+            queue = await NodeStore(runs.store, 60.0).queue([])
+            seen = {one.run.run_id: one.is_new for one in queue.queued}
+            assert seen == {"run_new": True, "run_resumed": False}
 
     asyncio.run(scenario())
 

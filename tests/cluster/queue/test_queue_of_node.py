@@ -9,8 +9,8 @@ from typing import Any, cast
 import msgspec
 import pytest
 
-from reference_server.cluster import shared_queue
-from reference_server.cluster.forwarding import NodeConnections
+from reference_server.cluster import node_requests, shared_queue
+from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.rules.capacity import WaitingRun
 from reference_server.runs.registry import RunRegistry
@@ -157,7 +157,7 @@ def test_a_look_is_due_when_another_node_says_so(
 ) -> None:
     """Expect it without waiting for the next one in time."""
     monkeypatch.setattr(shared_queue, "LOOK_S", 1e6)
-    monkeypatch.setattr(shared_queue, "is_from_node", lambda _scope, _member: True)
+    monkeypatch.setattr(node_requests, "is_from_node", lambda _scope, _member: True)
 
     async def scenario() -> None:
         node = FakeNode()
@@ -193,7 +193,7 @@ async def said_to(queue: SharedQueue, *, has_changed: bool) -> dict[str, Any]:
         sent.append(message)
 
     scope = {"type": "http", "method": "POST", "headers": [], "path": ""}
-    await queue(scope, receive, send)
+    await queue.requests(scope, receive, send)
     return dict(msgspec.json.decode(sent[1]["body"]))
 
 

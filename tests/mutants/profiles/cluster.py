@@ -10,9 +10,9 @@ from typing import Any
 
 from starlette.types import Message, Receive, Scope, Send
 
-from reference_server.cluster import forwarding
-from reference_server.cluster.forwarding import NodeConnections
+from reference_server.cluster import forwarding, node_connections, node_headers
 from reference_server.cluster.membership import Membership
+from reference_server.cluster.node_connections import NodeConnections
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.rules import lifecycle
@@ -32,7 +32,7 @@ IS_PASSED_ON: ContextVar[bool] = ContextVar("IS_PASSED_ON", default=False)
 
 def note_what_is_passed_on() -> None:
     """Let `IS_PASSED_ON` say whether another node passed the current request on."""
-    right = forwarding.is_from_node
+    right = node_headers.is_from_node
 
     def noting(scope: Scope, membership: Membership) -> bool:
         is_passed_on = right(scope, membership)
@@ -180,10 +180,10 @@ def answers_late_who_waits_at_another_node() -> None:
 @mutant("CLU-007")
 def loses_the_place_of_a_reader_of_another_node() -> None:
     """A dashboard that reconnects over a balancer shows episodes twice."""
-    right = forwarding._request_headers
+    right = node_headers.request_headers
 
     def wrong(scope: Scope, node: Node) -> tuple[list[tuple[bytes, bytes]], bool]:
         headers, has_body = right(scope, node)
         return [pair for pair in headers if pair[0] != b"last-event-id"], has_body
 
-    put(forwarding, "_request_headers", wrong)
+    put(node_connections, "request_headers", wrong)

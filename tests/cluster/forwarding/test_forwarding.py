@@ -11,14 +11,11 @@ from typing import Any
 import pytest
 from starlette.responses import Response
 
-from reference_server.cluster import forwarding
-from reference_server.cluster.forwarding import (
-    NodeConnections,
-    PageForwarding,
-    RunForwarding,
-    is_from_node,
-)
+from reference_server.cluster import forwarding, node_connections
+from reference_server.cluster.forwarding import PageForwarding, RunForwarding
 from reference_server.cluster.membership import Membership
+from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.node_headers import is_from_node
 from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere, StoredOwner
@@ -152,7 +149,7 @@ def test_a_node_that_answers_nothing_is_not_waited_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It may still renew its lease; no other node claims its runs then."""
-    monkeypatch.setattr(forwarding, "SILENT_S", 0.2)
+    monkeypatch.setattr(node_connections, "SILENT_S", 0.2)
 
     async def scenario() -> None:
         is_lost = True
@@ -191,7 +188,7 @@ async def answer_ok(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) 
 def test_a_node_that_misses_one_question_is_asked_again(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(forwarding, "SILENT_S", 1.0)
+    monkeypatch.setattr(node_connections, "SILENT_S", 1.0)
 
     async def scenario() -> None:
         asked: list[str] = []
@@ -216,8 +213,8 @@ def test_connections_that_are_used_up_are_no_sign_of_a_dead_node(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Requests that wait for a node have all that they share."""
-    monkeypatch.setattr(forwarding, "SILENT_S", 1.0)
-    monkeypatch.setattr(forwarding, "CONNECTIONS_MAX", 1)
+    monkeypatch.setattr(node_connections, "SILENT_S", 1.0)
+    monkeypatch.setattr(node_connections, "CONNECTIONS_MAX", 1)
 
     async def scenario() -> None:
         posted = asyncio.Event()
@@ -381,7 +378,7 @@ def page_scope(path: str) -> dict[str, Any]:
 def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
     path: str, answered_by: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(forwarding, "SILENT_S", 0.2)
+    monkeypatch.setattr(node_connections, "SILENT_S", 0.2)
 
     async def scenario() -> None:
         answers: list[str] = []

@@ -1,0 +1,267 @@
+"""Connections to the other nodes, and what is sent over them.
+
+Requests of clients are passed on, bodies streamed in both directions, so that event
+streams and records pass; other requests are of this node. It chooses no node, and
+decides nothing about runs.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import time
+from collections.abc import AsyncIterator
+from typing import Any
+
+import httpcore
+from starlette.types import Message, Receive, Scope, Send
+
+from reference_server.cluster.kept_connections import KeptConnections
+from reference_server.cluster.membership import Membership
+from reference_server.cluster.node_headers import (
+    SECRET_HEADER,
+    answer_headers,
+    request_headers,
+    trace_headers,
+)
+from reference_server.cluster.reachability import Reachability
+from reference_server.http.dispatch import OPERATION
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import RENEWALS_PER_LEASE
+from reference_server.storage.node_store import Node
+from reference_server.storage.store import StoreFailed
+from reference_server.system.counters import COUNTERS
+from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.system.spans import span
+
+log = logging.getLogger("proctor.cluster")
+
+_NOT_REACHED = (
+    httpcore.NetworkError,
+    httpcore.TimeoutException,
+    httpcore.ProtocolError,
+)
+# A node closes a connection that is unused for 5 s.
+KEEPALIVE_S = 3.0
+CONNECT_TIMEOUT_S = 2.0
+CONNECTIONS_MAX = 1000
+# What a request that is passed on counts as in the metrics of its first node.
+PASSED_ON = "passed_on"
+# At least so long, and for a lease, a busy node may be silent and is still waited for.
+SILENT_S = 5.0
+# A node is asked twice whether it lives, over connections of their own: what all
+# requests share may be used up, or one connection lost.
+QUESTIONS = 2
+QUESTIONS_AT_ONCE_MAX = 100
+
+
+class NodeConnections:
+    """Connections to the other nodes; open while the server runs."""
+
+    def __init__(self, membership: Membership) -> None:
+        self.membership = membership
+        self.failures = RepeatedFailures(log)
+        self._kept = KeptConnections(CONNECTIONS_MAX, KEEPALIVE_S)
+        self._questions = httpcore.AsyncConnectionPool(
+            max_connections=QUESTIONS_AT_ONCE_MAX, max_keepalive_connections=0
+        )
+        self._reachability = Reachability(
+            self._answers,
+            lambda node: membership.gone(node).is_set(),
+            membership.lease_s / RENEWALS_PER_LEASE,
+        )
+
+    async def close(self) -> None:
+        await self._reachability.close()
+        await self._kept.close()
+        await self._questions.aclose()
+
+    async def _answers(self, node: Node) -> bool:
+        """Whether it answers anything before it would have lost its lease."""
+        limit_s = max(self.membership.lease_s, SILENT_S)
+        asked = [
+            asyncio.ensure_future(self._ask(node, number * limit_s / QUESTIONS))
+            for number in range(QUESTIONS)
+        ]
+        try:
+            async with asyncio.timeout(limit_s):
+                for answer in asyncio.as_completed(asked):
+                    if await answer:
+                        return True
+        except TimeoutError:
+            return False
+        finally:
+            for one in asked:
+                one.cancel()
+            await asyncio.wait(asked)
+        return False
+
+    async def _ask(self, node: Node, after_s: float) -> bool:
+        """Whether it answers one question."""
+        await asyncio.sleep(after_s)
+        with contextlib.suppress(*_NOT_REACHED, OSError):
+            await self._questions.request("GET", node.url + "/livez")
+            return True
+        return False
+
+    async def pass_on(
+        self, node: Node, scope: Scope, receive: Receive, send: Send
+    ) -> None:
+        """Answer a request with what that node answers.
+
+        Raises Refused if it does not answer. An answer that breaks off stays
+        incomplete: the server closes its connection then.
+        """
+        scope[OPERATION] = PASSED_ON
+        exchange = _Exchange(self._kept, node, scope, receive, send)
+        try:
+            with span("pass on to owner", is_call=True):
+                await self._carry_out(exchange, node)
+        except _ClientLeft:
+            return
+        except (*_NOT_REACHED, OSError) as error:
+            self.failures.report("a request could not be passed on", repr(error))
+            with contextlib.suppress(StoreFailed):  # it is looked for again at once
+                await self.membership.forget_owner(run_id_of(scope) or "")
+        if not exchange.is_begun and not exchange.has_no_reader:
+            raise Refused("unavailable", "The node that has the run does not answer.")
+
+    async def _carry_out(self, exchange: _Exchange, node: Node) -> None:
+        """Returns also if nothing more is to be waited for."""
+        started = time.perf_counter()
+        try:
+            with self._reachability.waiting(node) as lost:
+                if not lost.is_set():
+                    await _first_of(
+                        exchange.answer(),
+                        exchange.wait_until_client_left(),
+                        self.membership.gone(node).wait(),
+                        lost.wait(),
+                    )
+        finally:
+            is_ok = exchange.is_answered or exchange.has_no_reader
+            took_s = time.perf_counter() - started
+            COUNTERS.passed_on["ok" if is_ok else "failed"].add(took_s)
+
+    async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
+        """What a node answers to a request of this one; None if it ends."""
+        headers = [(b"host", b"node"), (SECRET_HEADER, node.secret.encode())]
+        answers: list[bytes] = []
+
+        async def ask() -> None:
+            url = httpcore.URL(node.url + path)
+            async with self._kept.stream(
+                "POST", url, headers=headers, content=body
+            ) as response:
+                if response.status == 200:
+                    answers.append(await response.aread())
+
+        try:
+            with span("read from node", is_call=True):
+                headers += trace_headers()
+                await _first_of(ask(), self.membership.gone(node).wait())
+        except (*_NOT_REACHED, OSError) as error:
+            self.failures.report("a node was not reached", repr(error))
+            return None
+        return next(iter(answers), None)
+
+
+class _ClientLeft(Exception):
+    """The client left before its request was complete."""
+
+
+class _Exchange:
+    """One request to another node, and its answer."""
+
+    def __init__(
+        self,
+        kept: KeptConnections,
+        node: Node,
+        scope: Scope,
+        receive: Receive,
+        send: Send,
+    ) -> None:
+        self._kept, self._node, self._scope = kept, node, scope
+        self._receive, self._send = receive, send
+        self._body_read = asyncio.Event()
+        self.is_begun = self.is_answered = self.has_no_reader = False
+
+    async def answer(self) -> None:
+        """Send the whole answer, part by part."""
+        headers, has_body = request_headers(self._scope, self._node)
+        if not has_body:
+            self._body_read.set()
+        target = self._scope.get("raw_path") or self._scope["path"].encode()
+        if query := self._scope["query_string"]:
+            target += b"?" + query
+        base = httpcore.URL(self._node.url)
+        url = httpcore.URL(
+            scheme=base.scheme, host=base.host, port=base.port, target=target
+        )
+        async with self._kept.stream(
+            self._scope["method"],
+            url,
+            headers=headers,
+            content=self._read_body() if has_body else None,
+            extensions={"timeout": {"connect": CONNECT_TIMEOUT_S}},
+        ) as response:
+            await self._start(response)
+            async for part in response.aiter_stream():
+                await self._send(_body(part, more=True))
+        await self._send(_body(b"", more=False))
+        self.is_answered = True
+
+    async def _start(self, response: httpcore.Response) -> None:
+        self.is_begun = True
+        await self._send(
+            {
+                "type": "http.response.start",
+                "status": response.status,
+                "headers": answer_headers(response.headers),
+            }
+        )
+
+    async def _read_body(self) -> AsyncIterator[bytes]:
+        more = True
+        while more:
+            message = await self._receive()
+            if message["type"] == "http.disconnect":
+                self.has_no_reader = True
+                raise _ClientLeft
+            more = message.get("more_body", False)
+            if part := message.get("body", b""):
+                yield part
+        self._body_read.set()
+
+    async def wait_until_client_left(self) -> None:
+        """No answer is needed any more; what the other node has begun goes on there."""
+        await self._body_read.wait()
+        while (await self._receive())["type"] != "http.disconnect":
+            pass
+        self.has_no_reader = True
+
+
+def run_id_of(scope: Scope) -> str | None:
+    """The run that the path of a request names."""
+    found: str | None = scope.get("path_params", {}).get("run_id")
+    return found
+
+
+def _body(part: bytes, *, more: bool) -> Message:
+    return {"type": "http.response.body", "body": part, "more_body": more}
+
+
+async def _first_of(answer: Any, *ends: Any) -> None:
+    """Until the answer is sent or one of the others ends; raises what ended it."""
+    tasks = [asyncio.ensure_future(one) for one in (answer, *ends)]
+    try:
+        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        for task in tasks:
+            if task in done:
+                task.result()
+    finally:
+        for task in tasks:
+            task.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await asyncio.wait(tasks)

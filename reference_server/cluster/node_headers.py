@@ -1,0 +1,95 @@
+"""The headers of what nodes send each other, and what they prove.
+
+A node shows with the secret of another one that it is a node; what it says of a client
+is believed then. Headers of one connection stay at it.
+"""
+
+from __future__ import annotations
+
+import hmac
+from typing import TypeAlias
+
+from starlette.types import Scope
+
+from reference_server.cluster.membership import Membership
+from reference_server.rules.refusal import Refused
+from reference_server.storage.node_store import Node
+from reference_server.system.log_output import REQUEST_ID
+from reference_server.system.spans import traceparent
+
+Headers: TypeAlias = list[tuple[bytes, bytes]]
+
+SECRET_HEADER, CLIENT_HEADER = b"proctor-node-secret", b"proctor-node-client"
+# Of one connection each (RFC 9110, section 7.6.1), or added anew to every answer.
+_HOP_BY_HOP = {
+    *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
+    *(b"transfer-encoding", b"upgrade", b"expect"),
+}
+_ADDED_ANEW = {b"date", b"proctor-version", b"x-request-id"}
+_OURS = {SECRET_HEADER, CLIENT_HEADER, b"x-request-id"}
+# Of another node they are believed, so those of clients are not passed on.
+_OF_TRACES = {b"traceparent", b"tracestate"}
+_NOT_PASSED_ON = _HOP_BY_HOP | _OURS | _OF_TRACES
+_NOT_SENT_BACK = _HOP_BY_HOP | _ADDED_ANEW
+
+
+def is_from_node(scope: Scope, membership: Membership) -> bool:
+    """Whether a node passed it on; then the address of its client is what it says.
+
+    What any other sender says of that is taken out. Raises Refused for what was sent to
+    another node: passed on again, it might come back without end.
+    """
+    headers: Headers = scope["headers"]
+    sent = {name: value for name, value in headers if name in _OURS}
+    if SECRET_HEADER not in sent and CLIENT_HEADER not in sent:
+        return False
+    kept = (SECRET_HEADER, CLIENT_HEADER)
+    scope["headers"] = [pair for pair in headers if pair[0] not in kept]
+    secret = sent.get(SECRET_HEADER, b"")
+    is_node = hmac.compare_digest(secret, membership.secret.encode())
+    if not is_node and membership.is_secret_of_other(secret):
+        text = "The request was sent to another node: its node_url leads to this one."
+        raise Refused("unavailable", text)
+    if is_node:
+        scope["client"] = (sent.get(CLIENT_HEADER, b"-").decode("latin-1"), 0)
+    return is_node
+
+
+def has_secret_of(membership: Membership, scope: Scope) -> bool:
+    """Whether a node passed it on to this one; changes nothing, as `is_from_node`."""
+    secret = membership.secret.encode()
+    return any(
+        name == SECRET_HEADER and hmac.compare_digest(value, secret)
+        for name, value in scope["headers"]
+    )
+
+
+def request_headers(scope: Scope, node: Node) -> tuple[Headers, bool]:
+    """What is sent to the other node, and whether a body follows."""
+    headers = [
+        (name, value) for name, value in scope["headers"] if name not in _NOT_PASSED_ON
+    ]
+    names = {name for name, _ in scope["headers"]}
+    is_chunked = b"transfer-encoding" in names
+    if is_chunked:
+        headers.append((b"transfer-encoding", b"chunked"))
+    client = (scope.get("client") or ("-",))[0]
+    headers += [
+        (SECRET_HEADER, node.secret.encode()),
+        (CLIENT_HEADER, str(client).encode("latin-1", "replace")),
+        (b"x-request-id", (REQUEST_ID.get() or "").encode()),
+        *trace_headers(),
+    ]
+    return headers, is_chunked or b"content-length" in names
+
+
+def answer_headers(headers: Headers) -> Headers:
+    """What the client gets of the headers of the other node's answer."""
+    lower = ((name.lower(), value) for name, value in headers)
+    return [pair for pair in lower if pair[0] not in _NOT_SENT_BACK]
+
+
+def trace_headers() -> Headers:
+    """What lets a node go on with the trace of this request."""
+    sent = traceparent()
+    return [] if sent is None else [(b"traceparent", sent.encode())]

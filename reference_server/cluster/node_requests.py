@@ -1,0 +1,74 @@
+"""Requests between nodes: what one asks another for itself, and not for a client.
+
+Each kind has a path of its own, which answers nodes alone.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+from typing import Generic, TypeVar
+
+import msgspec
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
+
+from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.node_headers import is_from_node
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import Refused
+from reference_server.storage.node_store import Node
+
+Asked = TypeVar("Asked")
+Answered = TypeVar("Answered")
+
+
+class NodeRequests(Generic[Asked, Answered]):
+    """One kind of them: it asks other nodes, and is the endpoint that answers them.
+
+    asked, answered: what is sent, and what comes back, both as JSON. answer: what this
+    node says; it may raise Refused. timeout_s: for the answer of another node.
+    """
+
+    def __init__(
+        self,
+        connections: NodeConnections,
+        path: str,
+        *,
+        asked: type[Asked],
+        answered: type[Answered],
+        answer: Callable[[Asked], Awaitable[Answered]],
+        timeout_s: float,
+    ) -> None:
+        self._connections, self.path = connections, path
+        self._asked, self._answered = asked, answered
+        self._answer, self._timeout_s = answer, timeout_s
+
+    async def ask(self, node: Node, asked: Asked) -> Answered | None:
+        """What a node says; None if it does not in time, ends or refuses."""
+        body = msgspec.json.encode(asked)
+        try:
+            async with asyncio.timeout(self._timeout_s):
+                answer = await self._connections.post(node, self.path, body)
+        except TimeoutError:
+            return None
+        if answer is None:
+            return None
+        return msgspec.json.decode(answer, type=self._answered)
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer another node; to every other caller there is nothing here."""
+        try:
+            response = await self._respond(scope, receive)
+        except Refused as refused:
+            response = problem_response(refused)
+        await response(scope, receive, send)
+
+    async def _respond(self, scope: Scope, receive: Receive) -> Response:
+        membership = self._connections.membership
+        if scope["method"] != "POST" or not is_from_node(scope, membership):
+            raise Refused("not_found", "Unknown path.")
+        body = await Request(scope, receive).body()
+        asked = msgspec.json.decode(body, type=self._asked)
+        return Response(msgspec.json.encode(await self._answer(asked)))

@@ -1,0 +1,126 @@
+"""What one node asks another for itself: who is answered, and what is waited for."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any, cast
+
+import msgspec
+import pytest
+
+from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.node_requests import NodeRequests
+from reference_server.rules.refusal import Refused
+from reference_server.storage.node_store import Node
+
+OTHER = Node("other", "http://other", "of the other")
+SECRET = "of this one"
+
+
+class Count(msgspec.Struct):
+    """Both the question and the answer."""
+
+    number: int
+
+
+class FakeConnections:
+    """A node, and another one that answers with `body` once it `may_answer`."""
+
+    def __init__(self, body: bytes | None = None) -> None:
+        self.secret, self.body = SECRET, body
+        self.may_answer = asyncio.Event()
+        self.posted: list[tuple[Node, str, bytes]] = []
+
+    @property
+    def membership(self) -> FakeConnections:
+        return self
+
+    def is_secret_of_other(self, secret: bytes) -> bool:
+        return secret == OTHER.secret.encode()
+
+    async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
+        self.posted.append((node, path, body))
+        await self.may_answer.wait()
+        return self.body
+
+
+def requests_of(
+    node: FakeConnections, timeout_s: float = 20.0
+) -> NodeRequests[Count, Count]:
+    async def answer(asked: Count) -> Count:
+        if asked.number < 0:
+            raise Refused("not_found", "There is no such number.")
+        return Count(asked.number + 1)
+
+    return NodeRequests(
+        cast("NodeConnections", node),
+        "/node/count",
+        asked=Count,
+        answered=Count,
+        answer=answer,
+        timeout_s=timeout_s,
+    )
+
+
+async def answered(
+    secret: str, number: int = 1, method: str = "POST"
+) -> tuple[int, dict[str, Any]]:
+    """The status and body of the answer to a caller."""
+    sent: list[Any] = []
+
+    async def receive() -> Any:
+        body = msgspec.json.encode(Count(number))
+        return {"type": "http.request", "body": body, "more_body": False}
+
+    async def send(message: Any) -> None:
+        sent.append(message)
+
+    headers = [(b"proctor-node-secret", secret.encode())] if secret else []
+    scope = {"type": "http", "method": method, "headers": headers, "path": "/"}
+    await requests_of(FakeConnections())(scope, receive, send)
+    return sent[0]["status"], msgspec.json.decode(sent[1]["body"])
+
+
+def test_a_node_is_answered() -> None:
+    assert asyncio.run(answered(SECRET)) == (200, {"number": 2})
+
+
+@pytest.mark.parametrize(
+    ("secret", "number", "method", "status"),
+    [
+        ("", 1, "POST", 404),
+        ("a guess", 1, "POST", 404),
+        (SECRET, 1, "GET", 404),
+        (OTHER.secret, 1, "POST", 503),  # it was sent to the wrong node
+        (SECRET, -1, "POST", 404),
+    ],
+)
+def test_a_refusal_is_a_problem_document(
+    secret: str, number: int, method: str, status: int
+) -> None:
+    found, problem = asyncio.run(answered(secret, number, method))
+    assert (found, problem["status"]) == (status, status)
+    assert {"code", "detail", "title"} <= problem.keys()
+
+
+def test_another_node_is_asked() -> None:
+    async def scenario() -> None:
+        node = FakeConnections(b'{"number":8}')
+        node.may_answer.set()
+        assert await requests_of(node).ask(OTHER, Count(7)) == Count(8)
+        assert node.posted == [(OTHER, "/node/count", b'{"number":7}')]
+
+    asyncio.run(scenario())
+
+
+def test_no_answer_is_none() -> None:
+    """Expect the same of a node that ends, and of one that says nothing in time."""
+
+    async def scenario() -> None:
+        ended = FakeConnections(None)
+        ended.may_answer.set()
+        assert await requests_of(ended).ask(OTHER, Count(7)) is None
+        silent = FakeConnections(b'{"number":8}')
+        assert await requests_of(silent, 0.01).ask(OTHER, Count(7)) is None
+
+    asyncio.run(scenario())

@@ -1,0 +1,140 @@
+"""Connections between nodes: used again, and cheap however many there are."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+from collections.abc import AsyncIterator
+
+import httpcore
+import pytest
+
+from reference_server.cluster.kept_connections import KeptConnections
+
+HOST = "127.0.0.1"
+ANSWER = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nok"
+
+
+class _Server:
+    """Answers when `may_answer` is set. writers: of the connections it has had."""
+
+    def __init__(self) -> None:
+        self.writers: list[asyncio.StreamWriter] = []
+        self.may_answer = asyncio.Event()
+        self._asked = asyncio.Semaphore(0)
+        self.url = httpcore.URL("http://none")
+
+    @classmethod
+    @contextlib.asynccontextmanager
+    async def open(cls) -> AsyncIterator[_Server]:
+        one = cls()
+        async with await asyncio.start_server(one._serve, HOST, 0) as server:
+            port = server.sockets[0].getsockname()[1]
+            one.url = httpcore.URL(f"http://{HOST}:{port}/path")
+            yield one
+            for writer in one.writers:
+                writer.close()
+
+    async def _serve(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        self.writers.append(writer)
+        with contextlib.suppress(asyncio.IncompleteReadError, ConnectionError):
+            while await reader.readuntil(b"\r\n\r\n"):
+                self._asked.release()
+                await self.may_answer.wait()
+                writer.write(ANSWER)
+
+    async def was_asked(self, count: int) -> None:
+        """So many times since the last call."""
+        async with asyncio.timeout(30):
+            for _ in range(count):
+                await self._asked.acquire()
+
+
+async def _ask(kept: KeptConnections, server: _Server) -> None:
+    headers = [(b"host", b"node")]
+    async with kept.stream("GET", server.url, headers=headers) as response:
+        assert await response.aread() == b"ok"
+
+
+def test_one_request_after_another_uses_one_connection() -> None:
+    async def scenario() -> None:
+        async with _Server.open() as server:
+            server.may_answer.set()
+            kept = KeptConnections(10, expiry_s=30.0)
+            for _ in range(3):
+                await _ask(kept, server)
+            assert len(server.writers) == 1
+            await kept.close()
+
+    asyncio.run(scenario())
+
+
+@pytest.mark.parametrize("is_closed_by", ["the node", "its age"])
+def test_a_connection_that_has_ended_is_not_used_again(is_closed_by: str) -> None:
+    async def scenario() -> None:
+        async with _Server.open() as server:
+            server.may_answer.set()
+            is_old = is_closed_by == "its age"
+            kept = KeptConnections(10, expiry_s=0.0 if is_old else 30.0)
+            await _ask(kept, server)
+            if not is_old:
+                server.writers[0].close()
+                await server.writers[0].wait_closed()
+            await _ask(kept, server)
+            assert len(server.writers) == 2
+            await kept.close()
+
+    asyncio.run(scenario())
+
+
+def test_a_request_that_was_given_up_leaves_no_connection_to_others() -> None:
+    """The late answer would be read as the one to the next request."""
+
+    async def scenario() -> None:
+        async with _Server.open() as server:
+            kept = KeptConnections(1, expiry_s=30.0)
+            given_up = asyncio.ensure_future(_ask(kept, server))
+            await server.was_asked(1)
+            given_up.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await given_up
+            server.may_answer.set()
+            await _ask(kept, server)  # the only place is free again
+            assert len(server.writers) == 2
+            await kept.close()
+
+    asyncio.run(scenario())
+
+
+def test_many_requests_at_once_look_at_each_connection_a_few_times(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Whoever looks at all of them each time is busy with that and nothing else."""
+    count, looks = 150, 0
+    has_expired = httpcore.AsyncHTTPConnection.has_expired
+
+    def look(connection: httpcore.AsyncHTTPConnection) -> bool:
+        nonlocal looks
+        looks += 1
+        return has_expired(connection)
+
+    monkeypatch.setattr(httpcore.AsyncHTTPConnection, "has_expired", look)
+
+    async def scenario() -> None:
+        async with _Server.open() as server:
+            kept = KeptConnections(count, expiry_s=30.0)
+            for _ in range(2):  # over new connections, and over kept ones
+                server.may_answer.clear()
+                asked = [
+                    asyncio.ensure_future(_ask(kept, server)) for _ in range(count)
+                ]
+                await server.was_asked(count)
+                server.may_answer.set()
+                await asyncio.gather(*asked)
+            assert len(server.writers) == count
+            await kept.close()
+
+    asyncio.run(scenario())
+    assert looks <= 6 * count

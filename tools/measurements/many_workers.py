@@ -1,0 +1,194 @@
+"""`python -m tools.measurements.many_workers`: a thousand workers of three nodes.
+
+Three nodes over one PostgreSQL (in tests' settings: nothing is forced to disk) behind
+the balancer of `make cluster`, and workers that all play at once steps that sleep.
+Prints how long it took until all were attached, what a turn took beside its sleep,
+and how many turns the slowest and the fastest worker had: no one may starve.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import itertools
+import json
+import os
+import statistics
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from tests.support.server.cluster_nodes import Cluster
+from tests.support.server.http_runs import predict_body, worker_path
+from tests.support.server.postgresql_server import PostgresqlServer
+from tests.support.servers import TOKENS
+from tools.local_cluster.balancer import HOST, Balancer
+
+NODES = 3
+WORKERS_OF_RUN = 50
+# What a request is answered with when it has to be sent again.
+AGAIN = (429, 503)
+
+
+@dataclass
+class Worker:
+    """One connection to the balancer. Seconds of each turn beside its sleep."""
+
+    run_id: str
+    name: str
+    port: int
+    added_s: list[float] = field(default_factory=list)
+    repeated: int = 0
+    reconnected: int = 0
+
+    async def connect(self) -> None:
+        self._reader, self._writer = await asyncio.open_connection(HOST, self.port)
+
+    async def attach(self) -> None:
+        path = worker_path(self.run_id, self.name)
+        self._turn = await self._ask("PUT", path, {"attach_key": self.name})
+
+    async def play(self, sleep_s: float, until: float) -> None:
+        """Turns, one after another; the last one begins before `until`."""
+        path = f"{worker_path(self.run_id, self.name)}/predict"
+        while time.monotonic() < until:
+            began_at = time.monotonic()
+            body = predict_body(self._turn, delay_s=sleep_s)
+            self._turn = await self._ask("POST", path, body)
+            self.added_s.append(time.monotonic() - began_at - sleep_s)
+
+    def close(self) -> None:
+        self._writer.close()
+
+    async def _ask(self, method: str, path: str, body: dict[str, Any]) -> Any:
+        """Sent again, after a short time, while there is no room."""
+        data = json.dumps(body).encode()
+        head = (
+            f"{method} {path} HTTP/1.1\r\nHost: {HOST}\r\n"
+            f"Authorization: Bearer {TOKENS['alice']}\r\n"
+            f"Content-Type: application/json\r\nContent-Length: {len(data)}\r\n\r\n"
+        )
+        while True:
+            try:
+                status, content = await self._send(head.encode() + data)
+            except (asyncio.IncompleteReadError, OSError):
+                self.reconnected += 1
+                self._writer.close()
+                await self.connect()
+                continue
+            if status == 200:
+                return json.loads(content)
+            if status not in AGAIN:
+                raise RuntimeError(f"{method} {path}: {status} {content[:300]!r}")
+            self.repeated += 1
+            await asyncio.sleep(1.0)
+
+    async def _send(self, request: bytes) -> tuple[int, bytes]:
+        """Status and body of the answer. Raises if the connection is closed."""
+        self._writer.write(request)
+        said = (await self._reader.readuntil(b"\r\n\r\n")).decode().lower()
+        status, _, fields = said.partition("\r\n")
+        named = dict(one.split(": ", 1) for one in fields.splitlines() if one)
+        content = await self._reader.readexactly(int(named["content-length"]))
+        return int(status.split()[1]), content
+
+
+@contextmanager
+def _open_cluster(workers: int) -> Iterator[Cluster]:
+    with ExitStack() as stack:
+        directory = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        database = stack.enter_context(PostgresqlServer()).create()
+        yield stack.enter_context(
+            Cluster.of(
+                directory,
+                database,
+                NODES,
+                PROCTOR_NODE_LEASE_S="5",
+                # All of one node, in case that it owns most of the runs.
+                PROCTOR_MAX_SIMULATORS=str(workers),
+                PROCTOR_MAX_WORKERS=str(WORKERS_OF_RUN),
+                PROCTOR_MAX_CONNECTIONS="4000",
+                PROCTOR_MAX_CONNECTIONS_PER_ADDRESS="3000",
+                PROCTOR_LOG_LEVEL="warning",
+            )
+        )
+
+
+def _submit(cluster: Cluster, workers: int) -> list[str]:
+    """Runs for so many workers, in turn at each node; each run has a node."""
+    sizes = [WORKERS_OF_RUN] * (workers // WORKERS_OF_RUN)
+    if rest := workers % WORKERS_OF_RUN:
+        sizes.append(rest)
+    found = []
+    for size, client in zip(sizes, itertools.cycle(cluster.clients), strict=False):
+        options = {"tasks": ["delay"] * size, "max_steps": 10_000}
+        body = {
+            "benchmark_id": "calibration",
+            "policy": {"name": "many workers"},
+            "options": options,
+            "max_workers": size,
+        }
+        answer = client.post("/v1/runs", json=body).raise_for_status()
+        found += [answer.json()["run_id"]] * size
+    return found
+
+
+async def _measure(
+    cluster: Cluster, runs: list[str], sleep_s: float, lasts_s: float
+) -> tuple[float, list[Worker]]:
+    """Seconds until all are attached, and the workers after they have played."""
+    balancer = Balancer([int(node.url.rpartition(":")[2]) for node in cluster.nodes])
+    async with await balancer.listen(HOST, 0) as server:
+        port = server.sockets[0].getsockname()[1]
+        workers = [Worker(run, f"w{number}", port) for number, run in enumerate(runs)]
+        for worker in workers:
+            await worker.connect()
+        began_at = time.monotonic()
+        await asyncio.gather(*(worker.attach() for worker in workers))
+        attached_s = time.monotonic() - began_at
+        until = time.monotonic() + lasts_s
+        await asyncio.gather(*(worker.play(sleep_s, until) for worker in workers))
+        for worker in workers:
+            worker.close()
+        await balancer.close()
+    return attached_s, workers
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--workers", type=int, default=1000, metavar="N")
+    parser.add_argument(
+        "--sleep-s", type=float, default=5.0, help="of a step, at most 5"
+    )
+    parser.add_argument("--seconds", type=float, default=60.0, help="of play")
+    options = parser.parse_args()
+    load = os.getloadavg()[0]
+    with _open_cluster(options.workers) as cluster:
+        runs = _submit(cluster, options.workers)
+        attached_s, workers = asyncio.run(
+            _measure(cluster, runs, options.sleep_s, options.seconds)
+        )
+    turns = [len(worker.added_s) for worker in workers]
+    added_ms = [1e3 * one for worker in workers for one in worker.added_s]
+    p99 = statistics.quantiles(added_ms, n=100)[-1]
+    print(
+        f"{len(workers)} workers of {len(set(runs))} runs at {NODES} nodes, "
+        f"load {load:.1f}"
+    )
+    print(f"all attached after {attached_s:.1f} s")
+    print(
+        f"{len(added_ms)} turns, each beside a step of {options.sleep_s:g} s: median "
+        f"{statistics.median(added_ms):.0f} ms, p99 {p99:.0f} ms, "
+        f"at most {max(added_ms):.0f} ms"
+    )
+    print(f"turns of a worker: {min(turns)} to {max(turns)}")
+    print(f"requests sent again for want of room: {sum(w.repeated for w in workers)}")
+    print(f"connections opened again: {sum(w.reconnected for w in workers)}")
+
+
+if __name__ == "__main__":
+    main()
