@@ -11,16 +11,11 @@ import argparse
 import os
 import sys
 
-from benchmarks import (
-    chart,
-    contender_registry,
-    performance_page,
-    report,
-    results,
-    round_trips,
-    throughput,
-)
+from benchmarks import performance_page, results
 from benchmarks.libraries import library_comparison, tables
+from benchmarks.round_trips import chart, contender_registry, report
+from benchmarks.round_trips import measurement as round_trips
+from benchmarks.throughput import measurement as throughput
 
 ALL_CONTENDERS = (
     *("tcp", *contender_registry.PEERS),

@@ -21,8 +21,8 @@ from pathlib import Path
 from typing import Any, cast
 from urllib.parse import urlsplit
 
-from benchmarks import interleaved_rounds
-from benchmarks.contenders.ours_client import TOKEN
+from benchmarks.round_trips import interleaved_rounds
+from benchmarks.round_trips.contenders.ours_client import TOKEN
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Outcome, Result, Run, State
 from reference_server.runs.benchmarks import digest

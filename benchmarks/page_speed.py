@@ -26,7 +26,6 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import performance_page, results
-from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.filled_databases import (
     DatabaseCase,
     ServerProcess,
@@ -34,6 +33,7 @@ from benchmarks.filled_databases import (
     fill,
     running_server,
 )
+from benchmarks.round_trips.contenders.ours_client import TOKEN
 from reference_record.formats.merkle_tree import leaf_hash
 from reference_server.rules.board import entry_changes
 from reference_server.rules.board.entry_changes import BoardEntry, Change

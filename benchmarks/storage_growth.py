@@ -28,7 +28,6 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import performance_page, results
-from benchmarks.contenders.ours_client import TOKEN
 from benchmarks.filled_databases import (
     FIRST_FINISHED,
     READY_RUNS,
@@ -38,6 +37,7 @@ from benchmarks.filled_databases import (
     fill,
     running_server,
 )
+from benchmarks.round_trips.contenders.ours_client import TOKEN
 
 WARM_UP = 5  # rounds that are not counted
 LIMIT = 50  # of a page

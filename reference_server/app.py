@@ -352,7 +352,8 @@ def _router(
         router = Router(routes, False, _not_found, lifespan=lifespan)
         return _traced(router, traces, settings, node)
     node_id = str if node is None else node.node_id
-    pages = Pages(hosts, settings.public_url, node_id)
+    find_entry_id = None if handlers.board is None else handlers.board.entry_id_of_run
+    pages = Pages(hosts, settings.public_url, node_id, find_entry_id)
     shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(_not_found))
     if node is not None:
         shown = node.routed_pages(shown, pages.show_away)

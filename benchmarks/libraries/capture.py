@@ -19,9 +19,9 @@ from urllib.parse import urlsplit
 
 from proctor_client import AttachWorker
 
-from benchmarks import contender_registry, interleaved_rounds, observations
-from benchmarks.contenders import ours_client
 from benchmarks.libraries.samples import CAMERAS, STATE, Sample
+from benchmarks.round_trips import contender_registry, interleaved_rounds, observations
+from benchmarks.round_trips.contenders import ours_client
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.http_connection import (
     Answer,

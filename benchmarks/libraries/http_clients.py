@@ -16,8 +16,8 @@ from pathlib import Path
 from time import perf_counter_ns, process_time_ns
 from urllib.parse import urlsplit
 
-from benchmarks.contenders import turn_client
 from benchmarks.libraries import samples
+from benchmarks.round_trips.contenders import turn_client
 from reference_client.protocol.http_connection import HttpConnection
 
 Answer = tuple[int, bytes | memoryview]

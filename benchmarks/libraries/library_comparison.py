@@ -15,9 +15,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from benchmarks import contender_registry, interleaved_rounds, results
+from benchmarks import results
 from benchmarks.libraries import capture, loopback
 from benchmarks.results import Json
+from benchmarks.round_trips import contender_registry, interleaved_rounds
 
 
 class Counts(NamedTuple):

@@ -14,9 +14,9 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from benchmarks import contender_registry, interleaved_rounds
 from benchmarks.libraries.interleaved_timing import UNITS_NS
 from benchmarks.libraries.samples import CAMERAS, COPIES, FOLDER, STATE
+from benchmarks.round_trips import contender_registry, interleaved_rounds
 
 _WARM_UP = 30
 OURS = "reference_client"

@@ -16,7 +16,6 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-from benchmarks import observations
 from benchmarks.libraries import (
     interleaved_timing,
     jpeg,
@@ -24,6 +23,7 @@ from benchmarks.libraries import (
     samples,
     structures,
 )
+from benchmarks.round_trips import observations
 
 Questions = dict[str, dict[str, tuple[list[interleaved_timing.Contender], Any]]]
 PACKAGES = (

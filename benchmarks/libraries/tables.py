@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from benchmarks import performance_page
-from benchmarks.report import ms
 from benchmarks.results import Json
+from benchmarks.round_trips.report import ms
 
 Figures = Mapping[str, Mapping[str, float]]
 

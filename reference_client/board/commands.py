@@ -21,11 +21,12 @@ from pydantic import ValidationError
 from reference_client.board import history_check
 from reference_client.board.board_client import BoardClient
 from reference_client.board.history_check import RewrittenHistory
-from reference_client.command import control
 from reference_client.command.exit_codes import DONE
-from reference_client.command.output import Printer
-from reference_client.command.records import connect, usable
-from reference_client.command.text_tables import TextTable, fact_table
+from reference_client.command.output.printer import Printer
+from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.records.record_commands import usable
+from reference_client.command.runs import control
+from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 from reference_client.printable_text import printable

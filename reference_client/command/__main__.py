@@ -13,7 +13,7 @@ def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     try:
         if "_ARGCOMPLETE" in os.environ:  # set by a shell at Tab, which shall not wait
-            from reference_client.command.completion import complete
+            from reference_client.command.command_line.completion import complete
 
             complete()
         from reference_client.command.main import main as begin

@@ -12,24 +12,22 @@ import traceback
 from collections.abc import Callable, Sequence
 
 from reference_client.board import commands as board_commands
-from reference_client.command import (
-    completion,
-    control,
-    page_address,
-    records,
-    running,
-    uploads,
+from reference_client.command.command_line import completion
+from reference_client.command.command_line.aliases import (
+    PASS_THROUGH_COMMANDS,
+    translate,
 )
-from reference_client.command.aliases import PASS_THROUGH_COMMANDS, translate
-from reference_client.command.arguments import build_parser, resolve_server
+from reference_client.command.command_line.arguments import build_parser, resolve_server
 from reference_client.command.exit_codes import (
     INTERRUPTED,
     WRONG_USAGE_OR_NO_SERVER,
     exit_code_of,
     message_of,
 )
-from reference_client.command.output import Printer
+from reference_client.command.output.printer import Printer
 from reference_client.command.programs import start
+from reference_client.command.records import record_commands, uploads
+from reference_client.command.runs import control, page_address, running
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 
@@ -52,14 +50,14 @@ COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
     "results": control.results,
     "compare": control.compare,
     "benchmarks": control.benchmarks,
-    "export": records.export,
-    "verify": records.check,
+    "export": record_commands.export,
+    "verify": record_commands.check,
     "upload": uploads.upload,
     "report": _report,
     "board": board_commands.board,
     "publish": board_commands.publish,
     "withdraw": board_commands.withdraw,
-    "video": records.video,
+    "video": record_commands.video,
     "completion": completion.completion,
 }
 

@@ -14,10 +14,11 @@ from pathlib import Path
 from proctor_client import Benchmark
 from pydantic import BaseModel
 
-from reference_client.command import control
 from reference_client.command.exit_codes import DONE
-from reference_client.command.output import Printer
-from reference_client.command.records import connect, keys_of, names_of_host
+from reference_client.command.output.printer import Printer
+from reference_client.command.records.record_commands import keys_of, names_of_host
+from reference_client.command.runs import control
+from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 from reference_client.protocol.connection import Connection

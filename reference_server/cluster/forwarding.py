@@ -52,17 +52,16 @@ class _RunMoved(Exception):
 
 
 class RepeatableRequest:
-    """A request that can be read again from its beginning, while it is short."""
+    """A request that can be read again from its beginning, while it is short.
+
+    has_no_reader: whether the client has left, as far as that was received.
+    """
 
     def __init__(self, receive: Receive) -> None:
         self._receive = receive
         self._messages: list[Message] = []
         self._size, self.is_short = 0, True
-
-    @property
-    def has_no_reader(self) -> bool:
-        """Whether the client has left, as far as that was received."""
-        return any(one["type"] == "http.disconnect" for one in self._messages[-1:])
+        self.has_no_reader = False
 
     def read(self) -> Receive:
         """What receives all of it, once more."""
@@ -81,6 +80,8 @@ class RepeatableRequest:
         return receive
 
     def _keep(self, message: Message) -> None:
+        if message["type"] == "http.disconnect":
+            self.has_no_reader = True
         self._size += len(message.get("body", b""))
         self.is_short = self._size <= REPEATED_BYTES_MAX
         if self.is_short:
@@ -138,7 +139,7 @@ class RunForwarding:
             return
         request, stream = RepeatableRequest(receive), FollowedStream(send)
         await self._answer_or_repeat(scope, request, stream.send)
-        if stream.can_go_on:
+        if stream.can_go_on and request.is_short:  # else it cannot be sent again
             await self._follow(scope, request, stream)
         await stream.end()
 

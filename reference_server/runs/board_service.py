@@ -126,6 +126,11 @@ class BoardService:
 
         return await self._registry.run_to_end(store())
 
+    async def entry_id_of_run(self, run_id: str) -> str | None:
+        """Of its entry, withdrawn or not. Who may see that, `get` decides."""
+        entry = await self._store.find_of_run(run_id)
+        return None if entry is None else entry.entry_id
+
     async def get(self, account: str | None, entry_id: str) -> Json:
         """Schema BoardEntry of one that the account may see."""
         entry = await self._find(entry_id)

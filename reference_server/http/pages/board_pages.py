@@ -8,7 +8,7 @@ from __future__ import annotations
 import csv
 import io
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Any
 
@@ -18,7 +18,10 @@ from starlette.responses import RedirectResponse, Response
 from reference_record.pages.page_templates import render_page
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import LINKS, PageCall
+from reference_server.storage.store import StoreFailed
 
+# The id of a run's entry, withdrawn or not; None: it has none.
+FindEntryId = Callable[[str], Awaitable[str | None]]
 ROWS_MAX = 1000
 MANIFESTS_MAX = 20
 _TEXTS = (
@@ -52,10 +55,14 @@ async def show_leaderboard(call: PageCall) -> str:
         selected["sort"] = "rank"
     rows = [row for row in ranking["rows"] if _has(row["entry"], selected["text"])]
     rows.sort(key=_SORTS[selected["sort"]])
+    others: list[tuple[str, int]] = []
+    is_part = False
+    if not ranking["rows"]:
+        others, is_part = await _other_manifests(call)
     return render_page(
         "leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark, ranking=ranking,
         rows=rows, selected=selected, sorts=list(_SORTS),
-        others=[] if ranking["rows"] else await _other_manifests(call),
+        others=others, newest=ROWS_MAX if is_part else None,
         groups={kind: found for kind in _GROUPS if (found := _names(rows, kind))[1:]},
     )  # fmt: skip
 
@@ -90,16 +97,16 @@ async def _ranking(call: PageCall) -> tuple[dict[str, Any], dict[str, Any]]:
     return benchmark, ranking
 
 
-async def _other_manifests(call: PageCall) -> list[tuple[str, int]]:
-    """Manifests of the benchmark that have public entries, and how many each has."""
-    chosen = {"benchmark_id": call.path("benchmark_id"), "limit": ROWS_MAX}
-    public = [
-        entry["manifest_sha256"]
-        async for page in call.api.pages("entries", **chosen)
-        for entry in page["entries"]
-        if entry["is_public"]
-    ]
-    return Counter(public).most_common(MANIFESTS_MAX)
+async def _other_manifests(call: PageCall) -> tuple[list[tuple[str, int]], bool]:
+    """Manifests of the benchmark that have public entries, and how many each has.
+
+    Counted are the newest entries, one page of them; also returned is whether there are
+    more. Any reader may ask for any manifest, so a large leaderboard is not read whole.
+    """
+    benchmark_id = call.path("benchmark_id")
+    page = await call.api.get("entries", benchmark_id=benchmark_id, limit=ROWS_MAX)
+    public = [one["manifest_sha256"] for one in page["entries"] if one["is_public"]]
+    return Counter(public).most_common(MANIFESTS_MAX), page["next_cursor"] is not None
 
 
 def _names(rows: Sequence[Mapping[str, Any]], kind: str) -> list[str]:
@@ -158,20 +165,20 @@ async def has_leaderboard(api: ApiDocuments, benchmark_id: str) -> bool:
 
 
 async def find_entry(
-    api: ApiDocuments, run: Mapping[str, Any]
+    api: ApiDocuments, run: Mapping[str, Any], find_entry_id: FindEntryId | None
 ) -> tuple[bool, Mapping[str, Any] | None]:
-    """Whether the run may have an entry here, and the one that it has."""
-    if run["state"] != "completed":
+    """Whether the run may have an entry here, and the one that it has, or had.
+
+    No list has an entry that was withdrawn; whether this reader may see it, the API
+    decides. find_entry_id: None if there is no leaderboard.
+    """
+    if find_entry_id is None or run["state"] != "completed":
         return False, None
-    chosen = {"benchmark_id": run["benchmark_id"], "limit": ROWS_MAX}
     try:
-        async for page in api.pages("entries", **chosen):
-            for entry in page["entries"]:
-                if entry["run_id"] == run["run_id"]:
-                    return True, entry
-    except Problem:  # this server has no leaderboard
+        entry_id = await find_entry_id(run["run_id"])
+        return True, None if entry_id is None else await api.get("entries", entry_id)
+    except (Problem, StoreFailed):  # the page is shown without it
         return False, None
-    return True, None
 
 
 async def publish(call: PageCall, form: Mapping[str, str]) -> Response:

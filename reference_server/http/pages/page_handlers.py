@@ -28,7 +28,11 @@ from reference_record.pages.recorded_episode import (
 )
 from reference_record.pages.run_page import Document, RunFigures, status_of
 from reference_server.http.pages.api_documents import Problem
-from reference_server.http.pages.board_pages import find_entry, has_leaderboard
+from reference_server.http.pages.board_pages import (
+    FindEntryId,
+    find_entry,
+    has_leaderboard,
+)
 from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import LINKS, PageCall
 
@@ -53,9 +57,13 @@ class _EpisodeList:
 
 
 class PageHandlers:
-    """Every page but the sign-in. Handlers raise Problem."""
+    """Every page but the sign-in. Handlers raise Problem.
 
-    def __init__(self) -> None:
+    find_entry_id: None if there is no leaderboard.
+    """
+
+    def __init__(self, find_entry_id: FindEntryId | None = None) -> None:
+        self._find_entry_id = find_entry_id
         self._live = LiveRuns(LINKS)
         self._lists: OrderedDict[tuple[str, str, str], _EpisodeList] = OrderedDict()
         self._recordings: OrderedDict[tuple[str, str, str], RecordedEpisode] = (
@@ -120,7 +128,7 @@ class PageHandlers:
             and one["run_id"] != run_id
             and one["progress"]["episodes_scored"]
         ]
-        may_publish, entry = await find_entry(call.api, run)
+        may_publish, entry = await find_entry(call.api, run, self._find_entry_id)
         return page_contents.run_html(
             LINKS, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,

@@ -80,16 +80,20 @@ class Pages:
     """The pages of a server, over its API.
 
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
-    node_id: see PageSessions.
+    node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
     """
 
     def __init__(
-        self, hosts: AllowedHosts, public_url: str, node_id: Callable[[], str] = str
+        self,
+        hosts: AllowedHosts,
+        public_url: str,
+        node_id: Callable[[], str] = str,
+        find_entry_id: board_pages.FindEntryId | None = None,
     ) -> None:
         self._hosts = hosts
         self._is_https = public_url.startswith("https:")
         self._sessions = PageSessions(node_id=node_id)
-        self._handlers = PageHandlers()
+        self._handlers = PageHandlers(find_entry_id)
         self._api: ASGIApp | None = None
 
     def use_api(self, api: ASGIApp) -> None:

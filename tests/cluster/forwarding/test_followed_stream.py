@@ -171,3 +171,6 @@ def test_a_long_request_is_not_kept() -> None:
     request = request_of(b"first ", large)
     assert asyncio.run(body_of(request)) == b"first " + large
     assert not request.is_short
+    assert not request.has_no_reader
+    asyncio.run(_read_to_the_end(request))
+    assert request.has_no_reader

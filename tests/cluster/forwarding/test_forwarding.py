@@ -305,6 +305,25 @@ def test_a_long_request_is_not_repeated() -> None:
     assert len(run.bodies) == 1
 
 
+def test_the_stream_of_a_long_request_is_not_followed() -> None:
+    """It cannot be sent again. Expect its end, not silence until its reader leaves."""
+
+    class StreamingRun(MovingRun):
+        async def app(self, scope: Any, receive: Any, send: Any) -> None:
+            self.bodies.append((await receive())["body"])
+            event = 'event: run\nid: 1\ndata: {"state":"ready","retryable":null}\n\n'
+            await Response(event, media_type="text/event-stream")(scope, receive, send)
+
+    async def scenario() -> None:
+        run = StreamingRun(moves=0)
+        body = b"x" * (forwarding.REPEATED_BYTES_MAX + 1)
+        async with asyncio.timeout(10):
+            assert await run.answer(body) == (200, False)
+        assert len(run.bodies) == 1
+
+    asyncio.run(scenario())
+
+
 def test_the_node_that_passed_a_request_on_repeats_it() -> None:
     """It would be passed on twice, else."""
 

@@ -26,14 +26,22 @@ from tests.support.server.server_parts import calibration_run
 ENTRIES_PER_PAGE = 2
 RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
 FAILURE = Result("failure", 0.0, 1, 1, True, False, 0.0, 1e9)
+EMPTY_RANKING: Mapping[str, Any] = {
+    "manifest_sha256": "0" * 64,
+    "episodes_total": None,
+    "ranked": 0,
+    "alpha": 0.05,
+    "rows": [],
+    "next_cursor": None,
+}
 
 
 class PageApi:
     """An ASGI application. runs: by id, with the tokens that may read them.
 
     asked: how often each path was requested. changed: by token, what its answers about
-    episodes have besides. entries: of the leaderboard. before: awaited first by the
-    answer to a path, if it is there.
+    episodes have besides. entries: of the leaderboard; one that is withdrawn is in no
+    list. before: awaited first by the answer to a path, if it is there.
     """
 
     def __init__(self) -> None:
@@ -42,6 +50,20 @@ class PageApi:
         self.changed: dict[str, dict[str, Any]] = {}
         self.entries: list[Mapping[str, Any]] = []
         self.before: dict[str, Callable[[], Awaitable[object]]] = {}
+
+    def publish(self, run_id: str, **members: Any) -> dict[str, Any]:
+        """The entry of a run, with what of it the pages show."""
+        entry = {
+            "entry_id": f"entry_{run_id}",
+            "run_id": run_id,
+            "model_name": "m",
+            "is_public": True,
+            "state": "published",
+            "manifest_sha256": "1" * 64,
+            **members,
+        }
+        self.entries.append(entry)
+        return entry
 
     def add(self, run_id: str, *results: Result | None, tokens: str = "alice") -> Run:
         """A run of `calibration`, completed if each episode has a result."""
@@ -52,6 +74,10 @@ class PageApi:
                 run.record_result(episode, result)
         self.runs[run_id] = run, set(tokens.split())
         return run
+
+    async def entry_id_of_run(self, run_id: str) -> str | None:
+        ids = (one["entry_id"] for one in self.entries if one["run_id"] == run_id)
+        return next(ids, None)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         request = Request(scope)
@@ -70,15 +96,30 @@ class PageApi:
                 of_token = [run for run, may in self.runs.values() if token in may]
                 shown = [run_view(run, "http://server", None) for run in of_token]
                 return JSONResponse({"runs": shown, "next_cursor": None})
-            case ["entries"]:
-                end = start + ENTRIES_PER_PAGE
-                following = str(end) if self.entries[end:] else None
-                page = self.entries[start:end]
-                return JSONResponse({"entries": page, "next_cursor": following})
+            case ["entries" | "benchmarks", *_]:
+                return self._about_board(path, start)
             case ["runs", run_id, *rest] if token in self.runs.get(run_id, ("", ()))[1]:
                 return self._about(self.runs[run_id][0], rest, token)
         problem = {"code": "not_found", "detail": "There is no such thing."}
         return JSONResponse(problem, 404)
+
+    def _about_board(self, path: list[str], start: int) -> Response:
+        match path:
+            case ["entries"]:
+                listed = [one for one in self.entries if not _is_withdrawn(one)]
+                end = start + ENTRIES_PER_PAGE
+                following = str(end) if listed[end:] else None
+                page = listed[start:end]
+                return JSONResponse({"entries": page, "next_cursor": following})
+            case ["entries", entry_id]:
+                (entry,) = (e for e in self.entries if e["entry_id"] == entry_id)
+                return JSONResponse(entry)
+            case ["benchmarks", benchmark_id]:
+                named = {"benchmark_id": benchmark_id, "title": benchmark_id}
+                return JSONResponse(named | {"control_rate_hz": 10.0})
+            case ["benchmarks", _, "ranking"]:
+                return JSONResponse(EMPTY_RANKING)
+        raise AssertionError(f"no page needs {path}")
 
     def _about(self, run: Run, rest: list[str], token: str) -> Response:
         match rest:
@@ -93,9 +134,13 @@ class PageApi:
         return Response(b"a recording")
 
 
+def _is_withdrawn(entry: Mapping[str, Any]) -> bool:
+    return bool(entry["state"] == "withdrawn")
+
+
 def client_of(api: PageApi) -> httpx.AsyncClient:
     """A browser without scripts, of pages over this API."""
-    pages = Pages(AllowedHosts(), "")
+    pages = Pages(AllowedHosts(), "", find_entry_id=api.entry_id_of_run)
     pages.use_api(api)
     app = Starlette(routes=pages.routes())
     return httpx.AsyncClient(

@@ -14,7 +14,6 @@ from reference_record.pages.run_page import RunFigures
 from reference_server.http.pages import page_handlers
 from reference_server.http.pages.page_handlers import LISTS_KEPT, RECORDINGS_KEPT
 from tests.support.pages.page_api import (
-    ENTRIES_PER_PAGE,
     FAILURE,
     RESULT,
     Gate,
@@ -152,28 +151,12 @@ def test_a_flag_is_shown_at_once() -> None:
 
     async def story(api: PageApi, client: httpx.AsyncClient) -> None:
         api.add("done", RESULT)
-        entry = {"run_id": "done", "model_name": "m", "is_public": True}
-        api.entries.append(entry)
+        entry = api.publish("done")
         assert "Flagged" not in await text_of(client, "done")
         api.entries[0] = entry | {"flag": {"reason": "it saw the test seeds"}}
         assert "it saw the test seeds" in await text_of(client, "done")
         api.entries.clear()
         assert "Published as" not in await text_of(client, "done")
-
-    play(story)
-
-
-def test_an_old_entry_is_found_behind_many_others() -> None:
-    """Expect the page to offer its change, not to publish it once more."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
-        api.add("done", RESULT)
-        entry = {"run_id": "done", "model_name": "m", "is_public": True}
-        others = [entry | {"run_id": f"other{n}"} for n in range(ENTRIES_PER_PAGE + 1)]
-        api.entries += [*others, entry]
-        page = await text_of(client, "done")
-        assert "Published as" in page
-        assert "Change the entry" in page
 
     play(story)
 

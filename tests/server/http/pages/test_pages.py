@@ -294,6 +294,9 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         sure = {"csrf": form["csrf"], "sure": "yes"}
         reader.client.post(f"{page}/withdraw", data=sure)
         assert client.get(path).json()["rows"] == []
+    assert "cannot be published again" in reader.text(page)
+    assert f"{page}/publish" not in reader.text(page)
+    assert reader.client.post(f"{page}/publish", data=form).status_code == 409
 
 
 def test_a_leaderboard_without_entries_says_nothing_of_episodes(

@@ -1,0 +1,1 @@
+"""The command line of `proctor`: its flags, other names for them, completion."""

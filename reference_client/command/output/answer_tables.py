@@ -1,0 +1,375 @@
+"""Tables of what a server answers: runs, scores, comparisons, episodes, benchmarks."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Mapping, Sequence
+
+from proctor_client import (
+    Benchmark,
+    BenchmarkSummary,
+    ComparedRun,
+    Comparison,
+    Episode,
+    EpisodeResult,
+    GroupScore,
+    Run,
+    Score,
+    SelectionView,
+)
+
+from reference_client.command.output.episode_facts import (
+    episode_facts,
+    label_of,
+    played_by,
+)
+from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_record.comparison.difference_evidence import Evidence
+from reference_record.comparison.sequential_comparison import (
+    SequentialComparison,
+    describe,
+)
+
+
+def run_facts(
+    run: Run, score: Score | None = None, episodes: Sequence[Episode] = ()
+) -> TextTable:
+    progress = run.progress
+    return fact_table(
+        {
+            "run": run.run_id,
+            "state": run.state.value,
+            "reason": run.reason,
+            "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
+            "part": part_text(run.select),
+            "policy": run.policy.name
+            + (f", version {run.policy.version}" if run.policy.version else "")
+            + ("; others may play, too" if run.any_policy else ""),
+            "played by": played_by(episodes),
+            "score": None if score is None else _headline(score),
+            "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
+            f"scored, {progress.episodes_in_progress} in progress",
+            "workers": f"{run.live_workers} live, at most {run.max_workers}",
+            "earlier runs": earlier_runs_text(run),
+            "queue": run.queue_position,
+            "endpoint": run.endpoint,
+            "submitted": f"{run.created_at:%Y-%m-%d %H:%M:%S %Z}",
+        }
+    )
+
+
+def earlier_runs_text(run: Run) -> str | None:
+    """Who tries often may quote the best try; None where the server counts none."""
+    number = run.runs_played_before
+    if number is None:
+        return None
+    played = f"{number or 'no'} run{'s' * (number != 1)} of this benchmark"
+    return f"{played} played by its account before this one"
+
+
+def run_list(
+    runs: Sequence[Run], scores: Mapping[str, Score], next_page: str | None = None
+) -> list[TextTable | str]:
+    """scores: by run id, of those that have one. next_page: how to read on."""
+    if not runs:
+        return ["No runs."]
+    table = TextTable(
+        ("run", "state", "benchmark", "policy", ">scored", ">score", "submitted"),
+        dispensable=("submitted", "scored", "benchmark", "policy", "score"),
+    )
+    for run in runs:
+        scored, total = run.progress.episodes_scored, run.progress.episodes_total
+        table.add(
+            run.run_id,
+            run.state.value,
+            run.benchmark_id + ("" if run.select is None else " (a part)"),
+            run.policy.name,
+            f"{scored}/{total}",
+            score_text(scores.get(run.run_id)),
+            f"{run.created_at.astimezone():%Y-%m-%d %H:%M}",
+        )
+    return [table] if next_page is None else [table, next_page]
+
+
+def score_text(score: Score | None) -> str:
+    """`0.850`; `(0.667)` is the mean of the episodes scored so far."""
+    if score is None or score.mean is None:
+        return "–"
+    return f"({score.mean:.3f})" if score.score is None else f"{score.score:.3f}"
+
+
+def score_facts(
+    score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
+) -> TextTable:
+    counts = score.counts
+    mean, rate = score.mean_interval, score.success_interval
+    scored = counts.total - counts.unscored
+    return fact_table(
+        {
+            "run": score.run_id,
+            "state": score.state.value,
+            "benchmark": score.benchmark_id,
+            "part": part_text(score.select),
+            "score": _headline(score),
+            "mean": f"{score.mean:.4f}, 95 % interval {mean.low:.4f} to {mean.high:.4f}"
+            if score.mean is not None
+            else None,
+            "success": f"{counts.success} of {scored} scored, 95 % interval "
+            f"{rate.low:.4f} to {rate.high:.4f}",
+            "episodes": f"{counts.total}: {counts.success} success, "
+            f"{counts.failure} failure, {counts.abandoned} abandoned, "
+            f"{counts.unscored} unscored",
+            **episode_facts(episodes),
+            "earlier runs": None if run is None else earlier_runs_text(run),
+            "manifest": score.manifest_sha256,
+        }
+    )
+
+
+def _p_text(p_value: float) -> str:
+    """No p is 0, however many digits are shown."""
+    return "< 0.0001" if p_value < 0.0001 else f"= {p_value:.4f}"
+
+
+def part_text(select: SelectionView | None) -> str | None:
+    """`tasks lift, push; splits test, and nothing else`; None is the whole."""
+    if select is None:
+        return None
+    named = {"tasks": select.tasks, "splits": select.splits}
+    parts = [f"{what} {', '.join(names)}" for what, names in named.items() if names]
+    return "; ".join(parts) + ", and nothing else" if parts else None
+
+
+def _headline(score: Score) -> str:
+    if score.score is None:
+        scored = score.counts.total - score.counts.unscored
+        return (
+            f"partial, {scored} of {score.counts.total} episodes; not complete: "
+            f"between {score.score_low:.4f} and {score.score_high:.4f}"
+        )
+    part = " of a part of the benchmark" if part_text(score.select) else ""
+    if len(score.by_split) > 1:  # a mix of splits is no result to quote
+        splits = ", ".join(
+            f"{name} {0.0 if group.mean is None else group.mean:.4f}"
+            for name, group in score.by_split.items()
+        )
+        return f"{splits}{part} (all {score.score:.4f})"
+    return f"{score.score:.4f}{part}"
+
+
+def score_tables(
+    score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
+) -> list[TextTable]:
+    """The facts, then splits before tasks."""
+    return [
+        score_facts(score, episodes, run),
+        group_table("split", score.by_split),
+        group_table("task", score.by_task),
+    ]
+
+
+def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
+    """A row for each run, then mean and spread over the runs."""
+    table = TextTable(("run", ">score", ">success", ">scored"))
+    for score in scores:
+        counts = score.counts
+        scored = f"{counts.total - counts.unscored}/{counts.total}"
+        table.add(score.run_id, score_text(score), str(counts.success), scored)
+    mean, spread = mean_and_spread(scores)
+    over = f"over {len(scores)} runs"
+    return [
+        table,
+        fact_table(
+            {
+                "mean": f"{mean:.4f} {over}",
+                "spread": f"{spread:.4f}, the standard deviation {over}",
+            }
+        ),
+    ]
+
+
+def mean_and_spread(scores: Sequence[Score]) -> tuple[float, float]:
+    """Mean of the runs' means, and their sample standard deviation, 0 for one run."""
+    means = [score.mean for score in scores if score.mean is not None]
+    if not means:
+        return 0.0, 0.0
+    return statistics.mean(means), statistics.stdev(means) if len(means) > 1 else 0.0
+
+
+def group_table(title: str, by_name: Mapping[str, GroupScore]) -> TextTable:
+    table = TextTable((title, ">scored", ">success", ">mean"))
+    for name, group in by_name.items():
+        counts = group.counts
+        table.add(
+            name,
+            f"{counts.total - counts.unscored}/{counts.total}",
+            str(counts.success),
+            "–" if group.mean is None else f"{group.mean:.3f}",
+        )
+    return table
+
+
+def comparison_tables(
+    comparison: Comparison,
+    run: ComparedRun,
+    players: Mapping[str, str | None],
+    watched: SequentialComparison,
+    *,
+    evidence: Evidence,
+    earlier: Mapping[str, int | None],
+) -> list[TextTable]:
+    """One run compared with the baseline: a summary, and a row for each task.
+
+    Plus is better: a difference is run minus baseline, although the protocol's member
+    `difference` is baseline minus run. players: who played, by run id. watched: what
+    may be looked at while the run is played. evidence: of this run.
+    earlier: runs played before, by run id.
+    """
+    alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
+    head = fact_table(
+        {
+            "run": run.run_id,
+            "played by": players.get(run.run_id),
+            "baseline": comparison.baseline,
+            "baseline played by": players.get(comparison.baseline),
+            "benchmark": comparison.benchmark_id,
+            "earlier runs": _earlier_of_both(
+                earlier.get(comparison.baseline), earlier.get(run.run_id)
+            ),
+            "pairs": f"{run.paired} episodes are scored in both"
+            + ("" if run.complete else "; incomplete"),
+            "difference": None
+            if run.difference is None
+            else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
+            f"{run.mean:.4f} (plus is better)",
+            "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
+            "may stop": describe(watched),
+            "release": _release(comparison, run, evidence),
+        }
+    )
+    table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))
+    for task, group in run.by_task.items():
+        numbers = (group.baseline_mean, group.mean)
+        table.add(
+            task,
+            str(group.paired),
+            *("–" if number is None else f"{number:.3f}" for number in numbers),
+            "–" if group.difference is None else f"{0.0 - group.difference:+.3f}",
+        )
+    return [head, table]
+
+
+def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:
+    if baseline is None or run is None:
+        return None
+    return f"before the baseline {baseline}, before the run {run}, each by its account"
+
+
+def _release(comparison: Comparison, run: ComparedRun, evidence: Evidence) -> str:
+    """The server decides; this says where, and whether chance explains it."""
+    tolerance = f"{comparison.tolerance:g}"
+    if run.release:
+        return f"yes: no difference exceeds {tolerance}"
+    if not run.complete:
+        return "no: not every episode is scored in both"
+    groups = [("overall", run.difference, evidence.overall)]
+    for task, group in run.by_task.items():
+        if group.difference is not None:
+            groups.append((task, group.difference, evidence.by_task[task]))
+    far = [
+        (name, of_group)
+        for name, difference, of_group in groups
+        if difference is not None and abs(difference) > comparison.tolerance
+    ]
+    if shown := [name for name, of_group in far if of_group.is_shown]:
+        return f"no: difference exceeds {tolerance} in {', '.join(shown)}"
+    whole, names = evidence.overall, ", ".join(name for name, _ in far)
+    return (
+        f"not decided: difference exceeds {tolerance} in {names}, but chance "
+        f"explains it: {whole.better} episodes better, {whole.worse} worse, of "
+        f"{run.paired}; more episodes decide"
+    )
+
+
+def episode_list(episodes: Sequence[Episode]) -> TextTable:
+    table = TextTable(
+        (
+            *("episode", "task", "split", "status", ">score", ">steps", ">attempt"),
+            *(">clipped", ">return", "played by"),
+        ),
+        dispensable=("return", "attempt", "clipped", "played by", "steps", "split"),
+    )
+    for episode in episodes:
+        result = episode.result
+        table.add(
+            episode.episode_id,
+            episode.task,
+            episode.split,
+            result.outcome.value if result else episode.status.value,
+            f"{result.score:.3f}" if result else "–",
+            str(result.steps) if result else "–",
+            str(episode.attempt),
+            *_of_attempt(result),
+        )
+    for name in ("clipped", "return", "played by"):  # what the server does not say
+        if {row[table.names.index(name)] for row in table.rows} <= {"–"}:
+            table = table.without(name)
+    return table
+
+
+def _of_attempt(result: EpisodeResult | None) -> tuple[str, str, str]:
+    if result is None or result.clipped_actions is None:
+        return "–", "–", "–"
+    total = result.total_reward
+    return (
+        str(result.clipped_actions),
+        "–" if total is None else f"{total:.3f}",
+        label_of(result.player),
+    )
+
+
+def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> TextTable:
+    table = TextTable(("benchmark", "version", ">episodes", "title"))
+    for one in benchmarks:
+        table.add(one.benchmark_id, one.version, str(one.episodes_total), one.title)
+    return table
+
+
+def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
+    sizes = ", ".join(f"{s.width}x{s.height}" for s in benchmark.image_sizes)
+    codecs = ", ".join(benchmark.image_codecs)
+    head = fact_table(
+        {
+            "benchmark": f"{benchmark.benchmark_id}, version {benchmark.version}",
+            "title": benchmark.title,
+            "description": benchmark.description,
+            "unavailable": benchmark.unavailable_reason,
+            "episodes": f"{benchmark.episodes_total}, at most {benchmark.max_steps} "
+            f"steps each, {benchmark.control_rate_hz:g} steps per second",
+            "tasks": ", ".join(benchmark.tasks),
+            "splits": ", ".join(benchmark.splits),
+            "chunk": f"at most {benchmark.max_chunk} actions",
+            "images": f"{codecs}; {sizes}",
+            "manifest": benchmark.manifest_sha256,
+        }
+    )
+    space = benchmark.observation_space
+    spaces = TextTable(("name", ">size", "unit", "description"))
+    for group, vectors in (("action", benchmark.action_space), ("state", space.state)):
+        for name, vector in vectors.items():
+            spaces.add(
+                f"{group}.{name}",
+                str(vector.size),
+                vector.unit,
+                vector.description or "",
+            )
+    for name, image in space.images.items():
+        spaces.add(f"images.{name}", str(image.channels), "", image.description)
+    for name, tensor in space.tensors.items():
+        spaces.add(
+            f"tensors.{name}",
+            "x".join(map(str, tensor.shape)),
+            tensor.dtype,
+            tensor.description,
+        )
+    return [head, spaces]

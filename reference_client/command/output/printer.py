@@ -1,0 +1,136 @@
+"""What the command prints: tables for people, or one JSON value for scripts.
+
+Texts of a server pass `printable` here, and JSON has escapes of its own.
+
+Results go to stdout; progress, notes and errors go to stderr.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import Any, Self
+
+from rich.console import Console
+from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
+from rich.progress import Progress as Bars
+
+from reference_client.command.exit_codes import with_flag_names
+from reference_client.command.output.text_tables import TablePrinter, TextTable
+from reference_client.evaluation.status_board import Pace, Progress
+from reference_client.printable_text import printable
+
+LOG_S = 10.0  # between two lines of progress where stderr is no terminal
+
+
+class Printer:
+    """Prints results and messages; as_json: results are one JSON value on stdout.
+
+    style: of tables, one of arguments.FORMATS.
+    """
+
+    def __init__(self, *, as_json: bool, style: str = "text") -> None:
+        self.as_json = as_json
+        # Kept from now: during an evaluation, sys.stdout is redirected to stderr.
+        self._out = TablePrinter(sys.stdout, style)
+        self.err = Console(stderr=True, highlight=False, markup=False, emoji=False)
+
+    def say(self, line: str) -> None:
+        """Print a message to stderr."""
+        self.err.print(printable(line), soft_wrap=True)
+
+    def answer(self, value: Any, *tables: TextTable | str) -> None:
+        """Print the result to stdout: `value` as JSON, or the tables."""
+        if self.as_json:
+            self._out.print_json(value)
+        else:
+            self._out.print(tables)
+
+
+class ProgressDisplay:
+    """Shows progress: a bar on a terminal, otherwise a line every LOG_S seconds.
+
+    A context manager that ends the bar.
+    """
+
+    def __init__(self, printer: Printer) -> None:
+        self._printer = printer
+        self._waiting: str | None = None
+        self._logged_at = time.monotonic()
+        self._logged = -1
+        self._bars: Bars | None = None
+        self._task: TaskID | None = None
+        self._pace = Pace()
+        self.latest: Progress | None = None
+        if printer.err.is_terminal:
+            self._bars = Bars(
+                TextColumn("{task.fields[done]}"),
+                BarColumn(bar_width=None),
+                TextColumn("{task.fields[mean]}"),
+                TimeElapsedColumn(),
+                TextColumn("{task.fields[left]}"),
+                console=printer.err,
+                refresh_per_second=4,
+            )
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end()
+
+    def end(self) -> None:
+        if self._bars is not None:
+            self._bars.stop()
+
+    def __call__(self, progress: Progress) -> None:
+        self.latest = progress
+        left = self._pace.left(progress)
+        if progress.waiting != self._waiting:
+            self._waiting = progress.waiting
+            if progress.waiting is not None:
+                self._printer.say(with_flag_names(progress.waiting))
+        if self._bars is None:
+            self._log(progress, left)
+            return
+        fields: dict[str, Any] = {
+            "done": episodes_text(progress),
+            "mean": mean_of(progress),
+            "left": left,
+        }
+        if self._task is None:
+            self._bars.start()
+            self._task = self._bars.add_task("", total=None, **fields)
+        self._bars.update(
+            self._task,
+            total=progress.episodes_total,
+            completed=progress.episodes_scored,
+            **fields,
+        )
+
+    def _log(self, progress: Progress, left: str) -> None:
+        now = time.monotonic()
+        if progress.episodes_scored == self._logged or now < self._logged_at + LOG_S:
+            return
+        self._logged_at, self._logged = now, progress.episodes_scored
+        parts = [episodes_text(progress), mean_of(progress), left]
+        self._printer.say("  ".join(filter(None, parts)))
+
+
+def episodes_text(progress: Progress) -> str:
+    return f"{progress.episodes_scored}/{progress.episodes_total} episodes"
+
+
+def scored_text(progress: Progress) -> str:
+    """What is kept, without concealing episodes that were given up."""
+    scored = f"{episodes_text(progress)} scored"
+    if progress.episodes_abandoned:
+        return (
+            f"{scored}, {progress.episodes_abandoned} of them abandoned with score 0: "
+            "their attempts are used up."
+        )
+    return f"{scored}; scores are kept."
+
+
+def mean_of(progress: Progress) -> str:
+    return "no score yet" if progress.mean is None else f"mean {progress.mean:.3f}"

@@ -1,0 +1,1 @@
+"""The commands on signed records: export, verify, upload, video."""

@@ -1,0 +1,287 @@
+"""The commands export, verify and video: fetch a record, check it, convert it.
+
+`verify` reads a file alone; it asks a server only for the keys of its host. What is
+made of a record is made by reference_sim.exports, a program of its own.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from reference_client.command import programs
+from reference_client.command.exit_codes import DONE
+from reference_client.command.output.printer import Printer
+from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.runs.control import check_run_id
+from reference_client.command.server_connection import connect
+from reference_client.command.usage_error import UsageError
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.record_client import fetch_keys, fetch_record
+from reference_client.protocol.retry_policy import RetryPolicy
+from reference_record.broken import BrokenRecord
+from reference_record.export import save_blocks
+from reference_record.formats.bundle import open_bundle
+from reference_record.replay_verdict import ReplayVerdict
+from reference_record.verification import Report, verify
+
+BROKEN = 1
+SUFFIX = ".proctor"
+SIMULATION_OPTIONS = (
+    *("episode", "failures", "camera", "size", "benchmarks", "seeds", "anyway"),
+)
+_KEY = re.compile(r"(?:(?P<name>[^=]{1,64})=)?(?P<keyid>SHA256:[0-9a-f]{64})")
+NOT_SHOWN = (
+    "whether the actions came from this policy: only evaluating it again shows that"
+)
+
+
+def export(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor export`: the record itself, or with --to what is made of it."""
+    if args.to is not None:
+        if args.to != "lerobot":
+            _refuse_simulation_options(args)
+        if args.force:
+            raise UsageError("--to writes a new directory: --force replaces nothing")
+        return _convert(f"export --to {args.to}", args.to, args, printer)
+    _refuse_simulation_options(args)
+    run_id = args.run or args.run_id
+    if run_id is None:
+        raise UsageError("export needs the id of a run: proctor export RUN")
+    path = Path(args.output or f"run-{run_id}{SUFFIX}")
+    if path.exists() and not args.force:
+        raise UsageError(f"{path} exists; --force replaces it")
+    keys = _fetch(run_id, path, args, printer)
+    return _verify(path, keys, printer)
+
+
+def video(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor video`."""
+    if args.episode is None and not args.failures:
+        raise UsageError("video needs --episode N, or --failures")
+    return _convert("video", "video", args, printer)
+
+
+def _convert(
+    command: str, kind: str, args: argparse.Namespace, printer: Printer
+) -> int:
+    """Becomes the program that makes the export."""
+    programs.require(command)
+    job = {
+        "kind": kind,
+        "record": str(_record_of(args, printer)),
+        "output": args.output,
+        "episodes": args.episode,
+        "failures": args.failures,
+        "cameras": args.camera,
+        "size": args.size,
+        "anyway": args.anyway,
+        "force": args.force,
+        "benchmarks": args.benchmarks,
+        "seeds": args.seeds,
+        "json": args.json,
+    }
+    return programs.start(command, [msgspec.json.encode(job).decode()])
+
+
+def _record_of(args: argparse.Namespace, printer: Printer) -> Path:
+    """The record that is named by its file or its run; fetched if it is not here."""
+    source = args.run or args.run_id
+    if source is None:
+        raise UsageError("name a run, or the file of its record")
+    if Path(source).exists():
+        return Path(source)
+    if source.endswith(SUFFIX) or "/" in source:
+        raise UsageError(f"{source}: no such file")
+    path = Path(f"run-{source}{SUFFIX}")
+    if not path.exists():
+        _fetch(source, path, args, printer)
+        printer.say(f"proctor: saved the record as {path}")
+    return path
+
+
+def _fetch(
+    run_id: str, path: Path, args: argparse.Namespace, printer: Printer
+) -> Mapping[str, str]:
+    """Save the record of a run; returns the keys of its host, keyid → name."""
+    check_run_id(run_id)
+    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+        with usable(path):
+            save_blocks(path, fetch_record(connection, retry_policy, run_id))
+        return names_of_host(connection, retry_policy)
+
+
+def _refuse_simulation_options(args: argparse.Namespace) -> None:
+    given = [name for name in SIMULATION_OPTIONS if getattr(args, name)]
+    if given:
+        raise UsageError(f"--{given[0]} is an option of video and --to lerobot only")
+
+
+def check(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor verify`."""
+    keys = keys_of(args.key or [])
+    if args.server is not None:
+        with connect(args.server, None, args, printer) as connected:
+            keys = {**names_of_host(*connected), **keys}
+    return _verify(Path(args.file), keys, printer)
+
+
+def _verify(path: Path, keys: Mapping[str, str], printer: Printer) -> int:
+    try:
+        with usable(path):
+            report = verify(open_bundle(path), keys)
+    except BrokenRecord as broken:
+        return _print_broken(path, broken, printer)
+    if keys and report.signer is None:
+        detail = f"it is signed by {report.keyid}, which is none of the keys named"
+        wrong_key = BrokenRecord("statement.dsse.json", "REC-031", detail)
+        return _print_broken(path, wrong_key, printer)
+    printer.answer(_as_json(report), _facts(path, report))
+    return DONE
+
+
+def _print_broken(path: Path, broken: BrokenRecord, printer: Printer) -> int:
+    printer.say(f"proctor: {path}: do not trust it: {broken}")
+    if printer.as_json:
+        printer.answer(
+            {
+                "levels": [],
+                "file": broken.file,
+                "rule": broken.rule,
+                "detail": broken.detail,
+            }
+        )
+    return BROKEN
+
+
+def _facts(path: Path, report: Report) -> TextTable:
+    said = report.evaluation
+    counts = said.score["counts"]
+    scored = counts["total"] - counts["unscored"]
+    interval = said.score["success_interval"]
+    version = f", version {said.policy.version}" if said.policy.version else ""
+    return fact_table(
+        {
+            "file": str(path),
+            "level": _level_text(report),
+            "score": _score_text(said.score),
+            "success": f"{counts['success']} of {scored} scored, 95 % interval "
+            f"{interval['low']:.4f} to {interval['high']:.4f}",
+            "policy": f"{said.policy.name}{version}",
+            "benchmark": f"{said.benchmark.benchmark_id}, "
+            f"version {said.benchmark.version}",
+            "part": _part_text(said.score.get("select")),
+            "manifest": said.manifest_sha256,
+            "run": f"{said.run.run_id}, number {said.attempts_by_submitter} of its "
+            "submitter on this benchmark",
+            "finished": said.finished_at,
+            "checked": f"signature, {report.episodes} episodes, "
+            f"{report.recordings} recordings with {report.turns} turns, the score",
+            "sealed": _sealed_text(report),
+            "replays": "; ".join(map(_verdict_text, report.replayed_by)) or "none",
+            "not shown": NOT_SHOWN,
+        }
+    )
+
+
+def _part_text(select: object) -> str | None:
+    """Of the benchmark, if the run was not about the whole of it."""
+    if not select:
+        return None
+    try:
+        chosen = msgspec.convert(select, dict[str, list[str]])
+        text = "; ".join(f"{what} {', '.join(names)}" for what, names in chosen.items())
+    except msgspec.ValidationError:  # a record may say anything
+        text = msgspec.json.encode(select).decode()
+    return f"{text[:200]}, and nothing else"
+
+
+def _sealed_text(report: Report) -> str | None:
+    if not report.sealed:
+        return None
+    return (
+        f"{report.sealed} of {report.episodes} episodes: their seeds are the secret of "
+        "the host; with the file in which it opens them, see proctor replay --seeds"
+    )
+
+
+def _level_text(report: Report) -> str:
+    """REC-031: the level, and what it rests on."""
+    if report.signer is None:
+        return (
+            f"reported: whose key {report.keyid} is, nothing says here; "
+            "see --key and --server"
+        )
+    return f"{', '.join(report.levels)}; key {report.keyid}"
+
+
+def _score_text(score: Mapping[str, Any]) -> str:
+    if score["score"] is None:
+        low, high = score["score_low"], score["score_high"]
+        return f"not complete: between {low:.4f} and {high:.4f}"
+    return f"{score['score']:.4f}"
+
+
+def _verdict_text(named: tuple[str | None, ReplayVerdict]) -> str:
+    who, verdict = named
+    replay = verdict.replay
+    text = f"{who or f'unknown key {verdict.keyid}'}: {replay.result}, "
+    text += f"{replay.episodes} episodes, {verdict.created_at}"
+    if where := replay.first_divergence:
+        text += (
+            f"; diverged at episode {where.episode_index}, attempt {where.attempt}, "
+            f"step {where.step}"
+        )
+    return text
+
+
+def _as_json(report: Report) -> dict[str, Any]:
+    return {
+        "levels": report.levels,
+        "keyid": report.keyid,
+        "statement_sha256": report.statement_sha256,
+        "episodes": report.episodes,
+        "recordings": report.recordings,
+        "turns": report.turns,
+        "sealed_episodes": report.sealed,
+        "replays": [
+            {"by": who, "keyid": one.keyid, **msgspec.to_builtins(one.replay)}
+            for who, one in report.replayed_by
+        ],
+        "statement": msgspec.to_builtins(report.evaluation),
+    }
+
+
+def keys_of(texts: list[str]) -> dict[str, str]:
+    """keyid → name, of what was given as --key."""
+    keys = {}
+    for text in texts:
+        found = _KEY.fullmatch(text)
+        if found is None:
+            raise UsageError(
+                f"--key {text}: expected SHA256:… with 64 hexadecimal digits, "
+                "or NAME=SHA256:…"
+            )
+        keys[found["keyid"]] = found["name"] or f"the owner of {found['keyid'][:15]}…"
+    return keys
+
+
+def names_of_host(connection: Connection, retry_policy: RetryPolicy) -> dict[str, str]:
+    """keyid → the host, by the keys that it publishes."""
+    host = connection.url.partition("://")[2]
+    return dict.fromkeys(fetch_keys(connection, retry_policy), host)
+
+
+@contextmanager
+def usable(path: Path) -> Iterator[None]:
+    """Raises UsageError, with the name of the file, for an OSError."""
+    try:
+        yield
+    except OSError as error:
+        raise UsageError(f"{path}: {error.strerror or error}") from error

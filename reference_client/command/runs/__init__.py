@@ -1,0 +1,1 @@
+"""The commands on runs and benchmarks, from submit to results and compare."""

@@ -1,0 +1,362 @@
+"""The commands submit, status, stop, resume, results, compare and benchmarks.
+
+Each sends requests to the control plane, prints the answer and returns its exit code.
+Raises ProctorError for refusals.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import itertools
+import os
+import re
+import time
+from dataclasses import asdict
+from typing import Any
+
+from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
+
+from reference_client.command.exit_codes import (
+    DONE,
+    NOT_COMPLETE,
+    NOT_RELEASED,
+)
+from reference_client.command.output import answer_tables
+from reference_client.command.output.episode_facts import (
+    compare_while_played,
+    evidence_of,
+    played_by,
+    players_of,
+)
+from reference_client.command.output.printer import Printer, ProgressDisplay
+from reference_client.command.runs import saving
+from reference_client.command.server_connection import open_control_client
+from reference_client.command.usage_error import UsageError
+from reference_client.errors import ProctorError
+from reference_client.evaluation import parameters
+from reference_client.evaluation.declared_policy import DeclaredPolicy, check_offered
+from reference_client.evaluation.status_board import Progress
+from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.protocol.control_client import ControlClient
+
+_PUSH_OPTIONS = (
+    *("protocol", "model", "generation"),
+    *("call_timeout_s", "max_concurrent"),
+)
+_UNNAMED = "unnamed"  # the policy of a submission that names none
+_RUN_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # the pattern of the parameter RunId
+ENDED_STATES = frozenset({"completed", "failed", "stopped"})
+
+
+def submit(args: argparse.Namespace, printer: Printer) -> int:
+    with open_control_client(args, printer) as control_client:
+        service = control_client.check_service(args.max_workers or 1)
+        if args.run_id is not None:
+            check_run_id(args.run_id)
+            run = control_client.resume_if_needed(args.run_id)
+        else:
+            submission = submission_of(args)
+            check_offered(submission, service)
+            control_client.check(submission.benchmark_id)
+            run = control_client.submit(submission)
+            if args.push and run.policy.name == _UNNAMED:
+                printer.say(
+                    f"proctor: {args.push} reports no name here, so the run is named "
+                    f"{_UNNAMED}; --name gives it a name"
+                )
+        if args.wait:
+            run = _wait_until_ready(control_client, run, args.timeout)
+    if args.print_endpoint:
+        printer.answer(run.endpoint, run.endpoint)
+    else:
+        printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
+
+
+def status(args: argparse.Namespace, printer: Printer) -> int:
+    run_id = run_id_of(args)
+    if args.watch and run_id is None:
+        raise UsageError("--watch needs a run id; `proctor status` lists the runs")
+    with open_control_client(args, printer) as control_client:
+        if run_id is None:
+            return _list_runs(args, control_client, printer)
+        run = (
+            _watch(control_client, run_id, printer)
+            if args.watch
+            else control_client.read(run_id)
+        )
+        is_scored = run.progress.episodes_scored > 0
+        score = control_client.score(run_id) if is_scored else None
+        episodes = control_client.episodes(run_id) if is_scored else []
+    value = _with_score(run, score) | {"players": players_of(episodes)}
+    printer.answer(value, answer_tables.run_facts(run, score, episodes))
+    state = run.state.value
+    failed = state == "failed" or (args.watch and state != "completed")
+    return NOT_COMPLETE if failed else DONE
+
+
+def _list_runs(
+    args: argparse.Namespace, control_client: ControlClient, printer: Printer
+) -> int:
+    """A page of the runs that the filters select, each with its score."""
+    matching = (
+        run
+        for run in control_client.all_runs()
+        if args.benchmark in (None, run.benchmark_id)
+        and args.state in (None, run.state.value)
+        and args.name in (None, run.policy.name)
+    )
+    first = (args.page - 1) * args.limit
+    found = list(itertools.islice(matching, first, first + args.limit + 1))
+    runs = found[: args.limit]
+    scores = {
+        run.run_id: control_client.score(run.run_id)
+        for run in runs
+        if run.progress.episodes_scored
+    }
+    more = f"More: --page {args.page + 1}" if len(found) > args.limit else None
+    value = [_with_score(run, scores.get(run.run_id)) for run in runs]
+    printer.answer(value, *answer_tables.run_list(runs, scores, more))
+    return DONE
+
+
+def _with_score(run: Run, score: Score | None) -> dict[str, Any]:
+    """A run as JSON, with its score, and the mean of the episodes scored so far."""
+    members: dict[str, Any] = run.to_dict()
+    members["score"] = None if score is None else score.score
+    members["mean"] = None if score is None else score.mean
+    return members
+
+
+def stop(args: argparse.Namespace, printer: Printer) -> int:
+    mode = StopMode("drain" if args.drain else "abort")
+    with open_control_client(args, printer) as control_client:
+        run = control_client.stop(_required_run_id(args), mode)
+    printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    return DONE
+
+
+def resume(args: argparse.Namespace, printer: Printer) -> int:
+    with open_control_client(args, printer) as control_client:
+        run = control_client.resume(_required_run_id(args))
+    printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    return DONE
+
+
+def delete(args: argparse.Namespace, printer: Printer) -> int:
+    """Delete runs one after another; the first that is refused ends the command."""
+    for run_id in args.runs:
+        check_run_id(run_id)
+    with open_control_client(args, printer) as control_client:
+        if not args.yes:
+            _refuse_played(control_client, args.runs)
+        for run_id in args.runs:
+            control_client.delete(run_id)
+            printer.answer({"deleted": run_id}, f"deleted {run_id}")
+    return DONE
+
+
+def _refuse_played(control_client: ControlClient, run_ids: list[str]) -> None:
+    played = [
+        run_id
+        for run_id in run_ids
+        if control_client.read(run_id).runs_played_before is not None
+    ]
+    if played:
+        raise UsageError(
+            f"{', '.join(played)}: played, so scores and recordings would be lost; "
+            "--yes deletes it nevertheless, if the host allows that"
+        )
+
+
+def results(args: argparse.Namespace, printer: Printer) -> int:
+    run_id = _required_run_id(args)
+    with open_control_client(args, printer) as control_client:
+        score = control_client.score(run_id)
+        episodes = control_client.episodes(run_id)
+        run = control_client.read(run_id)
+        if args.save is not None:
+            saving.save_result(control_client, score, args.save)
+            printer.say(f"Saved: {args.save}")
+    value: dict[str, Any] = score.to_dict() | {"players": players_of(episodes)}
+    if run.runs_played_before is not None:
+        value["runs_played_before"] = run.runs_played_before
+    tables = answer_tables.score_tables(score, episodes, run)
+    if args.episodes:
+        value["episodes"] = [episode.to_dict() for episode in episodes]
+        tables.append(answer_tables.episode_list(episodes))
+    printer.answer(value, *tables)
+    return DONE if score.complete else NOT_COMPLETE
+
+
+def compare(args: argparse.Namespace, printer: Printer) -> int:
+    for run_id in (args.baseline, *args.runs):
+        check_run_id(run_id)
+    with open_control_client(args, printer) as control_client:
+        found = control_client.compare(args.baseline, args.runs, args.tolerance)
+        run_ids = {found.baseline, *(run.run_id for run in found.runs)}
+        episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
+        earlier = {one: control_client.read(one).runs_played_before for one in run_ids}
+    names = {run_id: played_by(of_run) for run_id, of_run in episodes.items()}
+    watched = {
+        run.run_id: compare_while_played(episodes[found.baseline], episodes[run.run_id])
+        for run in found.runs
+    }
+    evidence = {
+        run.run_id: evidence_of(episodes[found.baseline], episodes[run.run_id])
+        for run in found.runs
+    }
+    tables = [
+        table
+        for run in found.runs
+        for table in answer_tables.comparison_tables(
+            found,
+            run,
+            names,
+            watched[run.run_id],
+            evidence=evidence[run.run_id],
+            earlier=earlier,
+        )
+    ]
+    more = {
+        "players": {one: players_of(of_run) for one, of_run in episodes.items()},
+        "runs_played_before": earlier,
+        "sequential": {one: asdict(seen) for one, seen in watched.items()},
+        "evidence": {one: asdict(found) for one, found in evidence.items()},
+    }
+    printer.answer(found.to_dict() | more, *tables)
+    return DONE if all(run.release for run in found.runs) else NOT_RELEASED
+
+
+def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
+    with open_control_client(args, printer) as control_client:
+        if args.benchmark is None:
+            found = control_client.benchmarks()
+            value = [one.to_dict() for one in found]
+            printer.answer(value, answer_tables.benchmark_list(found))
+        else:
+            one = control_client.benchmark(args.benchmark)
+            printer.answer(one.to_dict(), *answer_tables.benchmark_tables(one))
+    return DONE
+
+
+def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRun:
+    """The submission that the flags describe. Raises UsageError."""
+    if args.benchmark is None:
+        raise UsageError(
+            "--benchmark NAME (`proctor benchmarks` lists names) or --run-id RUN is "
+            "required"
+        )
+    policy = policy_of(args, name or _described_name(args) or _UNNAMED)
+    try:
+        return parameters.submission(
+            args.benchmark,
+            PolicyInfo(
+                name=policy.info.name,
+                version=policy.version,
+                submitter=args.submitter,
+                homepage=args.homepage,
+            ),
+            images=args.images,
+            options=args.options,
+            idle_timeout_s=args.idle_timeout_s,
+            max_workers=args.max_workers,
+            policy_server=_policy_server(args),
+            any_policy=args.any_policy,
+            tasks=args.tasks,
+            splits=args.split,
+        )
+    except ValueError as error:
+        raise UsageError(str(error)) from error
+
+
+def policy_of(args: argparse.Namespace, program: str) -> DeclaredPolicy:
+    """The policy that the flags describe; program: the name of its code."""
+    name = args.name
+    if args.type:
+        name = f"{name or program} ({args.type})"
+    return DeclaredPolicy(program, name, args.policy_version)
+
+
+def _described_name(args: argparse.Namespace) -> str | None:
+    """The name that the policy server of a push run reports, if it is reachable here.
+
+    The evaluation server may reach what this machine does not: no answer is no error.
+    A model has the name by which it is asked.
+    """
+    order = _policy_server(args)
+    if order is None:
+        return None
+    if order["protocol"] != "proctor":
+        return str(order.get("model", _UNNAMED))
+    with contextlib.suppress(ProctorError):
+        return PolicyServerClient(order["url"]).described_name(0.0)
+    return None
+
+
+def _policy_server(args: argparse.Namespace) -> dict[str, Any] | None:
+    """Schema PolicyServer, for push mode. Raises UsageError."""
+    given = {name: getattr(args, name, None) for name in _PUSH_OPTIONS}
+    order = {name: value for name, value in given.items() if value is not None}
+    url = getattr(args, "push", None)
+    if url is None:
+        if order:
+            flag = next(iter(order)).replace("_", "-")
+            raise UsageError(f"--{flag} needs --push URL: where the server calls it")
+        return None
+    order.setdefault("protocol", "openai_chat" if args.model else "proctor")
+    key = os.environ.get("PROCTOR_POLICY_KEY")
+    return order | {"url": url} | ({"api_key": key} if key else {})
+
+
+def run_id_of(args: argparse.Namespace) -> str | None:
+    if args.run and args.run_id and args.run != args.run_id:
+        raise UsageError(f"conflicting run ids: {args.run} and {args.run_id}")
+    run_id: str | None = args.run or args.run_id
+    check_run_id(run_id)
+    return run_id
+
+
+def check_run_id(run_id: str | None) -> None:
+    """Raises UsageError for what cannot be an id; None is no id."""
+    if run_id is not None and not _RUN_ID.fullmatch(run_id):
+        raise UsageError(f"{run_id!r} is no id of a run; `proctor status` lists them")
+
+
+def _required_run_id(args: argparse.Namespace) -> str:
+    run_id = run_id_of(args)
+    if run_id is None:
+        raise UsageError("a run id is required; `proctor status` lists the latest runs")
+    return run_id
+
+
+def _wait_until_ready(
+    control_client: ControlClient, run: Run, timeout_s: float | None
+) -> Run:
+    """The run as soon as it is no longer queued, or after the timeout."""
+    deadline = None if timeout_s is None else time.monotonic() + timeout_s
+    for changed in control_client.changes(run.run_id):
+        run = changed
+        late = deadline is not None and time.monotonic() > deadline
+        if run.state.value != "queued" or late:
+            break
+    return run
+
+
+def _watch(control_client: ControlClient, run_id: str, printer: Printer) -> Run:
+    with ProgressDisplay(printer) as progress_display:
+        for run in control_client.changes(run_id):
+            progress = run.progress
+            progress_display(
+                Progress(
+                    run_id,
+                    progress.episodes_total,
+                    progress.episodes_scored,
+                    control_client.score(run_id).mean,
+                    run.reason,
+                )
+            )
+            if run.state.value in ENDED_STATES:
+                return run
+    raise AssertionError("changes never end")

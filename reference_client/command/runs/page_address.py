@@ -1,0 +1,93 @@
+"""The command open: the page of a run on its server, in a browser.
+
+Pages are no part of the protocol, so a server may have none. The token is not sent to
+them: they ask for it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import webbrowser
+from urllib.parse import quote
+
+from reference_client.command.exit_codes import DONE
+from reference_client.command.output.printer import Printer
+from reference_client.command.runs.control import run_id_of
+from reference_client.command.server_connection import connect
+from reference_client.command.usage_error import UsageError
+from reference_client.protocol.connection import TIMEOUTS_S, Connection
+from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.local_token import find_token, token_file
+
+HAS_PAGES = (200, 303)  # a page, or the way to the sign-in
+
+
+def open_page(args: argparse.Namespace, printer: Printer) -> int:
+    """`proctor open [RUN]`: the address is printed whether a browser starts or not.
+
+    People have it first, as a browser in the terminal stays until it is left.
+    """
+    run_id = run_id_of(args)
+    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+        if run_id is not None:
+            ControlClient(connection.control, retry_policy).read(run_id)
+        status = retry_policy.call(lambda: _status_of_pages(connection))
+        if status not in HAS_PAGES:
+            raise UsageError(
+                f"{connection.url} has no pages (it answers {status}); "
+                "`proctor report RUN -o DIR` writes them as files"
+            )
+        address = f"{connection.url}/pages"
+    if run_id is not None:
+        address += f"/runs/{quote(run_id, safe='')}"
+    if not printer.as_json:
+        printer.answer(None, address)
+    if not args.print:
+        _say_how_to_sign_in(args, printer)
+    opened = not args.print and _open_browser(address)
+    if printer.as_json:
+        printer.answer({"url": address, "opened": opened})
+    if not (opened or args.print):
+        printer.say("proctor: no browser can be started here; open the address in one")
+    return DONE
+
+
+def _status_of_pages(connection: Connection) -> int:
+    pool = connection.control.api_client.rest_client.pool_manager
+    response = pool.request(
+        "GET",
+        f"{connection.url}/pages",
+        redirect=False,
+        retries=False,
+        timeout=TIMEOUTS_S[1],
+    )
+    return int(response.status)
+
+
+def _open_browser(address: str) -> bool:
+    """What a browser prints goes to stderr: stdout has the answer alone."""
+    names = ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER")
+    if sys.platform == "linux" and not any(os.environ.get(name) for name in names):
+        return False
+    sys.stdout.flush()
+    kept = os.dup(1)
+    try:
+        os.dup2(2, 1)
+        return webbrowser.open(address)
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+
+
+def _say_how_to_sign_in(args: argparse.Namespace, printer: Printer) -> None:
+    if args.token != find_token(args.url):
+        where = "paste the one of --token"
+    elif os.environ.get("PROCTOR_TOKEN"):
+        where = "it is in PROCTOR_TOKEN"
+    elif (file := token_file(args.url)) is not None:
+        where = f"it is in {file}"
+    else:
+        where = "this command has none"
+    printer.say(f"The pages ask for a token once: {where}.")

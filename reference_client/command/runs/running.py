@@ -1,0 +1,511 @@
+"""`proctor run`: evaluates a policy and prints its score, or how to continue the run.
+
+The first Ctrl-C ends the workers between two turns, the second terminates immediately.
+Neither costs an attempt: an episode in play waits for the lease of its session.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import json
+import os
+import shlex
+import shutil
+import signal
+import sys
+import traceback
+from collections.abc import Callable
+from dataclasses import asdict, replace
+from pathlib import Path
+from types import FrameType
+from typing import Any, Self
+
+from proctor_client import Assumptions, Benchmark, Episode, Run, Score
+
+from reference_client.api.policy import Policy
+from reference_client.command.command_line.arguments import DEFAULT_URL
+from reference_client.command.exit_codes import (
+    DONE,
+    NOT_COMPLETE,
+    WRONG_USAGE_OR_NO_SERVER,
+    exit_code_of,
+    message_of,
+)
+from reference_client.command.output import answer_tables
+from reference_client.command.output.episode_facts import players_of
+from reference_client.command.output.printer import (
+    Printer,
+    ProgressDisplay,
+    scored_text,
+)
+from reference_client.command.runs import saving
+from reference_client.command.runs.control import (
+    check_run_id,
+    policy_of,
+    submission_of,
+)
+from reference_client.command.server_connection import open_control_client
+from reference_client.command.usage_error import UsageError
+from reference_client.errors import NOT_TRUSTED, ProctorError, RunFailed
+from reference_client.evaluation.evaluate import run_evaluation
+from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
+from reference_client.evaluation.status_board import (
+    Progress,
+    StatusBoard,
+    describe_left,
+)
+from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
+from reference_client.evaluation.worker_processes import ProcessWorkerPool
+from reference_client.policies import (
+    BadMapping,
+    BadPolicy,
+    PolicyMapping,
+    load,
+    read_mapping,
+)
+from reference_client.policies.error_origin import policy_failure
+from reference_client.policies.lerobot_policy import LerobotPolicies
+from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.protocol.control_client import ControlClient
+from reference_client.view.server import View
+
+RETRY_TIMEOUT_S = 300.0
+_ATTEMPTS = (
+    "Continued before that time, an episode goes on at its step; no attempt is lost. "
+    "Later, its attempt counts; after the last one it is abandoned with score 0."
+)
+
+
+def run(args: argparse.Namespace, printer: Printer) -> int:
+    """Returns the exit code, after printing the result or the error."""
+    if args.policy_url is not None:
+        if args.policy is not None:
+            raise UsageError("--policy and --policy-url are mutually exclusive")
+        args.policy = f"proctor:{args.policy_url}"
+    check_run_id(args.run_id)
+    if args.policy is None:
+        raise UsageError("--policy is required, for example my_module:MyPolicy")
+    try:
+        mapping = read_mapping(args.policy, args.mapping)
+        server = _policy_server(args, mapping, printer)
+        check_benchmark = None if mapping is None else mapping.check
+        plan = _plan(args, server, check_benchmark if server is None else server.check)
+    except (ValueError, BadMapping) as error:
+        raise UsageError(str(error)) from error
+    if args.save is not None:
+        saving.check_folder(args.save)
+    if args.repeat is not None:
+        return _repeat(args, printer, server, plan, mapping)
+    command = _EvaluationCommand(args, printer, server)
+    code, score = command.run_evaluation(plan, mapping)
+    if score is not None:
+        command.print_score(score)
+    elif printer.as_json:
+        printer.answer(command.ended)
+    return code
+
+
+def _repeat(
+    args: argparse.Namespace,
+    printer: Printer,
+    server: PolicyServerClient | LerobotPolicies | None,
+    plan: EvaluationPlan,
+    mapping: PolicyMapping | None,
+) -> int:
+    """Evaluate in several runs; ends with the first that has no score.
+
+    The scores before it are printed all the same.
+    """
+    if args.run_id is not None:
+        raise UsageError("--repeat makes new runs; it cannot continue --run-id")
+    scores: list[Score] = []
+    ended: dict[str, Any] = {}
+    worst = DONE
+    for number in range(1, args.repeat + 1):
+        printer.say(f"Repetition {number} of {args.repeat}")
+        command = _EvaluationCommand(args, printer, server)
+        code, score = command.run_evaluation(plan, mapping)
+        worst = max(worst, code)
+        if score is None:
+            ended = command.ended
+            printer.say(f"{len(scores)} of {args.repeat} repetitions have a score.")
+            break
+        scores.append(score)
+        plan = replace(plan, dry_turn=False)
+    value: dict[str, Any] = {}
+    if scores:
+        value["mean"], value["stdev"] = answer_tables.mean_and_spread(scores)
+        value["runs"] = [one.to_dict() for one in scores]
+    printer.answer(
+        value | ended, *(answer_tables.repeat_tables(scores) if scores else [])
+    )
+    return worst
+
+
+def resume_command(
+    args: argparse.Namespace, run_id: str, *, takeover: bool = False
+) -> str:
+    """The command that continues the run, without the token, which is secret.
+
+    takeover: continue the episodes that wait in sessions of this evaluation.
+    """
+    command = [_own_name(), "run", "--run-id", run_id, "--policy", args.policy]
+    flags: list[tuple[str, Any, Any]] = [
+        ("--name", args.name, None),
+        ("--type", args.type, None),
+        ("--policy-version", args.policy_version, None),
+        ("--mapping", args.mapping, None),
+        ("--workers", args.workers, None),
+        ("--worker-ids", args.worker_ids, None),
+        ("--worker-prefix", args.worker_prefix, "worker"),
+        ("--episodes", args.episodes, None),
+        ("--save", args.save, None),
+        ("--retry-timeout-s", args.retry_timeout_s, None),
+        ("--ca", args.ca, None),
+        ("--url", args.url, os.environ.get("PROCTOR_URL") or DEFAULT_URL),
+    ]
+    for flag, value, default in flags:
+        if value != default:
+            command += [flag, f"{value:g}" if isinstance(value, float) else str(value)]
+    if args.assumes:
+        command += ["--assumes", json.dumps(args.assumes)]
+    command += [f"--{name}" for name in ("processes", "view") if getattr(args, name)]
+    command += ["--takeover"] if takeover else []
+    return shlex.join(command)
+
+
+def _own_name() -> str:
+    """`proctor`; or as it was called, where a shell would not find it by that name."""
+    called = Path(sys.argv[0])
+    if called.name != "proctor" or not called.exists():
+        return "proctor"
+    found = shutil.which("proctor")
+    is_found = found is not None and called.samefile(found)
+    return "proctor" if is_found else sys.argv[0]
+
+
+class _EvaluationCommand:
+    """One evaluation and the report of its end."""
+
+    def __init__(
+        self,
+        args: argparse.Namespace,
+        printer: Printer,
+        server: PolicyServerClient | LerobotPolicies | None,
+    ) -> None:
+        self._args = args
+        self._server = server
+        self._printer = printer
+        self._progress_display = ProgressDisplay(printer)
+        self._run: Run | None = None
+        self._view: View | None = None
+        self._board = StatusBoard()
+        self._episodes: list[Episode] = []
+        self.ended: dict[str, Any] = {}  # why there is no score, as JSON
+
+    def run_evaluation(
+        self, plan: EvaluationPlan, mapping: PolicyMapping | None
+    ) -> tuple[int, Score | None]:
+        """Returns the exit code, and the score or None after a report of the end."""
+        try:
+            return self._evaluate(plan, mapping)
+        except _EvaluationEnded as ended:
+            self.ended = ended.value
+            return ended.code, None
+
+    def _evaluate(
+        self, plan: EvaluationPlan, mapping: PolicyMapping | None
+    ) -> tuple[int, Score]:
+        signals = Signals()
+        with contextlib.ExitStack() as stack:
+            stack.enter_context(signals)
+            stack.enter_context(self._progress_display)
+            # stdout carries only the result: what a policy prints goes to stderr.
+            stack.enter_context(contextlib.redirect_stdout(sys.stderr))
+            try:
+                board, worker_pool = self._make_worker_pool(mapping, stack)
+                signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
+                score = run_evaluation(
+                    plan,
+                    worker_pool,
+                    progress=self._on_progress,
+                    on_run=self._on_run,
+                    say=self._printer.say,
+                    board=board,
+                )
+            except KeyboardInterrupt:
+                raise self._report_end(
+                    128 + signals.number, "interrupted", "Interrupted."
+                ) from None
+            except (BadPolicy, BadMapping, ValueError) as error:
+                if self._run is None:
+                    raise UsageError(str(error)) from error
+                raise self._report_policy_error(error) from error
+            except ProctorError as error:
+                raise self._report_refusal(error) from error
+            except (Exception, SystemExit) as error:
+                raise self._report_policy_error(error) from error
+        if not self._read_episodes(score):
+            return WRONG_USAGE_OR_NO_SERVER, score
+        is_as_wanted = score.complete or self._args.episodes is not None
+        return DONE if is_as_wanted else NOT_COMPLETE, score
+
+    def _make_worker_pool(
+        self, mapping: PolicyMapping | None, stack: contextlib.ExitStack
+    ) -> tuple[StatusBoard, WorkerPool]:
+        args = self._args
+        view = None
+        if args.view:
+            view = self._view = stack.enter_context(_open_view(args.view_port))
+            self._printer.say(f"Live view: {view.url}")
+            self._board = view.board
+        worker_pool: WorkerPool
+        if args.processes:
+            worker_pool = ProcessWorkerPool(
+                args.policy, args.mapping, view.store_report if view else None
+            )
+            if view is not None:
+                view.request_frames = worker_pool.request_frames
+        else:
+            try:
+                make = self._server or load(args.policy, mapping)
+            except BadPolicy:
+                raise
+            except (Exception, SystemExit) as error:
+                raise policy_failure(error) from error
+            worker_pool = ThreadWorkerPool(_attribute_errors(make))
+        return self._board, worker_pool
+
+    def _on_run(self, run: Run) -> None:
+        self._run = run
+        policy = f"{run.policy.name} on {run.benchmark_id}"
+        self._printer.say(f"Run {run.run_id}: {policy}")
+        if self._view is not None:
+            self._view.title = policy
+
+    def _on_progress(self, progress: Progress) -> None:
+        self._progress_display(progress)
+        if self._view is not None:
+            self._view.progress = progress
+
+    def _read_episodes(self, score: Score) -> bool:
+        """Read them, and save them with the score; says why if that fails."""
+        try:
+            with open_control_client(self._args, self._printer) as control_client:
+                self._episodes = control_client.episodes(score.run_id)
+                if self._args.save is not None:
+                    self._save(control_client, score)
+        except ProctorError as error:
+            self._printer.say(f"proctor: {message_of(error)}")
+        except UsageError as error:
+            self._printer.say(f"proctor: {error}")
+        else:
+            return True
+        return False
+
+    def _save(self, control_client: ControlClient, score: Score) -> None:
+        """With --repeat, in a folder of the run."""
+        folder = Path(self._args.save)
+        if self._args.repeat is not None:
+            folder = folder / score.run_id
+        saving.save_result(control_client, score, folder, {"clips": self._clips()})
+        self._printer.say(f"Saved: {folder}")
+
+    def _clips(self) -> dict[str, Any]:
+        """Of the episodes that this evaluation has ended."""
+        return asdict(self._board.clips)
+
+    def print_score(self, score: Score) -> None:
+        value = score.to_dict() | {"clips": self._clips()}
+        value["players"] = players_of(self._episodes)
+        self._printer.answer(value, *answer_tables.score_tables(score, self._episodes))
+        if not score.complete and self._run is not None:
+            args = argparse.Namespace(**vars(self._args) | {"episodes": None})
+            self._printer.say(
+                "The score is partial. To play the rest:\n"
+                f"  {resume_command(args, self._run.run_id)}"
+            )
+
+    def _report_refusal(self, error: ProctorError) -> _EvaluationEnded:
+        if self._args.debug:
+            whole = getattr(error, "traceback", None) or traceback.format_exc()
+            self._printer.say(whole.rstrip())
+        return self._report_end(
+            exit_code_of(error, has_run=self._run is not None),
+            error.code,
+            message_of(error),
+            can_resume=not isinstance(error, RunFailed) or error.retryable,
+        )
+
+    def _report_policy_error(self, error: Exception | SystemExit) -> _EvaluationEnded:
+        return self._report_refusal(policy_failure(error))
+
+    def _report_end(
+        self, code: int, kind: str, line: str, *, can_resume: bool = True
+    ) -> _EvaluationEnded:
+        """Print why the evaluation ended, what waits, and how to continue it."""
+        self._progress_display.end()
+        say = self._printer.say
+        say(f"proctor: {line}")
+        value: dict[str, Any] = {"error": {"code": kind, "detail": line}}
+        if self._run is not None:
+            run_id, latest = self._run.run_id, self._progress_display.latest
+            value["run_id"] = run_id
+            if latest is not None:
+                say(f"Run {run_id}: {scored_text(latest)}")
+            left = [*self._board.left.values()]
+            value["waiting"] = [asdict(one) for one in left]
+            for one in left:
+                say(f"{describe_left(one, self._board.max_attempts)}.")
+            if left:
+                say(_ATTEMPTS)
+            if can_resume:
+                value["resume"] = resume_command(
+                    self._args, run_id, takeover=bool(left)
+                )
+                # A server that is not trusted has to be mended first.
+                when = "When that is done, to" if kind == NOT_TRUSTED else "To"
+                say(f"{when} continue:\n  {value['resume']}")
+        return _EvaluationEnded(code, value)
+
+
+class _EvaluationEnded(Exception):
+    """The evaluation has no score; why is printed. code: the exit code.
+
+    value: the reason as JSON.
+    """
+
+    def __init__(self, code: int, value: dict[str, Any]) -> None:
+        super().__init__(code)
+        self.code, self.value = code, value
+
+
+class Signals:
+    """Handles SIGINT and SIGTERM: first KeyboardInterrupt, then immediate exit.
+
+    before_exit: called by the handler before the exit. A context manager, for the main
+    thread.
+    """
+
+    def __init__(self) -> None:
+        self.before_exit: Callable[[], object] = _do_nothing
+        self.number = int(signal.SIGINT)
+        self._signals_received = 0
+        self._before: dict[int, Any] = {}
+
+    def __enter__(self) -> Self:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self._before[number] = signal.signal(number, self._handle_signal)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    def _handle_signal(self, number: int, frame: FrameType | None) -> None:
+        self._signals_received += 1
+        if self._signals_received > 1:
+            if os.isatty(2):
+                os.write(2, b"\x1b[?25h")  # the bar has hidden the cursor
+            os.write(
+                2,
+                b"proctor: terminated; sessions end with their leases, --takeover "
+                b"continues them before that\n",
+            )
+            self.before_exit()
+            os._exit(128 + number)
+        self.number = number
+        os.write(
+            2,
+            b"\nStopping after the turns in progress; no attempt is lost. Press "
+            b"Ctrl-C again to terminate immediately.\n",
+        )
+        raise KeyboardInterrupt
+
+
+def _policy_server(
+    args: argparse.Namespace, mapping: PolicyMapping | None, printer: Printer
+) -> PolicyServerClient | LerobotPolicies | None:
+    """The policy, if it is `proctor:URL` or `lerobot:FOLDER`: these know benchmarks."""
+    if not args.policy.startswith(("proctor:", "lerobot:")):
+        return None
+    if args.processes:
+        kind = "a policy server" if args.policy[0] == "p" else "a LeRobot policy"
+        raise UsageError(f"--processes cannot be combined with {kind}")
+    made = load(args.policy, mapping)
+    if isinstance(made, LerobotPolicies):
+        made.say = printer.say
+        return made
+    assert isinstance(made, PolicyServerClient)
+    return made
+
+
+def _plan(
+    args: argparse.Namespace,
+    server: PolicyServerClient | LerobotPolicies | None,
+    check_benchmark: Callable[[Benchmark], None] | None,
+) -> EvaluationPlan:
+    if args.worker_ids:
+        if args.workers is not None:
+            raise UsageError("--worker-ids and --workers are mutually exclusive")
+        worker_ids = tuple(filter(None, map(str.strip, args.worker_ids.split(","))))
+    else:
+        worker_ids = tuple(
+            f"{args.worker_prefix}-{i}" for i in range(args.workers or 1)
+        )
+    is_new, name = args.run_id is None, _policy_name(args.policy, server)
+    return EvaluationPlan(
+        url=args.url,
+        token=args.token,
+        worker_ids=worker_ids,
+        policy=policy_of(args, name),
+        submission=submission_of(args, name) if is_new else None,
+        run_id=args.run_id,
+        benchmark=args.benchmark,
+        takeover=args.takeover,
+        assumes=parse_strictly(Assumptions, "--assumes", args.assumes),
+        retry_timeout_s=RETRY_TIMEOUT_S
+        if args.retry_timeout_s is None
+        else args.retry_timeout_s,
+        check_benchmark=check_benchmark,
+        dry_turn=not args.no_dry_turn,
+        episodes=args.episodes,
+    )
+
+
+def _policy_name(
+    reference: str, server: PolicyServerClient | LerobotPolicies | None
+) -> str:
+    if isinstance(server, PolicyServerClient):
+        return server.described_name() or "proctor"
+    if reference.startswith(("gr00t:", "openpi:")):
+        return reference.partition(":")[0]
+    if reference.startswith("lerobot:"):
+        return Path(reference.partition(":")[2]).resolve().name
+    return reference.rpartition(":")[2] or reference
+
+
+def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
+    """Wraps what a policy's constructor raises in PolicyFailed."""
+
+    def make_policy() -> Policy:
+        try:
+            return make()
+        except (BadPolicy, ProctorError):
+            raise
+        except (Exception, SystemExit) as error:
+            raise policy_failure(error) from error
+
+    return make_policy
+
+
+def _open_view(port: int) -> View:
+    try:
+        return View(port)
+    except (OSError, OverflowError) as error:
+        raise UsageError(f"cannot bind --view-port {port}: {error}") from error
+
+
+def _do_nothing() -> None:
+    """Threads need no kill."""

@@ -1,0 +1,171 @@
+"""`make bench` in small: raw TCP and our own server, a few turns of each.
+
+That the peers can be measured too is seen when they are: they live in an environment
+that `make test` does not make.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import sys
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+
+from benchmarks import page_speed, performance_page, results
+from benchmarks.round_trips import chart, contender_registry, observations, report
+from benchmarks.round_trips import measurement as round_trips
+from benchmarks.round_trips.contenders.turn_client import TurnClient
+from benchmarks.round_trips.interleaved_rounds import (
+    ContenderFailed,
+    ContenderPair,
+    cpu_s,
+)
+from benchmarks.throughput import measurement as throughput
+
+pytestmark = pytest.mark.slow("measures every contender")
+
+NAMES = ("tcp", "ours msgpack", "ours json")
+STATE_BYTES = 8 * 23
+
+
+@pytest.fixture(scope="module")
+def section() -> dict[str, Any]:
+    body = round_trips.measure({"state": NAMES}, 3, lambda _line: None)
+    return {"measured_on": results.machine(), **body}
+
+
+def test_each_contender_plays_its_turns(section: dict[str, Any]) -> None:
+    played = section["scenarios"]["state"]
+    assert set(played) == set(NAMES)
+    for one in played.values():
+        assert one["turns"] >= 3
+        assert one["turns"] % 3 == 0  # as many in each round
+        assert 0 < one["p50_ms"] <= one["p99_ms"]
+        assert one["server_cpu_s"] > 0
+        assert one["client_cpu_s"] > 0
+
+
+def test_raw_tcp_sends_the_fewest_bytes(
+    section: dict[str, Any],
+) -> None:
+    played = section["scenarios"]["state"]
+    assert played["tcp"]["up_bytes"] == 8 * 16
+    assert played["tcp"]["down_bytes"] == STATE_BYTES
+    for name in NAMES[1:]:
+        assert played[name]["up_bytes"] > 8 * 16
+        assert played[name]["down_bytes"] > STATE_BYTES
+
+
+def test_targets_are_computed_from_the_measurements() -> None:
+    medians = {"tcp": 1.0, "ours msgpack": 3.0, "grpc": 6.0, "ebench": 5.0}
+    cameras = {name: {"p50_ms": p50} for name, p50 in medians.items()}
+    found = report.targets({"scenarios": {"cameras": cameras}})
+    assert [(one.measured, one.is_met) for one in found] == [
+        (3.0, False),  # at most twice raw TCP
+        (2.0, True),  # gRPC takes at least twice as long
+        (pytest.approx(5 / 3), False),
+    ]
+
+
+def test_the_page_and_the_picture_show_every_contender(
+    section: dict[str, Any], tmp_path: Path
+) -> None:
+    page_file = tmp_path / "page.md"
+    page_file.write_text(
+        "before\n<!-- round_trips -->\nold\n<!-- /round_trips -->\nafter\n"
+    )
+    performance_page.put("round_trips", report.tables(section), page_file)
+    text = page_file.read_text()
+    assert text.startswith("before\n")
+    assert text.endswith("<!-- /round_trips -->\nafter\n")
+    assert "\nold\n" not in text
+    words = "".join(ET.fromstring(chart.svg(section)).itertext())  # noqa: S314 - ours
+    for name in NAMES:
+        assert report.NAMES[name] in text
+        assert report.NAMES[name].replace("*", "").replace("`", "") in words
+
+
+def test_a_page_without_marks_is_not_written(tmp_path: Path) -> None:
+    page_file = tmp_path / "page.md"
+    page_file.write_text("nothing here\n")
+    with pytest.raises(ValueError, match="0 places"):
+        performance_page.put("round_trips", "new", page_file)
+    assert page_file.read_text() == "nothing here\n"
+
+
+def test_a_tool_replaces_its_own_section_only(tmp_path: Path) -> None:
+    file = tmp_path / "results.json"
+    results.update("one", {"measured_on": {}, "value": 1}, file)
+    results.update("other", {"value": 2}, file)
+    results.update("one", {"measured_on": {}, "value": 3}, file)
+    read = results.read(file)
+    assert read["one"] == {"measured_on": {}, "value": 3}
+    assert read["other"]["value"] == 2
+    assert read["other"]["measured_on"]["cores"] >= 1
+    assert json.loads(file.read_text()) == read
+
+
+class FaultyConnections:
+    """What may go wrong between a server and a client."""
+
+    def __init__(self) -> None:
+        self.world = observations.ScenarioPlayer("camera")
+
+    def correct(self, action: list[float]) -> Any:
+        return self.world.turn(action)
+
+    def ignoring_actions(self, _action: list[float]) -> Any:
+        return self.world.turn([0.5])
+
+    def stale(self, action: list[float]) -> Any:
+        state, images = self.world.turn(action)
+        return state, {name: np.roll(image, 1) for name, image in images.items()}
+
+    def without_images(self, action: list[float]) -> Any:
+        return self.world.turn(action)[0], {}
+
+
+def test_correct_observations_are_measured() -> None:
+    took, computed = TurnClient(FaultyConnections().correct, "camera").play(
+        3, whole=True
+    )
+    assert len(took) == 3
+    assert computed > 0
+
+
+@pytest.mark.parametrize("wire", ["ignoring_actions", "stale", "without_images"])
+def test_wrong_observations_are_not_measured(wire: str) -> None:
+    with pytest.raises(AssertionError):
+        TurnClient(getattr(FaultyConnections(), wire), "camera").play(1)
+
+
+def test_an_ended_process_has_no_cpu_time() -> None:
+    assert cpu_s(2**22 + 1) == 0.0  # no Linux has so many
+
+
+def test_results_are_on_the_performance_page() -> None:
+    """What is in results.json is what docs/host/performance.md shows."""
+    sections = results.read()
+    shown = performance_page.FILE.read_text()
+    for part in ("round_trips", "throughput"):
+        assert f"<!-- {part} -->\n" in shown
+    if "round_trips" in sections:
+        assert report.tables(sections["round_trips"]) in shown
+        assert chart.FILE.read_text() == chart.svg(sections["round_trips"])
+    if "throughput" in sections:
+        assert throughput.tables(sections["throughput"]) in shown
+    if "pages" in sections:
+        assert page_speed.report(sections["pages"]) in shown
+
+
+def test_a_contender_that_breaks_is_named(tmp_path: Path) -> None:
+    """And nothing waits for it, nor is left behind."""
+    sound = contender_registry.contender("tcp", "state", tmp_path)
+    broken = dataclasses.replace(sound, client=[sys.executable, "-c", ""])
+    with pytest.raises(ContenderFailed, match="tcp: "), ContenderPair(broken):
+        raise AssertionError("it cannot have begun")

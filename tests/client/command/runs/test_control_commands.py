@@ -1,0 +1,398 @@
+"""`proctor submit, status, stop, resume, results, benchmarks` with a real server.
+
+What people read, what scripts read, the exit codes, and every mistake in one line.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+from reference_client.command.command_line import aliases
+from reference_client.command.main import main
+from reference_client.command.usage_error import UsageError
+from reference_client.evaluation.parameters import WORKER_ID
+from reference_sim import benchmark_registry
+from tests.support.client.command import ProctorCommand, options
+from tests.support.paths import ROOT
+from tests.support.servers import TOKENS, ReferenceServer
+
+pytestmark = pytest.mark.usefixtures("policy_folder")
+
+
+def one_line(text: str) -> bool:
+    return text.startswith("proctor: ") and text.count("\n") == 1
+
+
+def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) -> None:
+    """A run by its commands. Expect 1 from `results` until it is complete."""
+    run = proctor.json("submit", *options("count"), "--name", "mine", "--wait")
+    assert (proctor.code, run["state"], run["policy"]) == (0, "ready", {"name": "mine"})
+    run_id = run["run_id"]
+    assert proctor.json("stop", run_id)["state"] == "stopped"
+    assert proctor.json("status", run_id)["state"] == "stopped"
+    assert proctor.json("resume", "--run-id", run_id)["state"] in ("queued", "ready")
+    assert proctor("results", run_id) == 1
+    assert "not complete: between 0.0000 and 1.0000" in proctor.out
+    assert proctor("run", "--policy", "policies:Graded", "--run-id", run_id) == 0
+    score = proctor.json("results", run_id, "--episodes")
+    assert (proctor.code, score["score"]) == (0, 1.0)
+    assert [episode["status"] for episode in score["episodes"]] == ["scored"]
+    assert proctor.json("status", run_id, "--watch")["state"] == "completed"
+    assert proctor.code == 0
+
+
+@pytest.fixture
+def browser(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The file to which what stands in for a browser writes the address it is given."""
+    program, opened = tmp_path / "browser.sh", tmp_path / "opened"
+    program.write_text(f'#!/bin/sh\necho "$1" > {opened}\n')
+    program.chmod(0o700)
+    monkeypatch.setattr("webbrowser._tryorder", None)  # BROWSER is read once
+    monkeypatch.setenv("BROWSER", f"{program} %s")
+    return opened
+
+
+def test_the_page_of_a_run_is_opened(
+    proctor: ProctorCommand, server: ReferenceServer, browser: Path
+) -> None:
+    """Expect the address in the browser and printed; with --print nothing opened."""
+    run_id = proctor.json("submit", *options("score"))["run_id"]
+    page = f"{server.url}/pages/runs/{run_id}"
+    assert proctor("open", run_id, "--print") == 0
+    assert (proctor.out, proctor.err) == (f"{page}\n", "")
+    assert not browser.exists()
+    assert proctor.json("open", run_id) == {"url": page, "opened": True}
+    assert browser.read_text() == f"{page}\n"
+    assert proctor.err == "The pages ask for a token once: it is in PROCTOR_TOKEN.\n"
+    assert proctor("open") == 0
+    assert browser.read_text() == proctor.out == f"{server.url}/pages\n"
+    assert proctor("open", "run_none") == 2
+    assert "There is no run run_none" in proctor.err
+    assert one_line(proctor.err)
+
+
+def test_the_address_is_said_where_no_browser_starts(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("webbrowser.open", lambda _address: False)
+    assert proctor("open") == 0
+    assert proctor.out.endswith("/pages\n")
+    assert "no browser can be started here; open the address in one" in proctor.err
+
+
+def test_no_browser_of_a_terminal_is_started_unasked(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without a display a text browser would take the terminal."""
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.setattr("webbrowser.open", lambda _address: pytest.fail("started"))
+    assert proctor.json("open")["opened"] is False
+
+
+def test_what_a_browser_prints_is_not_the_answer(
+    server: ReferenceServer, browser: Path
+) -> None:
+    program = browser.parent / "browser.sh"
+    program.write_text("#!/bin/sh\necho a page as text\n")
+    command = [sys.executable, "-m", "reference_client.command", "open"]
+    done = subprocess.run(
+        [*command, "--url", server.url],
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout == f"{server.url}/pages\n"
+    assert "a page as text" in done.stderr
+
+
+def test_the_place_of_a_token_that_was_given_is_the_flag(
+    proctor: ProctorCommand, browser: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PROCTOR_TOKEN", "another")
+    assert proctor("open", "--token", TOKENS["alice"]) == 0
+    assert browser.is_file()
+    assert proctor.err == "The pages ask for a token once: paste the one of --token.\n"
+
+
+@pytest.mark.slow("starts a server without pages")
+def test_a_server_without_pages_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with ReferenceServer(tmp_path, PROCTOR_PAGES="off") as server:
+        proctor = ProctorCommand(server.url, capsys)
+        assert proctor("open") == 2
+        assert f"{server.url} has no pages" in proctor.err
+        assert one_line(proctor.err)
+
+
+def test_a_url_with_the_version_is_recognised(
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It stands in every example with curl, so it is pasted here, too."""
+    assert main(["status", "--url", f"{server.url}/v1/"]) == 2
+    assert "Try the URL without /v1, which is added to it." in capsys.readouterr().err
+    assert main(["verify", "x.proctor", "--server", f"{server.url}/v1"]) == 2
+    assert "Try the URL without /v1" in capsys.readouterr().err
+    assert main(["status", "run_none", "--url", server.url]) == 2
+    assert "/v1" not in capsys.readouterr().err
+
+
+def test_a_list_of_runs_is_read_in_forty_columns(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect a line for each run: columns are left out, and no state is folded."""
+    made = ["submit", *options("count"), "--name", "a_long_name"]
+    run_id = proctor.json(*made)["run_id"]
+    monkeypatch.setenv("COLUMNS", "40")
+    assert proctor("status", "--name", "a_long_name") == 0
+    head, row = proctor.out.splitlines()
+    assert head.split() == ["run", "state"]
+    assert row.split()[0] == run_id
+
+
+def required(requirements: str) -> set[str]:
+    """The modules that an extra installs, as far as they have a package's name."""
+    lines = (ROOT / "requirements" / requirements).read_text().splitlines()
+    return {re.split("[^a-z_]", line.replace("-", "_"))[0] for line in lines}
+
+
+@pytest.mark.parametrize("command", ["serve", "admin", "replay", "conformance"])
+def test_a_program_of_another_extra_is_refused_in_one_line(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch, command: str
+) -> None:
+    """Only the client is installed. Expect what to install, and no traceback."""
+    absent = required("server.in") | required("kit.in")
+    absent -= required("client.in")
+    find_spec = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util,
+        "find_spec",
+        lambda name: None if name in absent else find_spec(name),
+    )
+    monkeypatch.setattr("os.execv", lambda *_: pytest.fail("it was started"))
+    assert proctor(command) == 2
+    assert one_line(proctor.err)
+    assert "which is not installed: pip install" in proctor.err
+
+
+def test_a_run_that_was_never_played_is_deleted(proctor: ProctorCommand) -> None:
+    """Expect no run afterwards; a played one is kept without --yes, and by the host."""
+    unplayed = proctor.json("submit", *options("score"), "--wait")["run_id"]
+    assert proctor.json("delete", unplayed) == {"deleted": unplayed}
+    assert proctor("status", unplayed) == 2
+    assert "not_found" in proctor.err
+    played = proctor.json("run", "--policy", "policies:Graded", *options("count"))
+    assert proctor("delete", played["run_id"]) == 2
+    assert "--yes" in proctor.err
+    assert proctor("delete", played["run_id"], "--yes") == 2
+    assert "not_deletable" in proctor.err
+    assert proctor("status", played["run_id"]) == 0
+
+
+def test_the_latest_runs_are_listed(proctor: ProctorCommand) -> None:
+    run_id = proctor.json("submit", *options("score"))["run_id"]
+    assert proctor.json("status")[0]["run_id"] == run_id
+    assert proctor("status") == 0
+    assert re.search(rf"{run_id} +\w+ +calibration +unnamed +0/1", proctor.out)
+
+
+def test_the_submitter_is_recorded(proctor: ProctorCommand) -> None:
+    """Every flag about the policy arrives in the run."""
+    flags = "--name n --type VLA --policy-version 2 --submitter s --homepage http://h"
+    lease = ["--idle-timeout-s", "5", "--max-workers", "2", "--images", "png:64x48"]
+    run = proctor.json("submit", *options("echo"), *flags.split(), *lease)
+    assert run["policy"] == {
+        "name": "n (VLA)",
+        "version": "2",
+        "submitter": "s",
+        "homepage": "http://h",
+    }
+    assert (run["idle_timeout_s"], run["max_workers"]) == (5, 2)
+    assert run["images"] == {"codec": "png", "width": 64, "height": 48}
+
+
+def test_gmp_commands_are_accepted(
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The command of EBench's manual, with our benchmark. Expect a ready run."""
+    line = "--benchmark_set calibration --model_name internVLA --model_type VLA"
+    submitter_flags = (
+        "--submitter_name test --submitter_homepage http://h --is_public 0"
+    )
+    place = ["--base_url", server.url, "--interval", "5", "--json"]
+    assert (
+        main(["online", "submit", *place, *line.split(), *submitter_flags.split()]) == 0
+    )
+    out, err = capsys.readouterr()
+    run = json.loads(out)
+    assert run["policy"]["name"] == "internVLA (VLA)"
+    assert run["policy"]["submitter"] == "test"
+    assert err.count("is ignored") == 2
+    host, _, port = server.url.removeprefix("http://").partition(":")
+    again = ["--host", host, "--port", port, "--task_id", run["run_id"]]
+    assert main(["online", "submit", *again, "--print_endpoint"]) == 0
+    assert capsys.readouterr().out == f"{run['endpoint']}\n"
+    play = ["--policy", "policies:best", "--worker_ids", "0,1", "--json"]
+    assert main(["eval", *again, *play]) == 0
+    assert json.loads(capsys.readouterr().out)["score"] == 1.0
+
+
+def test_an_entry_is_not_published_against_is_public() -> None:
+    for words in (["--is_public", "0"], ["--is-public=False"]):
+        given = ["publish", *words, "run_1"]
+        assert aliases.translate(given) == (["publish", "--private", "run_1"], [])
+    given = ["publish", "run_1", "--is_public", "1"]
+    assert aliases.translate(given) == (["publish", "run_1"], [])
+    with pytest.raises(UsageError, match="expected 1 or 0"):
+        aliases.translate(["publish", "--is_public", "run_1"])
+
+
+def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
+    arguments = ["conformance", "--url", "u", "--is_public"]
+    assert aliases.translate(arguments) == (arguments, [])
+    assert aliases.translate(["run", "--", "--task_id"])[0] == [
+        "run",
+        "--",
+        "--task_id",
+    ]
+    assert aliases.translate(["status", "--task_id=a_b"])[0] == [
+        "status",
+        "--run-id=a_b",
+    ]
+
+
+def test_benchmarks_are_listed_and_described(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    assert proctor("benchmarks") == 0
+    count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
+    row = rf"^tabletop_state +\S+ +{count} +Tabletop"
+    assert re.search(row, proctor.out, re.MULTILINE)
+    assert proctor("benchmarks", "tabletop_state") == 0
+    assert re.search(r"action\.joint_position +7 +rad", proctor.out)
+    assert max(map(len, proctor.out.splitlines())) <= 80
+    assert proctor.json("benchmarks", "calibration")["tasks"][0] == "score"
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("submit", "--benchmark NAME"),
+        ("submit --benchmark none", "not_found"),
+        ("submit --benchmark NO", "benchmark_id"),
+        ("submit CALIBRATION --options {", "invalid JSON"),
+        ("submit CALIBRATION --options '{\"x\": 1}'", "options has no member 'x'"),
+        ("submit CALIBRATION --images raw", "jpeg:224x224"),
+        ("submit CALIBRATION --max-workers 0", "expected an integer"),
+        ("submit CALIBRATION --max-workers 999", "allows 16 per run"),
+        ("status run_none", "not_found"),
+        ("status run_a --run-id run_b", "conflicting run ids"),
+        ("stop", "a run id is required"),
+        ("results --what", "--help"),
+        ("run", "my_module:MyPolicy"),
+        ("run --policy policies:Graded", "--benchmark NAME"),
+        ("run CALIBRATION --policy policies:None_", "has no None_"),
+        ("run CALIBRATION --policy nowhere:X", "no module nowhere"),
+        ("run CALIBRATION --policy none.py:X", "no file none.py"),
+        ("run CALIBRATION --policy policies", "my_module:MyPolicy"),
+        ("run CALIBRATION --policy policies:answer", "is not callable"),
+        ("run CALIBRATION --policy policies:NoReset", "reset"),
+        ("run CALIBRATION --policy policies:Unmakeable", "no such weights"),
+        ("run CALIBRATION --policy policies:NoReset --processes", "reset"),
+        ("run CALIBRATION --policy openpi:ws://x", "--mapping FILE"),
+        ("run CALIBRATION --policy openpi:8000", "ws://127.0.0.1"),
+        ("run CALIBRATION --policy policies:best --mapping none", "cannot read"),
+        ("run CALIBRATION --policy policies:best --worker-ids a,a", "must differ"),
+        ("run CALIBRATION --policy policies:best --worker-ids a.b", "A-Z a-z 0-9"),
+        (
+            "run CALIBRATION --policy policies:best --view --view-port 99999",
+            "view-port",
+        ),
+    ],
+)
+def test_a_usage_error_is_one_line_with_exit_code_2(
+    proctor: ProctorCommand, line: str, message: str
+) -> None:
+    """Expect what is wrong, nothing on the standard output, and no run left behind."""
+    before = proctor.json("status")
+    line = line.replace("CALIBRATION", "--benchmark calibration")
+    assert proctor(*shlex.split(line)) == 2
+    assert one_line(proctor.err), proctor.err
+    assert message in proctor.err
+    assert proctor.out == ""
+    assert proctor.json("status") == before
+
+
+def test_a_script_reads_errors_too(proctor: ProctorCommand) -> None:
+    answer_json = proctor.json("status", "run_none")
+    assert (proctor.code, answer_json["error"]["code"]) == (2, "not_found")
+    answer_json = proctor.json("stop")
+    assert (proctor.code, answer_json["error"]["code"]) == (2, "usage")
+
+
+def test_a_wrong_token_is_reported_with_its_flag(
+    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PROCTOR_TOKEN", "wrong")
+    assert proctor("status") == 2
+    assert "--token, or PROCTOR_TOKEN" in proctor.err
+    assert one_line(proctor.err)
+
+
+def test_an_unreachable_server_gives_exit_code_2(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0"]
+    for command in (
+        ["status"],
+        ["run", "--policy", "policies:best", *options("count")],
+    ):
+        assert main([*command, *place]) == 2
+        message = capsys.readouterr().err.splitlines()[-1]
+        assert re.match(r"proctor: .*is unreachable.*\[unreachable\]", message)
+    assert main(["status", "--url", "nowhere"]) == 2
+    assert "url must be like" in capsys.readouterr().err
+
+
+def test_help_fits_80_columns(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    for arguments in (["--help"], ["run", "--help"], ["submit", "--help"]):
+        with pytest.raises(SystemExit) as ended:
+            main(arguments)
+        assert ended.value.code == 0
+        assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+
+
+def test_debug_prints_a_traceback(proctor: ProctorCommand) -> None:
+    assert proctor("status", "run_none", "--debug") == 2
+    assert "Traceback" in proctor.err
+
+
+def test_the_command_is_installed_under_its_name() -> None:
+    script = Path(sys.executable).with_name("proctor")
+    answer_json = subprocess.run(
+        [script, "--help"], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert answer_json.stdout.startswith("usage: proctor ")
+
+
+def test_ids_of_workers_are_those_of_the_specification() -> None:
+    document = yaml.safe_load((ROOT / "spec" / "openapi.yaml").read_text())
+    pattern = document["components"]["parameters"]["WorkerId"]["schema"]["pattern"]
+    assert pattern == f"^{WORKER_ID.pattern}$"

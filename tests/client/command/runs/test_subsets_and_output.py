@@ -1,0 +1,185 @@
+"""Parts of a benchmark, repetitions, and the forms of a result."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+from reference_client.command.main import main
+from reference_client.command.output.text_tables import (
+    TablePrinter,
+    TextTable,
+    latex,
+    markdown,
+)
+from reference_client.evaluation.status_board import Pace, Progress
+from tests.support.client.command import ProctorCommand, options
+from tests.support.client.direct_client import DirectClient
+from tests.support.servers import ReferenceServer
+
+pytestmark = pytest.mark.usefixtures("policy_folder")
+FIVE = options(*["score"] * 5)
+
+
+@pytest.mark.parametrize("workers", ["1", "3"])
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_the_first_episodes_are_played(
+    proctor: ProctorCommand,
+    server: ReferenceServer,
+    workers: str,
+    processes: list[str],
+) -> None:
+    """Two of five. Expect a score that says it is partial, no attempt lost, and that
+    the run can be played to its end."""
+    run = ["run", "--policy", "policies.py:Graded", *FIVE, "--workers", workers]
+    assert proctor(*run, "--episodes", "2", *processes) == 0
+    assert "partial, 2 of 5 episodes" in proctor.out
+    assert "To play the rest:" in proctor.err
+    with DirectClient(server.url) as direct_client:
+        run_id = direct_client.latest().run_id
+        assert direct_client.control.get_run(run_id).live_workers == 0
+        statuses = [
+            episode.status.value
+            for episode in direct_client.control.list_episodes(run_id).episodes
+        ]
+        assert statuses == ["scored"] * 2 + ["pending"] * 3
+        rest = ["run", "--policy", "policies.py:Graded", "--run-id", run_id]
+        assert proctor.json(*rest)["score"] == pytest.approx(2.5 / 5)
+        assert direct_client.attempts(run_id) == [1] * 5
+
+
+def test_splits_stand_before_tasks(proctor: ProctorCommand) -> None:
+    assert proctor("run", "--policy", "policies.py:Graded", *FIVE) == 0
+    assert proctor.out.index("\nsplit ") < proctor.out.index("\ntask ")
+
+
+def test_repetitions_have_mean_and_spread(
+    proctor: ProctorCommand, tmp_path: Path
+) -> None:
+    Path("scores").write_text("0")
+    Path("growing.py").write_text(
+        "import pathlib\nimport policies\n\n\ndef growing(observation):\n"
+        "    score = float(pathlib.Path('scores').read_text())\n"
+        "    pathlib.Path('scores').write_text(str(score + 0.5))\n"
+        "    return policies.action(score=score, success=1.0, end=1.0)\n"
+    )
+    run = ["run", "--no-dry-turn", "--policy", "growing.py:growing", *options("score")]
+    found = proctor.json(*run, "--repeat", "3", "--save", "out")
+    assert (found["mean"], found["stdev"]) == (0.5, 0.5)
+    assert len({one["run_id"] for one in found["runs"]}) == 3
+    assert len([*(tmp_path / "out").glob("run_*/result.json")]) == 3
+    assert proctor(*run, "--repeat", "2", "--run-id", "run_a") == 2
+
+
+@pytest.mark.parametrize("command", ["run", "results"])
+def test_a_result_is_saved(proctor: ProctorCommand, command: str) -> None:
+    run = ["run", "--policy", "policies.py:Graded", *FIVE]
+    saved = ["--save", "deep/out"]
+    run_id = proctor.json(*run, *(saved if command == "run" else []))["run_id"]
+    if command == "results":
+        assert proctor("results", run_id, *saved) == 0
+    result = json.loads(Path("deep/out/result.json").read_text())
+    assert result["run"]["run_id"] == result["score"]["run_id"] == run_id
+    assert len(result["episodes"]) == 5
+    with Path("deep/out/episodes.csv").open() as file:
+        rows = [*csv.DictReader(file)]
+    assert [float(row["score"]) for row in rows] == [0, 0.25, 0.5, 0.75, 1]
+    assert {row["outcome"] for row in rows} == {"success"}
+
+
+def test_a_folder_that_cannot_be_made_is_refused_before_the_run(
+    proctor: ProctorCommand,
+) -> None:
+    Path("file").write_text("")
+    before = proctor.json("status")
+    run = ["run", "--policy", "policies.py:Graded", *FIVE, "--save", "file/out"]
+    assert proctor(*run) == 2
+    assert "--save file/out" in proctor.err
+    assert proctor.json("status") == before
+
+
+def test_runs_are_listed_with_scores_filters_and_pages(
+    proctor: ProctorCommand,
+) -> None:
+    run = ["run", "--policy", "policies.py:Graded", "--name", "listed"]
+    ids = [proctor.json(*run, *FIVE)["run_id"] for _ in range(3)][::-1]
+    found = proctor.json("status", "--name", "listed")
+    assert [one["run_id"] for one in found] == ids
+    assert [one["score"] for one in found] == [0.5] * 3
+    assert proctor.json("status", "--name", "listed", "--state", "failed") == []
+    assert proctor("status", "--name", "listed", "--limit", "2") == 0
+    assert ids[2] not in proctor.out
+    assert "More: --page 2" in proctor.out
+    page = proctor.json("status", "--name", "listed", "--limit", "2", "--page", "2")
+    assert [one["run_id"] for one in page] == ids[2:]
+    assert "0.500" in proctor_text(proctor, "status", "--name", "listed")
+    assert "score" in proctor_text(proctor, "status", ids[0])
+    assert "0.5000" in proctor.out
+    assert proctor.json("status", ids[0])["score"] == 0.5
+
+
+def proctor_text(proctor: ProctorCommand, *arguments: str) -> str:
+    assert proctor(*arguments) == 0
+    return proctor.out
+
+
+def test_tables_have_three_forms(proctor: ProctorCommand) -> None:
+    text = proctor_text(proctor, "benchmarks", "--format", "markdown")
+    assert text.startswith("| benchmark | version | episodes | title |\n| --- |")
+    text = proctor_text(proctor, "benchmarks", "--format", "latex")
+    assert text.startswith("\\begin{tabular}{llrl}\n")
+    assert "tabletop\\_state &" in text
+
+
+def test_special_characters_do_not_break_a_table() -> None:
+    table = TextTable(("name", ">value"))
+    table.add("a|b", "50 %")
+    assert markdown(table) == "| name | value |\n| --- | ---: |\n| a\\|b | 50 % |\n"
+    assert "a|b & 50 \\% \\\\\n" in latex(table)
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_a_pipe_never_wraps_and_a_narrow_terminal_drops_columns(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    table = TextTable(("run", "state", "title"), dispensable=("state",))
+    table.add("run_1", "completed", "x" * 30)
+    table.add("run_2", "completed", "y" * 200)
+    monkeypatch.delenv("COLUMNS", raising=False)
+    pipe = io.StringIO()
+    TablePrinter(pipe).print([table])
+    assert len(pipe.getvalue().splitlines()) == 3
+    assert "y" * 200 in pipe.getvalue()
+    del table.rows[1]
+    monkeypatch.setenv("COLUMNS", "40")
+    narrow = Terminal()
+    TablePrinter(narrow).print([table])
+    assert narrow.getvalue().splitlines()[0].split() == ["run", "title"]
+    assert max(map(len, narrow.getvalue().splitlines())) <= 40
+
+
+def test_the_version_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["--version"])
+    assert ended.value.code == 0
+    assert "protocol version" in capsys.readouterr().out
+
+
+def test_the_time_left_is_estimated(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [100.0]
+    monkeypatch.setattr("time.monotonic", lambda: now[0])
+    pace = Pace()
+    assert pace.left(Progress("run_1", 20, 10, None, None)) == ""
+    now[0] += 50
+    assert pace.left(Progress("run_1", 20, 12, 0.5, None)) == "~3:20 left"
+    now[0] += 7200
+    assert pace.left(Progress("run_1", 20, 12, 0.5, None)).startswith("~8:")
+    assert pace.left(Progress("run_1", 20, 20, 0.5, None)) == ""

@@ -1,0 +1,382 @@
+"""Architecture: which package may import which, what is defined once, sizes of parts.
+
+Imports are read from the source text: nothing is imported to learn what it imports.
+The lifecycle and the problems of the server are those of the specification.
+"""
+
+import ast
+import itertools
+import re
+import subprocess
+import sys
+import typing
+from pathlib import Path
+
+import pytest
+import yaml
+
+from reference_server.generated import problem_codes
+from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.rules import lifecycle, run
+from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
+from reference_server.rules.run import State
+from tests.support.paths import ROOT
+from tests.support.repository.imports import (
+    HAND_WRITTEN,
+    PACKAGES,
+    files_of_package,
+    importers_of,
+    imports,
+    module_of,
+    name_of,
+    tops,
+)
+from tests.support.server.runs import make_run
+
+CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
+# Who may read one all the same, and why; an entry too many fails.
+CODE_FORMAT_READERS = {
+    "benchmarks/round_trips/contenders/ebench_client.py": "pickle is what is measured",
+    "benchmarks/round_trips/contenders/ebench_server.py": "and both ends are ours",
+    "conformance/profiles/pickles.py": "EBench; its reader lets nothing be named",
+    "tests/support/profiles/ebench_client.py": "sends EBench's pickles, and attacks",
+}
+VAGUE_NAMES = {"base", "common", "helper", "helpers", "manager", "utils"}
+FUNCTION_LINES_MAX = 70
+
+
+def test_imports_are_found_wherever_they_stand(tmp_path: Path) -> None:
+    file = tmp_path / "some.py"
+    file.write_text(
+        "import a.b as c\nfrom typing import TYPE_CHECKING\n"
+        "if TYPE_CHECKING:\n    from d import e\n"
+        "def f():\n    import g\n    from . import h\n    from ..i import j\n"
+        "    importlib.import_module('k')\n"
+    )
+    found = imports(file, "x.y.some")
+    assert {"a.b", "d.e", "g", "x.y.h", "x.i.j", "k"} <= found
+
+
+def test_the_packages_are_found() -> None:
+    found = {path.relative_to(ROOT).parts[0] for path in HAND_WRITTEN}
+    present = {package for package in PACKAGES if (ROOT / package).is_dir()}
+    assert present | {"tests", "tools"} <= found
+    assert len(present) >= 3
+
+
+# --- layers ---
+
+RULES = ROOT / "reference_server" / "rules"
+PURE = sorted(
+    path.relative_to(RULES).with_suffix("").as_posix() for path in RULES.rglob("*.py")
+)
+
+
+# folder of reference_server → the other parts that it may import. A part is a folder or
+# a module of reference_server, or the package reference_sim.
+MAY_IMPORT: dict[str, set[str]] = {
+    "generated": set(),
+    "rules": {"generated"},
+    "storage": {"rules", "system"},
+    "records": {"generated", "reference_record", "reference_sim", "rules", "storage"}
+    | {"system"},
+    "system": set(),
+    "views": {"generated", "reference_record", "reference_sim", "rules"},
+    "runs": {"generated", "records", "reference_record", "reference_sim", "rules"}
+    | {"storage", "system", "views"},
+    "push": {"allowed_networks", "generated", "http", "rules", "runs"}
+    | {"storage", "system"},
+    "cluster": {"http", "rules", "runs", "storage", "system"},
+    "http": {"generated", "records", "reference_record", "rules", "runs", "settings"}
+    | {"storage", "system", "views"},
+    "monitoring": {"http", "system"},
+    "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
+}
+# Of these two, a folder above them may know only what is named here.
+ONLY: dict[tuple[str, str], set[str]] = {
+    ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed", "StoredQueue"},
+    ("http", "storage"): {"StoreFailed"},
+    ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles", "add_areas"},
+    ("push", "storage"): {"StoreFailed"},
+    ("push", "http"): {"JSON", "PROBLEM_JSON"}
+    | {"codec", "decode", "pointer", "validate"}
+    | {"large_bodies", "read_structure", "INLINE_BYTES_MAX", "WHOLE_BYTES_MAX"},
+}
+
+
+def test_every_folder_of_the_server_has_its_rule() -> None:
+    server = ROOT / "reference_server"
+    folders = {p.name for p in server.iterdir() if (p / "__init__.py").is_file()}
+    assert folders == set(MAY_IMPORT)
+
+
+@pytest.mark.parametrize("folder", MAY_IMPORT)
+def test_a_folder_imports_only_what_its_rule_allows(folder: str) -> None:
+    found: set[str] = set()
+    names: dict[tuple[str, str], set[str]] = {}
+    for path in (ROOT / "reference_server" / folder).rglob("*.py"):
+        for module in imports(path, module_of(path)):
+            parts = module.split(".")
+            if parts[0] == "reference_server" and len(parts) > 1:
+                found.add(parts[1])
+                if len(parts) > 3:
+                    names.setdefault((folder, parts[1]), set()).add(parts[-1])
+            elif parts[0] in PACKAGES:
+                found.add(parts[0])
+    assert found - {folder} <= MAY_IMPORT[folder]
+    for pair, allowed in ONLY.items():
+        assert names.get(pair, set()) <= allowed
+
+
+@pytest.mark.parametrize("name", PURE)
+def test_the_rules_import_only_each_other(name: str) -> None:
+    path = ROOT / "reference_server" / "rules" / f"{name}.py"
+    allowed = ("reference_server.rules", "reference_server.generated")
+    others = {
+        module
+        for module in imports(path, module_of(path))
+        if module.partition(".")[0] not in sys.stdlib_module_names
+        and not module.startswith(allowed)
+    }
+    assert others == set()
+
+
+@pytest.mark.parametrize("name", PURE)
+def test_the_rules_are_synchronous_and_use_no_clock(name: str) -> None:
+    source = (ROOT / "reference_server" / "rules" / f"{name}.py").read_text()
+    waits = (ast.AsyncFunctionDef, ast.Await, ast.AsyncFor, ast.AsyncWith)
+    assert [n for n in ast.walk(ast.parse(source)) if isinstance(n, waits)] == []
+    path = ROOT / "reference_server" / "rules" / f"{name}.py"
+    outside = {"asyncio", "datetime", "os", "random", "secrets", "socket", "time"}
+    assert tops(path) & outside == set()
+
+
+@pytest.mark.parametrize(
+    ("module", "owner", "files"),
+    [
+        (
+            "sqlalchemy",
+            "reference_server/storage",
+            [
+                "board_store.py",
+                "column_types.py",
+                "database.py",
+                "database_commands.py",
+                "database_tables.py",
+                "import_store.py",
+                "migrations/versions/r0001_baseline.py",
+                "migrations/versions/r0002_nodes.py",
+                "migrations/versions/r0003_cluster_facts.py",
+                "node_store.py",
+                "postgresql.py",
+                "schema_version.py",
+                "server_lock.py",
+                "store.py",
+            ],
+        ),
+        ("mujoco", "reference_sim/mujoco", ["world.py"]),
+        ("av", "reference_sim/exports", ["video_file.py"]),
+        (
+            "pyarrow",
+            "reference_sim/exports",
+            ["lerobot_format.py", "parquet_tables.py"],
+        ),
+        ("ray", "reference_sim/process/ray", ["launcher.py", "simulator_actor.py"]),
+    ],
+)
+def test_a_big_dependency_has_one_owner(
+    module: str, owner: str, files: list[str]
+) -> None:
+    found = importers_of(module, among=files_of_package(*PACKAGES))
+    assert found == [f"{owner}/{file}" for file in files]
+
+
+@pytest.mark.parametrize(
+    ("package", "forbidden_imports"),
+    [
+        ("reference_sim", ["reference_server", "reference_client", "conformance"]),
+        ("reference_client", ["reference_sim.exports"]),
+        ("reference_server", ["reference_sim.exports"]),
+        ("reference_sim", ["proctor_client", "starlette", "uvicorn", "httpx"]),
+        (
+            "reference_record",
+            ["reference_server", "reference_sim", "reference_client", "conformance"],
+        ),
+        ("reference_record", ["proctor_client", "starlette", "httpx", "sqlalchemy"]),
+        ("reference_client", ["reference_server", "conformance"]),
+        ("reference_server", ["reference_client", "proctor_client", "conformance"]),
+        (
+            "conformance",
+            ["reference_server", "reference_sim", "reference_client", "proctor_client"],
+        ),
+    ],
+)
+def test_a_package_does_not_import(package: str, forbidden_imports: list[str]) -> None:
+    assert importers_of(*forbidden_imports, among=files_of_package(package)) == []
+
+
+def test_nothing_reads_a_format_that_carries_code() -> None:
+    found = importers_of(*CODE_FORMAT_MODULES, among=iter(HAND_WRITTEN))
+    assert found == sorted(CODE_FORMAT_READERS)
+
+
+# --- the lifecycle ---
+
+DOCUMENT = yaml.safe_load((ROOT / "spec" / "openapi.yaml").read_text())
+LIFECYCLE = DOCUMENT["x-lifecycle"]
+
+
+def stated(state: str, event: str, retryable: bool | None) -> str | None:
+    """Where the specification lets an event lead; None where it refuses."""
+    when = {None, "retryable" if retryable else "not_retryable"}
+    rows = [
+        row["to"]
+        for row in LIFECYCLE["transitions"]
+        if (row["from"], row["event"]) == (state, event) and row.get("when") in when
+    ]
+    assert len(rows) <= 1, f"{len(rows)} rows for {state}, {event}, {retryable}"
+    return None if not rows or rows[0] == "refused" else rows[0]
+
+
+@pytest.mark.parametrize("retryable", [True, False, None])
+@pytest.mark.parametrize("event", [*LIFECYCLE["commands"], *LIFECYCLE["events"]])
+@pytest.mark.parametrize("state", LIFECYCLE["states"])
+def test_the_table_decides_as_stated(
+    state: State, event: Event, retryable: bool | None
+) -> None:
+    expected = stated(state, event, retryable)
+    assert legal(make_run(state=state, retryable=retryable), event) == bool(expected)
+    if expected is not None:
+        assert TRANSITIONS[(state, event)] == expected
+
+
+def test_the_table_has_no_cell_of_its_own() -> None:
+    rows = [row for row in LIFECYCLE["transitions"] if row["to"] != "refused"]
+    assert set(TRANSITIONS) == {(row["from"], row["event"]) for row in rows}
+
+
+def test_every_command_is_stated_in_every_state() -> None:
+    rows = {(row["from"], row["event"]) for row in LIFECYCLE["transitions"]}
+    assert set(itertools.product(LIFECYCLE["states"], LIFECYCLE["commands"])) <= rows
+
+
+def test_the_enums_match_the_specification() -> None:
+    assert list(typing.get_args(State)) == LIFECYCLE["states"]
+    assert set(typing.get_args(Event)) == {*LIFECYCLE["commands"], *LIFECYCLE["events"]}
+    schemas = DOCUMENT["components"]["schemas"]
+    assert schemas["RunState"]["enum"] == LIFECYCLE["states"]
+    assert schemas["Outcome"]["enum"] == list(typing.get_args(run.Outcome))
+    ends = list(typing.get_args(run.SessionEnd))
+    assert schemas["SessionEnd"]["x-extensible-enum"] == ends
+
+
+def test_every_command_has_guards() -> None:
+    assert set(lifecycle.GUARDS) == set(typing.get_args(lifecycle.Command))
+
+
+# --- problems ---
+
+
+def refusals_in(source: str) -> set[str]:
+    """First arguments of Refused(...), Refuse(...): what this code can answer."""
+    return {
+        str(call.args[0].value)
+        for call in ast.walk(ast.parse(source))
+        if isinstance(call, ast.Call)
+        and isinstance(call.func, ast.Name)
+        and call.func.id in ("Refused", "Refuse")
+        and call.args
+        and isinstance(call.args[0], ast.Constant)
+    }
+
+
+def server_refusal_codes() -> set[str]:
+    found = {code for _, code in PATH_PATTERNS.values()}
+    for path in files_of_package("reference_server"):
+        found |= refusals_in(path.read_text())
+    return found
+
+
+def test_refusals_are_found_in_code() -> None:
+    source = "def f():\n    raise Refused('a_code', 'text')\n    return Refuse('other')"
+    assert refusals_in(source) == {"a_code", "other"}
+
+
+def test_every_problem_of_the_catalogue_is_used() -> None:
+    assert set(DOCUMENT["x-problems"]) - server_refusal_codes() == set()
+
+
+def test_no_problem_outside_the_catalogue_is_used() -> None:
+    assert server_refusal_codes() - set(DOCUMENT["x-problems"]) == set()
+
+
+def test_the_generated_catalogue_is_the_specification() -> None:
+    assert DOCUMENT["x-problems"] == problem_codes.PROBLEMS
+
+
+def test_statuses_with_retry_after_are_retryable() -> None:
+    for code, entry in DOCUMENT["x-problems"].items():
+        if entry["status"] in (429, 503):
+            assert entry["retryable"], code
+
+
+def test_cited_requirements_exist() -> None:
+    rows = [*DOCUMENT["x-requirements"], *DOCUMENT["x-lifecycle"]["transitions"]]
+    for profile in (ROOT / "spec" / "profiles").glob("*.yaml"):
+        rows += yaml.safe_load(profile.read_text())["x-requirements"]
+    known = {row["id"] for row in rows}
+    for page in ("scoring.md", "record.md"):
+        known |= set(
+            re.findall(r"\[([A-Z]+-\d{3})", (ROOT / "spec" / page).read_text())
+        )
+    cited: set[str] = set()
+    for path in files_of_package(
+        "reference_record", "reference_server", "reference_sim"
+    ):
+        cited |= set(re.findall(r"\b[A-Z]{2,6}-\d{3}\b", path.read_text()))
+    assert len(cited) > 50
+    assert cited - known == {"SHA-256"}
+
+
+# --- names and sizes ---
+
+
+def test_file_names_are_not_vague() -> None:
+    names = {name_of(path): path.relative_to(ROOT).parts for path in HAND_WRITTEN}
+    vague = [
+        name
+        for name, parts in names.items()
+        if {part.removesuffix(".py").strip("_") for part in parts} & VAGUE_NAMES
+    ]
+    assert vague == []
+
+
+def lines_of(path: Path) -> int:
+    return len(path.read_text().splitlines())
+
+
+def test_a_function_fits_the_screen() -> None:
+    sizes = {
+        f"{name_of(path)}:{node.name}": (node.end_lineno or 0) - node.lineno + 1
+        for path in HAND_WRITTEN
+        for node in ast.walk(ast.parse(path.read_text()))
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
+    }
+    assert len(sizes) > 500
+    assert {n: s for n, s in sizes.items() if s > FUNCTION_LINES_MAX} == {}
+
+
+@pytest.mark.parametrize(("name", "most"), [("README.md", 150), ("Makefile", 110)])
+def test_readme_and_makefile_are_short(name: str, most: int) -> None:
+    assert 0 < lines_of(ROOT / name) <= most
+
+
+def test_the_top_level_has_few_entries() -> None:
+    tracked = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True
+    ).stdout.split("\n")
+    entries = {name.partition("/")[0] for name in tracked if name}
+    # Platforms find these two at the root only.
+    entries -= {"action.yml", "CITATION.cff"}
+    shown = sorted(entry for entry in entries if not entry.startswith("."))
+    assert 0 < len(shown) <= 18, shown

@@ -1,0 +1,107 @@
+"""Pages of the leaderboard: how much of it they read, and what a run's page offers."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+import httpx
+
+from tests.support.pages.page_api import (
+    ENTRIES_PER_PAGE,
+    RESULT,
+    PageApi,
+    client_of,
+    sign_in,
+)
+from tests.support.servers import TIMEOUT_S
+
+LEADERBOARD = "/pages/benchmarks/calibration/leaderboard"
+UNKNOWN = f"{LEADERBOARD}?manifest={'f' * 64}"
+PUBLISH, WITHDRAW = "/runs/done/publish", "/runs/done/withdraw"
+MANY = 10 * ENTRIES_PER_PAGE
+Story = Callable[[PageApi, httpx.AsyncClient], Awaitable[None]]
+
+
+def play(story: Story) -> None:
+    """With a reader whose token is `alice`."""
+
+    async def run() -> None:
+        api = PageApi()
+        async with asyncio.timeout(TIMEOUT_S), client_of(api) as client:
+            await sign_in(client, "alice")
+            await story(api, client)
+
+    asyncio.run(run())
+
+
+async def text_of(client: httpx.AsyncClient, path: str) -> str:
+    answer = await client.get(path)
+    assert answer.status_code == 200, answer.text
+    return answer.text
+
+
+def test_a_manifest_without_entries_reads_one_page_of_them() -> None:
+    """Of many. Expect the manifests of the newest, and that these are not all."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        for number in range(MANY):
+            api.publish(f"run{number}", manifest_sha256=f"{number:064}")
+        shown = await text_of(client, UNKNOWN)
+        assert api.asked["entries"] == 1
+        linked = [f"{LEADERBOARD}?manifest={number:064}" in shown for number in (0, 2)]
+        assert linked == [True, False]
+        assert "counted are the newest" in shown
+
+    play(story)
+
+
+def test_few_entries_are_all_counted() -> None:
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.publish("one")
+        api.publish("hidden", is_public=False)
+        shown = await text_of(client, UNKNOWN)
+        assert f"{'1' * 64}</code></a>, 1 entry" in shown
+        assert "counted are" not in shown
+
+    play(story)
+
+
+def test_an_old_entry_is_found_among_many_others() -> None:
+    """Expect the page to offer its change, and no list of entries to be read."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", RESULT)
+        for number in range(MANY):
+            api.publish(f"other{number}")
+        api.publish("done")
+        shown = await text_of(client, "/pages/runs/done")
+        assert "Published as" in shown
+        assert "Change the entry" in shown
+        assert WITHDRAW in shown
+        assert api.asked["entries"] == 0
+
+    play(story)
+
+
+def test_a_withdrawn_entry_is_not_published_again() -> None:
+    """The API refuses that (BRD-006). Expect the page to say so, and no form."""
+
+    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+        api.add("done", RESULT)
+        shown = await text_of(client, "/pages/runs/done")
+        assert PUBLISH in shown
+        assert WITHDRAW not in shown
+        api.publish("done", state="withdrawn")
+        shown = await text_of(client, "/pages/runs/done")
+        assert "cannot be published again" in shown
+        assert "signed history" in shown
+        assert PUBLISH not in shown
+        assert WITHDRAW not in shown
+        api.entries.clear()
+        api.publish("done", state="withdrawn", is_public=False)
+        shown = await text_of(client, "/pages/runs/done")
+        assert "cannot be published again" in shown
+        assert "signed history" not in shown, "which never had it"
+
+    play(story)
