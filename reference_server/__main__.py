@@ -244,7 +244,7 @@ def _check_cluster(settings: Settings) -> None:
     except StoreFailed as error:
         raise _CannotUse(f"cannot use the database ({error})") from error
     except NotShared as error:
-        raise _CannotUse(f"cannot be a node of this cluster: {error}") from error
+        raise _CannotUse(str(error)) from error
     except (OSError, UnusableRecord) as error:
         raise _CannotUse(
             f"cannot use {folder}, or the key in {path} ({error}); see --records-dir "

@@ -54,7 +54,7 @@ from reference_server.records.board_history import BoardHistory
 from reference_server.records.record_imports import ImportSettings, RecordImports
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.records.shared_folder import show_node
+from reference_server.records.shared_folder import check_shared, show_node
 from reference_server.rules.capacity import Quota
 from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
@@ -113,7 +113,7 @@ def build(
     def on_change(run: Run) -> None:
         driver.on_run_changed(run)
 
-    node = _node_of(settings, store, lambda: service)
+    node = _node_of(settings, store, records, lambda: service)
     registry = _registry_of(settings, store, on_run_lost, on_change, node)
     seed_secret = SeedSecret(settings.seed_secret_path)
     executor = _executor_of(settings, registry, pool, seed_secret, recordings)
@@ -171,7 +171,7 @@ def _traced(
         return app
 
     def trusts(scope: Scope) -> bool:
-        is_of_node = node is not None and node.sent(scope)
+        is_of_node = node is not None and node.is_passed_on(scope)
         return is_of_node or settings.traces_parent == "all"
 
     return RequestSpans(app, traces, trusts)
@@ -276,23 +276,36 @@ def _registry_of(
 
 
 def _node_of(
-    settings: Settings, store: Store, service: Callable[[], RunService]
+    settings: Settings,
+    store: Store,
+    records: RunRecords | None,
+    service: Callable[[], RunService],
 ) -> ServerNode | None:
     """service: is there once the server is put together."""
     if settings.cluster == "off":
         return None
+    nodes = NodeStore(store, settings.node_lease_s)
+    url = settings.node_url or f"http://{settings.host}:{settings.port}"
     folder = settings.records_path
 
     def announce(node_id: str) -> None:
-        if settings.recordings != "off" and folder is not None:
+        if records is not None and folder is not None:
             show_node(folder, node_id)
 
+    async def on_joined() -> None:
+        if records is not None and folder is not None:
+            keyid, host = records.key.keyid, settings.host_name
+            # Once more: a node that started at the same moment was not there before.
+            await check_shared(nodes, url, folder, keyid, host)
+            await records.use_key()
+
     return ServerNode(
-        NodeStore(store, settings.node_lease_s),
-        settings.node_url or f"http://{settings.host}:{settings.port}",
+        nodes,
+        url,
         settings.node_lease_s,
         service,
-        announce,
+        announce=announce,
+        on_joined=on_joined,
     )
 
 

@@ -10,6 +10,7 @@ by the database's clock. It knows no HTTP, and no SQL.
 from __future__ import annotations
 
 import asyncio
+import contextvars
 import hmac
 import logging
 import secrets
@@ -73,6 +74,7 @@ class Membership:
         self._on_lost, self._adopt, self._announce = on_lost, adopt, announce
         self._node = _new_node(url, secrets.token_hex(32))
         self._claims = True
+        self._has_joined = False  # with its id: until then it tries again with it
         self._valid_until = 0.0
         self._renewing: asyncio.Task[None] | None = None
         self._tasks: list[asyncio.Task[None]] = []
@@ -104,6 +106,7 @@ class Membership:
         began = _now()
         await asyncio.to_thread(self._announce, self.node_id)
         await self._nodes.join(self._node, is_new=True)
+        self._has_joined = True
         self._valid_until = began + self.lease_s
         await self._look_for_others()
 
@@ -126,6 +129,8 @@ class Membership:
         """Leave the nodes: others may claim the runs at once."""
         for task in self._tasks:
             task.cancel()
+        if self._renewing is not None:  # it might join again behind the end
+            self._tasks.append(self._renewing)
         if self._tasks:
             await asyncio.wait(self._tasks)
         try:
@@ -148,19 +153,25 @@ class Membership:
     async def _renew(self) -> None:
         """One renewal for all that wait for it."""
         if self._renewing is None or self._renewing.done():
-            self._renewing = asyncio.ensure_future(self._renew_once())
+            # Nothing that it logs belongs to the request that began it.
+            self._renewing = asyncio.get_running_loop().create_task(
+                self._renew_once(), context=contextvars.Context()
+            )
         await asyncio.shield(self._renewing)
 
     async def _renew_once(self) -> None:
         began = _now()
         if not await self._nodes.renew(self.node_id):
-            log.warning("other nodes have taken over the runs of this one")
-            self._node = _new_node(self._node.url, self._node.secret)
-            self._owners.clear()
-            self._on_lost()
+            if self._has_joined:
+                log.warning("other nodes have taken over the runs of this one")
+                self._node = _new_node(self._node.url, self._node.secret)
+                self._has_joined = False
+                self._owners.clear()
+                self._on_lost()
             await asyncio.to_thread(self._announce, self.node_id)
             began = _now()
             await self._nodes.join(self._node)
+        self._has_joined = True
         self._valid_until = began + self.lease_s
 
     async def _keep_lease(self) -> None:
@@ -225,19 +236,19 @@ class Membership:
             return known
         for _ in range(TRIES):
             owner = await self._nodes.owner_of(run_id)
+            self._owners.pop(run_id, None)  # this is newer
             if owner is None:
                 return None
             me = self.node_id
             place = place_of(owner, me, self.lease_s, only_reads=only_reads)
             if place == "here":
                 return None
-            if place == "claim" and not self._may_claim(owner):
-                break
-            assert owner.node_id is not None or place == "claim"
-            if place == "forward" and owner.node_id is not None:
-                if (node := await self.find_node(owner.node_id)) is not None:
+            if place == "forward":
+                if (node := await self.find_node(owner.node_id or "")) is not None:
                     self._note_owner(run_id, node.node_id)
                     return node
+            elif not self._may_claim(owner):
+                break
             elif owner.silent_s is not None and owner.node_id is not None:
                 await self._nodes.remove_silent(owner.node_id)
                 await self._look_for_others()  # who waits for it waits no more
@@ -332,6 +343,8 @@ class Membership:
         await self._adopt_unsure()
         found = await self._nodes.without_owner(sorted(OPEN_STATES), CLAIMS_AT_ONCE)
         for run_id in found:
+            # Else who had it before the node that died would be taken for its owner.
+            self.note_moved(run_id)
             try:
                 await self.claim(run_id)
             except OwnedElsewhere:
@@ -344,6 +357,7 @@ class Membership:
             self._unsure.discard(run_id)
             if owner is None or owner.node_id != self.node_id:
                 continue
+            self._owners.pop(run_id, None)
             if owner.state in OPEN_STATES:
                 self._adopt(run_id)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
 from starlette.types import ASGIApp, Scope
@@ -21,7 +21,8 @@ class ServerNode:
     """From `open` to `close` a node, which claims runs without an owner.
 
     url: where other nodes reach it. service: once the server is put together.
-    announce: as of Membership.
+    announce: as of Membership. on_joined: is called when the others see this node, and
+    before it claims anything; what it raises says why it must not be one of them.
     """
 
     def __init__(
@@ -30,9 +31,11 @@ class ServerNode:
         url: str,
         lease_s: float,
         service: Callable[[], RunService],
+        *,
         announce: Callable[[str], None],
+        on_joined: Callable[[], Awaitable[None]],
     ) -> None:
-        self._service = service
+        self._service, self._on_joined = service, on_joined
         self.membership = Membership(
             nodes,
             url,
@@ -63,8 +66,8 @@ class ServerNode:
         """
         return PageForwarding(pages, away, self._connections)
 
-    def sent(self, scope: Scope) -> bool:
-        """Whether a node passed the request on to this one."""
+    def is_passed_on(self, scope: Scope) -> bool:
+        """Whether another node passed the request on to this one."""
         return has_secret_of(self.membership, scope)
 
     def node_id(self) -> str:
@@ -81,8 +84,16 @@ class ServerNode:
         return await self._service().view_run(None, run_id, endpoint)
 
     async def open(self) -> None:
-        """Join the nodes, when all other parts are open. Raises StoreFailed."""
+        """Join the nodes, when all other parts are open.
+
+        Raises StoreFailed, and what `on_joined` raises.
+        """
         await self.membership.open()
+        try:
+            await self._on_joined()
+        except BaseException:
+            await self.membership.close()
+            raise
         self.membership.start()
         self.queue.open()
 

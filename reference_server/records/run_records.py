@@ -97,12 +97,20 @@ class RunRecords:
         self._removing: asyncio.Task[None] | None = None
 
     async def open(self) -> None:
-        """Read or make the key. Raises UnusableRecord, OSError and StoreFailed."""
+        """Read or make the key. Raises UnusableRecord, OSError and StoreFailed.
+
+        In a cluster `use_key` is called later: a node that is refused retires no key.
+        """
         self._recordings.open()
         path = self._settings.key_path
         self._key = make_key() if path is None else open_key(path)
-        await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
+        if not self._recordings.is_shared:
+            await self.use_key()
         self._removing = asyncio.create_task(self._remove_for_ever())
+
+    async def use_key(self) -> None:
+        """Store that its key signs from now on, and no other. Raises StoreFailed."""
+        await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
 
     @property
     def key(self) -> SigningKey:

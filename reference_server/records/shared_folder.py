@@ -1,9 +1,12 @@
-"""What the nodes of a cluster must have in common to record and to sign as one host.
+"""Refuses a node that would record or sign apart from the others of its cluster.
 
-One folder of recordings, one key and one name. The folder has an id, which the database
-stores: a node that has another folder does not start, as others would not find what it
-records. A copy has the same id; so each node leaves a file with its own name, which who
-starts has to see while that node lives. It knows no HTTP.
+All nodes have one folder of recordings, one key that signs records, and one name of
+their host. What these are is stored in the database, and a node whose own ones differ
+does not start.
+
+Of the folder an id is stored, which a file in it has. A copy of the folder has the same
+file. So each node also makes a file there that is named by the id of the node, and a
+node that starts must find the files of all nodes that live. It knows no HTTP.
 """
 
 from __future__ import annotations
@@ -14,14 +17,15 @@ import time
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
+from reference_server.rules.run_owner import lease_is_over
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.store import StoreFailed
 from reference_server.system import private_files
 
 ID_FILE = ".folder-id"
-# Has an empty file for each node, by its id.
+# A folder in it, with an empty file for each node, named by its id.
 NODES = ".nodes"
-# Older ones of nodes that are not in the list are removed; these were killed.
+# A file that is older, of a node that is not in the list, is removed: it was killed.
 STARTING_S = 3600.0
 
 FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
@@ -30,14 +34,19 @@ FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
 class NotShared(Exception):
     """This node has not what the others have; the text says what to do."""
 
+    def __init__(self, detail: str) -> None:
+        super().__init__(f"cannot be a node of this cluster: {detail}")
+
 
 async def check_shared(
     nodes: NodeStore, url: str, folder: Path, keyid: str, host: str
 ) -> None:
-    """Compare this node with the cluster, before it joins.
+    """Compare this node with the cluster.
 
-    url: of this node. The key and the name may change when no other node lives. Raises
-    NotShared, StoreFailed and OSError.
+    Before it joins, and again when it has joined: two nodes that start at the same
+    moment do not see each other before. url: of this node. keyid: of its key. host: the
+    name that its records give. The key and the name may change when no other node
+    lives. Raises NotShared, StoreFailed and OSError.
     """
     listed = await nodes.listed()
     _forget_killed(folder, listed)
@@ -47,11 +56,12 @@ async def check_shared(
         found = _make_id(folder)
     facts = {FOLDER: found or "", KEY: keyid, HOST: host}
     if FOLDER not in known or found == known[FOLDER]:
-        known = await nodes.agree(url, facts, lasting={FOLDER})
+        known = await nodes.agree_on(facts, url, lasting={FOLDER})
     _compare(known, facts, folder)
     for node_id, other in listed.items():
-        lives = other.node.url != url and not nodes.is_over(other.silent_s)
-        if lives and not (folder / NODES / node_id).exists():
+        if other.node.url == url or lease_is_over(other.silent_s, nodes.lease_s):
+            continue
+        if not (folder / NODES / node_id).exists():
             raise NotShared(
                 f"{folder} is not the folder of the node at {other.node.url}, but a "
                 "copy of it, or that node records nothing: set records_dir and "
@@ -60,7 +70,10 @@ async def check_shared(
 
 
 def show_node(folder: Path, node_id: str) -> None:
-    """To be called before the node joins. Raises StoreFailed."""
+    """Make the file of a node, before it joins: the others look for it then.
+
+    Raises StoreFailed.
+    """
     try:
         (folder / NODES).mkdir(mode=0o700, parents=True, exist_ok=True)
         (folder / NODES / node_id).touch(mode=0o600)

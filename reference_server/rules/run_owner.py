@@ -58,7 +58,8 @@ def is_dead(silent_s: float, seen_silent_for_s: float, lease_s: float) -> bool:
     Its lease is over, and it was seen silent before: a database that was away, or whose
     clock jumped, makes every node look silent until it renews its lease again.
     """
-    return silent_s > lease_s and seen_silent_for_s >= lease_s / RENEWALS_PER_LEASE
+    is_over = lease_is_over(silent_s, lease_s)
+    return is_over and seen_silent_for_s >= lease_s / RENEWALS_PER_LEASE
 
 
 def place_of(

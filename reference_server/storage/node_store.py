@@ -26,7 +26,10 @@ from reference_server.storage.store import Store, StoreFailed
 
 
 class Node(NamedTuple):
-    """One server process, as the others reach it."""
+    """One server process, as the others reach it.
+
+    secret: what they send with a request, so that it knows them as nodes.
+    """
 
     node_id: str
     url: str
@@ -108,23 +111,24 @@ class NodeStore:
     """The list of nodes, and the owners of runs."""
 
     def __init__(self, store: Store, lease_s: float) -> None:
-        self._store, self._lease_s = store, lease_s
+        self._store, self.lease_s = store, lease_s
+        self._lives = _silent_s <= lease_s
 
     async def facts(self) -> dict[str, str]:
-        """What all nodes must have equally, by name."""
+        """What must be equal on all nodes, by name, as it is stored for the cluster."""
         return await self._store.read(_read_facts)
 
-    async def agree(
-        self, url: str, facts: Mapping[str, str], lasting: Collection[str]
+    async def agree_on(
+        self, facts: Mapping[str, str], url: str, lasting: Collection[str]
     ) -> dict[str, str]:
-        """What the cluster has of these facts, of which some become those of this node.
+        """Store what the cluster has not yet, and return what it has then, by name.
 
-        That are those that it did not have and, unless they are `lasting`, all of them
-        when no other node lives. url: of this node, which may have ended and come back.
+        facts: what must be equal on all nodes, as this node has it; the caller compares
+        it with what is returned. While no other node lives, those of this node replace
+        what is stored, but for the names in `lasting`, which never change. url: of this
+        node; a row with it is of this one, from before a restart, and of no other.
         """
-        others = sa.select(_nodes.c.node_id).where(
-            _nodes.c.url != url, _silent_s <= self._lease_s
-        )
+        others = sa.select(_nodes.c.node_id).where(_nodes.c.url != url, self._lives)
 
         def store(connection: sa.Connection) -> dict[str, str]:
             self._store.lock_order(connection)
@@ -140,10 +144,6 @@ class NodeStore:
 
         return await self._store.write_in_turn(store)
 
-    def is_over(self, silent_s: float) -> bool:
-        """Whether the lease of a node that was silent so long has ended."""
-        return silent_s > self._lease_s
-
     async def join(self, node: Node, *, is_new: bool = False) -> None:
         """Add a node. Raises StoreFailed if another one at its address lives.
 
@@ -151,7 +151,7 @@ class NodeStore:
         """
         row = node._asdict() | {"renewed_at": _Now()}
         earlier = _nodes.c.url == node.url
-        is_removed = earlier if is_new else earlier & (_silent_s > self._lease_s)
+        is_removed = earlier if is_new else earlier & ~self._lives
         async with self._store.write_of_node() as connection:
             await connection.execute(_nodes.delete().where(is_removed))
             if (await connection.execute(sa.select(_nodes).where(earlier))).first():
@@ -204,9 +204,7 @@ class NodeStore:
         A renewal at the same time waits for this, or this for the renewal: both change
         the same row, and the second one sees what the first one did.
         """
-        removed = _nodes.delete().where(
-            _nodes.c.node_id == node_id, _silent_s > self._lease_s
-        )
+        removed = _nodes.delete().where(_nodes.c.node_id == node_id, ~self._lives)
         async with self._store.write_of_node() as connection:
             return (await connection.execute(removed)).rowcount == 1
 
@@ -294,7 +292,7 @@ class NodeStore:
 
     async def without_owner(self, states: list[State], limit: int) -> list[str]:
         """Ids of runs in these states whose owner does not live, oldest first."""
-        live = sa.select(_nodes.c.node_id).where(_silent_s <= self._lease_s)
+        live = sa.select(_nodes.c.node_id).where(self._lives)
         query = (
             sa.select(_runs.c.run_id)
             .where(_runs.c.state.in_(states), _IS_THERE)

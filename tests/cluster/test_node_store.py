@@ -30,6 +30,7 @@ from reference_server.storage.database_tables import nodes as node_rows
 from reference_server.storage.node_store import Node, NodeStore
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import OwnershipLost, Store, StoreFailed
+from reference_server.system.log_output import REQUEST_ID
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.server.server_parts import calibration_run
@@ -280,6 +281,110 @@ def test_a_claim_that_was_stored_without_an_answer_is_found(
     run_scenario(database, scenario)
 
 
+async def move_to_dead_node(nodes: Nodes, run: Run) -> None:
+    """Another one than those of the list took the run, and died."""
+    change = sa.text("UPDATE runs SET owner = 'third', fence = 7 WHERE run_id = :r")
+    async with nodes.stores[0].write() as connection:
+        await connection.execute(change, {"r": run.run_id})
+
+
+@pytest.mark.parametrize("is_answered", [True, False])
+def test_a_node_forgets_who_owned_the_run_that_it_claimed(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch, *, is_answered: bool
+) -> None:
+    """Requests would be passed on to that owner. Also if the claim got no answer."""
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST)
+        node, member = nodes.nodes[1], await member_of(nodes)
+        assert await member.find_other(run.run_id, only_reads=False) == FIRST
+        await move_to_dead_node(nodes, run)
+        if is_answered:
+            assert await member.find_other(run.run_id, only_reads=True) is None
+        else:
+            claim = node.claim
+
+            async def claim_without_answer(*given: Any) -> bool:
+                await claim(*given)
+                member._note_owner(run.run_id, "first")  # by a read that began earlier
+                raise StoreFailed("the connection was lost")
+
+            with monkeypatch.context() as patch:
+                patch.setattr(node, "claim", claim_without_answer)
+                with pytest.raises(StoreFailed):
+                    await member.find_other(run.run_id, only_reads=True)
+            await member._claim_abandoned()
+        assert await member.find_other(run.run_id, only_reads=False) is None
+
+    run_scenario(database, scenario)
+
+
+def test_a_run_that_moved_on_to_a_node_that_died_is_claimed_without_a_request(
+    database: UsedDatabase,
+) -> None:
+    """Its owner of before lives, and this node still knows that one."""
+
+    async def scenario(nodes: Nodes) -> None:
+        run = await nodes.add_run(FIRST)
+        member = await member_of(nodes)
+        assert await member.find_other(run.run_id, only_reads=False) == FIRST
+        await move_to_dead_node(nodes, run)
+        await member._claim_abandoned()
+        owner = await nodes.nodes[0].owner_of(run.run_id)
+        assert owner is not None
+        assert owner.node_id == member.node_id
+
+    run_scenario(database, scenario)
+
+
+def test_a_renewal_ends_before_its_node_leaves(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It would find that the node was removed, and join again."""
+
+    async def scenario(nodes: Nodes) -> None:
+        node, member = nodes.nodes[1], await member_of(nodes)
+        renew, began, may_go_on = node.renew, asyncio.Event(), asyncio.Event()
+
+        async def renew_late(node_id: str) -> bool:
+            began.set()
+            await may_go_on.wait()
+            return await renew(node_id)
+
+        monkeypatch.setattr(node, "renew", renew_late)
+        member.start()
+        await began.wait()
+        asyncio.get_running_loop().call_later(0.05, may_go_on.set)
+        await member.close()
+        assert may_go_on.is_set()
+        assert await live(node) == ["first", "second"]
+
+    run_scenario(database, scenario)
+
+
+def test_a_renewal_is_no_part_of_the_request_that_began_it(
+    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What it logs would have the id of that request; others wait for it, too."""
+
+    async def scenario(nodes: Nodes) -> None:
+        node, logged_with = nodes.nodes[1], list[str | None]()
+        member = Membership(node, "http://m", 0.0, lambda: None, lambda _: None)
+        await member.open()
+
+        async def renew(_node_id: str) -> bool:
+            logged_with.append(REQUEST_ID.get())
+            return True
+
+        monkeypatch.setattr(node, "renew", renew)
+        token = REQUEST_ID.set("of a request")
+        await member.ensure_lease()
+        REQUEST_ID.reset(token)
+        assert logged_with == [None]
+
+    run_scenario(database, scenario)
+
+
 def test_a_node_that_ends_claims_nothing_more(database: UsedDatabase) -> None:
     async def scenario(nodes: Nodes) -> None:
         run = await nodes.add_run(THIRD)
@@ -301,19 +406,23 @@ def test_a_living_node_at_the_same_address_is_not_removed(
     """Only a node that starts takes the place; who lost it would take it back."""
 
     async def scenario(nodes: Nodes) -> None:
+        announced: set[str] = set()
         member = Membership(
             NodeStore(nodes.stores[0], 0.0),
             FIRST.url,
             0.0,
             lambda: None,
             lambda _run_id: None,
+            announce=announced.add,
         )
         await member.open()
         later = Node("later", FIRST.url, "secret")
         await nodes.nodes[1].join(later, is_new=True)
         member._nodes = nodes.nodes[0]
-        with pytest.raises(StoreFailed, match="another node has the URL http://first"):
-            await member.ensure_lease()
+        for _again in range(2):
+            with pytest.raises(StoreFailed, match="has the URL http://first"):
+                await member.ensure_lease()
+        assert len(announced) == 2  # a file each, in the folder that all share
         assert await live(nodes.nodes[1]) == ["later", "second"]
         await nodes.let_lease_end(later)
         await member.ensure_lease()

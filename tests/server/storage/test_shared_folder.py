@@ -17,6 +17,7 @@ import pytest
 
 from reference_record.formats.mcap_reader import McapReader
 from reference_record.recording_file import DRAFT_SUFFIX
+from reference_server import app
 from reference_server.records.recordings import Recordings
 from reference_server.records.shared_folder import (
     ID_FILE,
@@ -27,8 +28,9 @@ from reference_server.records.shared_folder import (
     show_node,
 )
 from reference_server.rules.run import Recording, Result
+from reference_server.settings import Settings
 from reference_server.storage.node_store import Node, NodeStore
-from reference_server.storage.store import NotTheNext, Store
+from reference_server.storage.store import NotTheNext, Store, StoreFailed
 from tests.support.server.databases import UsedDatabase
 
 LEASE_S = 60.0
@@ -138,6 +140,92 @@ def test_nodes_that_start_at_once_make_one_id(
             await asyncio.gather(*map(start, URLS))
 
     asyncio.run(start_all())
+
+
+class StartingNode:
+    """A node whose parts are opened up to its part in the cluster.
+
+    used_keys: of all nodes, as they are stored as those that sign.
+    """
+
+    def __init__(
+        self, store: Store, folder: Path, url: str, keyid: str, used_keys: list[str]
+    ) -> None:
+        self.folder, self.url, self.keyid = folder, url, keyid
+        self.nodes = NodeStore(store, LEASE_S)
+        self.settings = Settings(
+            cluster="on",
+            node_url=url,
+            node_lease_s=LEASE_S,
+            public_url="http://host",
+            records_dir=str(folder),
+        )
+
+        async def use_key() -> None:
+            used_keys.append(keyid)
+
+        records = SimpleNamespace(key=SimpleNamespace(keyid=keyid), use_key=use_key)
+        node = app._node_of(self.settings, store, records, self._service)  # type: ignore[arg-type]
+        assert node is not None
+        self.node = node
+
+    def _service(self) -> Any:
+        raise StoreFailed("no run of it is looked for in this test")
+
+    async def check_before(self) -> None:
+        """As the program does before it listens."""
+        host = self.settings.host_name
+        await check_shared(self.nodes, self.url, self.folder, self.keyid, host)
+
+
+@pytest.mark.parametrize("join_first", [False, True])
+def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
+    database: UsedDatabase,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    *,
+    join_first: bool,
+) -> None:
+    """None of them was there when they were compared first.
+
+    join_first: both have joined before either is compared again. Expect that the one
+    that is refused leaves at once, and that its key is never stored.
+    """
+    used_keys: list[str] = []
+
+    async def story(store: Store, nodes: NodeStore) -> None:
+        both = [
+            StartingNode(store, tmp_path, url, keyid, used_keys)
+            for url, keyid in zip(URLS, ("key 1", "key 2"), strict=True)
+        ]
+        for one in both:
+            await one.check_before()
+        if join_first:
+            barrier = asyncio.Barrier(2)
+            join = NodeStore.join
+
+            async def join_with_other(*given: Any, **named: Any) -> None:
+                await join(*given, **named)
+                await barrier.wait()
+
+            monkeypatch.setattr(NodeStore, "join", join_with_other)
+            opened = [one.node.open() for one in both]
+            ends = await asyncio.gather(*opened, return_exceptions=True)
+        else:
+            ends = []
+            for one in both:
+                ends += await asyncio.gather(one.node.open(), return_exceptions=True)
+        refused = [one for one in ends if one is not None]
+        assert len(refused) == 1, ends
+        with pytest.raises(NotShared, match=r"this cluster: .* set signing_key"):
+            raise refused[0]
+        (stays,) = (one for one, end in zip(both, ends, strict=True) if end is None)
+        assert used_keys == [stays.keyid]
+        assert [one.node.url for one in (await nodes.listed()).values()] == [stays.url]
+        await stays.check_before()
+        await stays.node.close()
+
+    run_with(database, story)
 
 
 # --- one chain ---
