@@ -111,7 +111,7 @@ def test_a_request_that_was_given_up_leaves_no_connection_to_others() -> None:
 def test_many_requests_at_once_look_at_each_connection_a_few_times(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Whoever looks at all of them each time is busy with that and nothing else."""
+    """A pool that looks at all of them each time is busy with nothing else."""
     count, looks = 150, 0
     has_expired = httpcore.AsyncHTTPConnection.has_expired
 

@@ -333,7 +333,9 @@ def test_of_servers_that_start_at_once_with_two_keys_one_is_refused(
     ]
     try:
         wait_until(
-            lambda: any(one.poll() is not None for one in started), "one is refused"
+            lambda: any(one.poll() is not None for one in started),
+            "one is refused",
+            2 * TIMEOUT_S,
         )
         (refused,) = (one for one in started if one.poll() is not None)
         assert "cannot be a node of this cluster" in (said := refused.communicate()[1])
