@@ -81,7 +81,7 @@ class KitRuns:
         """After one whole run, and with kills after what has to be judged again."""
         wrong = self._judge(seed, [])
         for _ in range(TRIES_MAX - 1):
-            # The report as a whole (`-`) is no row: nothing tells what to judge again.
+            # The report as a whole (`-`) is no row: nothing says what to judge again.
             if not wrong or self._kills is None or "-" in wrong:
                 break
             wrong = self._judge(seed, ["--only", ",".join(wrong)])
