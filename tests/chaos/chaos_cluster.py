@@ -22,11 +22,30 @@ from tests.support.server.postgresql_server import (
     PASSWORD,
     PostgresqlServer,
 )
+from tests.support.servers import NotStarted
 from tools.local_cluster.balancer import Balancer
 
 SOCKET = ".s.PGSQL.5432"
 # A server whose wall clock is wrong by what its file `clock` says.
 PROGRAM = "tests.attack.patched_server"
+STARTS_MAX = 5
+
+
+class ChaosNode(AttackedServer):
+    """A node that is started again if it ends at once, as a service manager does it.
+
+    Its database may not answer at that moment.
+    """
+
+    def start(self) -> None:
+        for _ in range(STARTS_MAX - 1):
+            try:
+                super().start()
+            except NotStarted:
+                self.end(signal.SIGKILL)  # closes what it wrote to
+            else:
+                return
+        super().start()
 
 
 class ChaosCluster:
@@ -43,7 +62,7 @@ class ChaosCluster:
         lease_s: float,
     ) -> None:
         self.postgresql, self.links, self.lease_s = postgresql, links, lease_s
-        self.nodes: list[AttackedServer] = []
+        self.nodes: list[ChaosNode] = []
         self.fronts: list[Link] = []
         self.peers: list[Link] = []
         self.databases: list[Link] = []
@@ -105,7 +124,7 @@ class ChaosCluster:
             "PROCTOR_SEALING_KEY": str(self.directory / "key"),
             "PROCTOR_SEED_SECRET": str(self.directory / "seeds"),
         }
-        node = AttackedServer(folder, settings, program=PROGRAM)
+        node = ChaosNode(folder, settings, program=PROGRAM)
         self.nodes.append(node)
         self._ports[number] = int(node.url.rpartition(":")[2])
         return front_port

@@ -16,8 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from random import Random
 
-from tests.attack.attacked_server import AttackedServer
-from tests.chaos.chaos_cluster import ChaosCluster
+from tests.chaos.chaos_cluster import ChaosCluster, ChaosNode
 from tests.chaos.links import Link
 from tests.support.processes import descendants
 from tests.support.server.postgresql_server import LIBFAKETIME
@@ -103,7 +102,7 @@ def _restart_nodes(count: int) -> Happens:
         for node in nodes:
             node.end(signal.SIGKILL)
         with ThreadPoolExecutor() as executor:
-            list(executor.map(AttackedServer.start, nodes))
+            list(executor.map(ChaosNode.start, nodes))
         yield Broken(since, count)
 
     return happens

@@ -18,9 +18,9 @@ from reference_record.keys import make_key
 from tests.attack import reliability_page
 from tests.attack.raw_client import Answer
 from tests.attack.watcher import History
-from tests.chaos import chaos_page
+from tests.chaos import chaos_cluster, chaos_page
 from tests.chaos.chaos_campaign import Campaign
-from tests.chaos.chaos_cluster import ChaosCluster
+from tests.chaos.chaos_cluster import ChaosCluster, ChaosNode
 from tests.chaos.chaos_faults import FAULTS, FULL_AT, NODES_KILLED, PROMISED
 from tests.chaos.chaos_rounds import (
     ROUNDS_MIN,
@@ -33,6 +33,7 @@ from tests.chaos.chaos_rounds import (
 from tests.chaos.push_player import PushPlayer
 from tests.chaos.write_audit import RecordAudit, WriteAudit
 from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
+from tests.support.servers import NotStarted, ReferenceServer
 
 # Those that need no time of their own: each ends as soon as all players go on.
 GATE = ("two nodes killed", "database process killed", "balancer – node cut")
@@ -50,6 +51,27 @@ def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
     assert counts.runs >= 4
     seen = counts.claims, counts.compared, counts.writes, counts.records
     assert all(seen), counts  # so there was something to find
+
+
+def test_a_node_whose_database_does_not_answer_is_started_again(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    starts: list[int] = []
+
+    def start(_: ReferenceServer) -> None:
+        starts.append(len(starts))
+        if len(starts) < 3:
+            raise NotStarted("the database does not answer in time")
+
+    monkeypatch.setattr(ReferenceServer, "start", start)
+    monkeypatch.setattr(ReferenceServer, "end", lambda *_: None)
+    ChaosNode(tmp_path, {})
+    assert len(starts) == 3
+    monkeypatch.setattr(chaos_cluster, "STARTS_MAX", 2)
+    starts.clear()
+    with pytest.raises(NotStarted):
+        ChaosNode(tmp_path, {})
+    assert len(starts) == 2
 
 
 # --- what is judged ---

@@ -23,6 +23,10 @@ TOKENS = {
 TIMEOUT_S = 30.0
 
 
+class NotStarted(AssertionError):
+    """A server ended before it was listening; with the end of its log."""
+
+
 class ReferenceServer:
     """The reference server on a free port, with a database in `directory`.
 
@@ -59,7 +63,8 @@ class ReferenceServer:
             )
         assert self.process.stdout is not None
         startup_line = self.process.stdout.readline()
-        assert startup_line, self.log()[-2000:]
+        if not startup_line:
+            raise NotStarted(self.log()[-2000:])
         self.url = startup_line.split()[-1]
         self._port = self.url.rpartition(":")[2]
 
