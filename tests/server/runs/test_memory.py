@@ -1,0 +1,168 @@
+"""What a server keeps of runs besides the runs: each piece for itself."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from reference_server.rules.run import Run
+from reference_server.runs.memory import recent_runs
+from reference_server.runs.memory.recent_runs import RecentRuns
+from reference_server.runs.memory.run_changes import RunChanges
+from reference_server.runs.memory.runs_elsewhere import RunsElsewhere, has_newer_owner
+from reference_server.storage.node_store import OwnedRun
+from tests.support.server.server_parts import calibration_run
+
+
+def _run(run_id: str, *tasks: str) -> Run:
+    return calibration_run(*(tasks or ("count",)), run_id=run_id)
+
+
+def _kept(recent: RecentRuns, runs: dict[str, Run]) -> list[str]:
+    """Ids of the runs that only `recent` keeps alive."""
+    return [run_id for run_id, run in runs.items() if recent._runs.get(run_id) is run]
+
+
+# --- recent runs ---
+
+
+def test_the_run_that_was_used_longest_ago_is_dropped_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 2)
+    recent, runs = RecentRuns(), {name: _run(name) for name in "abc"}
+    for name in "aba":
+        recent.keep(runs[name])
+    recent.keep(runs["c"])
+    assert _kept(recent, runs) == ["a", "c"]
+
+
+def test_one_run_of_many_episodes_is_kept_alone(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(recent_runs, "CACHED_EPISODES_MAX", 2)
+    recent = RecentRuns()
+    runs = {"a": _run("a"), "long": _run("long", *["count"] * 3), "b": _run("b")}
+    for run in runs.values():
+        recent.keep(run)
+    assert _kept(recent, runs) == ["b"]
+    recent.keep(runs["long"])
+    assert _kept(recent, runs) == ["long"]
+    recent.drop("long")
+    recent.drop("long")
+    for name in "ab":  # nothing is counted of what was dropped
+        recent.keep(runs[name])
+    assert _kept(recent, runs) == ["a", "b"]
+
+
+def test_a_run_that_was_read_again_replaces_the_older_copy() -> None:
+    recent, newer = RecentRuns(), _run("a")
+    recent.keep(_run("a"))
+    recent.keep(newer)
+    assert _kept(recent, {"a": newer}) == ["a"]
+
+
+# --- changes ---
+
+
+def test_all_who_wait_for_a_run_see_one_change_of_it() -> None:
+    async def scenario() -> None:
+        changes = RunChanges()
+        first, second, other = (changes.next_of(name) for name in "aab")
+        assert first is second
+        changes.wake("a")
+        changes.wake("nobody waits for it")
+        assert first.is_set()
+        assert not first.is_elsewhere
+        assert not other.is_set()
+        assert changes.next_of("a") is not first
+
+    asyncio.run(scenario())
+
+
+def test_those_who_wait_are_sent_to_another_node() -> None:
+    async def scenario() -> None:
+        changes = RunChanges()
+        waiting = [changes.next_of(name) for name in "ab"]
+        changes.wake_all(is_elsewhere=True)
+        assert [one.is_elsewhere for one in waiting] == [True, True]
+
+    asyncio.run(scenario())
+
+
+def test_who_waits_no_more_is_forgotten() -> None:
+    async def scenario() -> None:
+        changes = RunChanges()
+        change = changes.next_of("a")
+        assert len(changes) == 1
+        del change
+        assert len(changes) == 0
+
+    asyncio.run(scenario())
+
+
+# --- runs elsewhere ---
+
+
+def test_only_an_offered_run_is_taken_and_only_once() -> None:
+    elsewhere = RunsElsewhere()
+    elsewhere.offer(["a", "b"])
+    elsewhere.note_here("b")
+    for name in "abc":
+        elsewhere.want(name)
+    assert [elsewhere.begin_to_take(name) for name in "aabc"] == [
+        True,
+        False,
+        False,
+        False,
+    ]
+
+
+def test_a_later_look_at_the_queues_replaces_what_was_offered() -> None:
+    elsewhere = RunsElsewhere()
+    elsewhere.offer(["a"])
+    elsewhere.offer(["b"])
+    elsewhere.want("a")
+    assert not elsewhere.begin_to_take("a")
+
+
+def test_a_node_without_its_lease_takes_nothing() -> None:
+    elsewhere = RunsElsewhere()
+    elsewhere.offer(["a", "b"])
+    elsewhere.want("a")
+    elsewhere.forget_offers()
+    elsewhere.want("b")
+    assert not any(elsewhere.begin_to_take(name) for name in "ab")
+
+
+def test_what_was_stored_before_a_run_was_lost_stays_right() -> None:
+    elsewhere, whole, broken, own = RunsElsewhere(), _run("a"), _run("b"), _run("c")
+    elsewhere.note_lost(whole, is_complete=True)
+    elsewhere.note_lost(broken)
+    found = [
+        (elsewhere.is_lost(run), elsewhere.is_complete(run))
+        for run in (whole, broken, own)
+    ]
+    assert found == [(True, True), (True, False), (False, False)]
+
+
+def test_each_change_of_the_queue_is_announced_once() -> None:
+    elsewhere = RunsElsewhere()
+    assert not elsewhere.begin_to_announce()
+    elsewhere.note_queue_change()
+    elsewhere.note_queue_change()
+    assert [elsewhere.begin_to_announce() for _ in range(2)] == [True, False]
+
+
+@pytest.mark.parametrize(
+    ("owner", "fence", "is_newer"),
+    [("b", 3, True), ("b", 2, False), ("b", 1, False), ("a", 3, False)],
+)
+def test_only_a_later_owner_takes_a_run_away(
+    owner: str, fence: int, is_newer: bool
+) -> None:
+    run = _run("a")
+    run.owner, run.fence = "a", 2
+    seen = OwnedRun(run=None, owner=owner, fence=fence)  # type: ignore[arg-type]
+    assert has_newer_owner(run, seen) is is_newer
