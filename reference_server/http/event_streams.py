@@ -24,7 +24,8 @@ from starlette.types import Receive, Scope, Send
 from reference_server.rules.events import Cursor, EventBatch, next_batch
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
-from reference_server.runs.registry import RunChange, RunRegistry
+from reference_server.runs.memory.run_changes import RunChange
+from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
 from reference_server.views.run_views import episode_view

@@ -20,18 +20,17 @@ import contextvars
 import logging
 import math
 import time
-from collections import Counter, OrderedDict, deque
+from collections import Counter, deque
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from functools import partial
-from typing import Protocol, TypeVar
-from weakref import WeakKeyDictionary, WeakSet, WeakValueDictionary
+from typing import TypeVar
+from weakref import WeakKeyDictionary, WeakValueDictionary
 
 from reference_server.rules import effects
 from reference_server.rules.capacity import Quota, WaitingRun
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
     ENDED_STATES,
-    PLAYABLE_STATES,
     RESTART_REASON,
     RESTING_STATES,
     STATES_AFTER_RESTART,
@@ -50,9 +49,17 @@ from reference_server.rules.submission import (
 )
 from reference_server.runs import steady_clock
 from reference_server.runs.account_usage import AccountUsage
-from reference_server.runs.places import Places
+from reference_server.runs.admission import Admission
+from reference_server.runs.memory.places import Places
+from reference_server.runs.memory.recent_runs import RecentRuns
+from reference_server.runs.memory.run_changes import RunChange, RunChanges
+from reference_server.runs.memory.runs_elsewhere import (
+    OtherQueues,
+    Ownership,
+    RunsElsewhere,
+    has_newer_owner,
+)
 from reference_server.runs.run_log import RunLog, new_results
-from reference_server.runs.run_queue import RunQueue
 from reference_server.storage.node_store import OwnedRun, StoredQueue
 from reference_server.storage.store import (
     OwnershipLost,
@@ -66,10 +73,6 @@ from reference_server.system.spans import span
 
 log = logging.getLogger("proctor.runs")
 
-# Runs kept in memory although no request uses them at the moment, and how many
-# episodes they may have together: these are most of a run in memory.
-CACHED_RUNS_MAX = 256
-CACHED_EPISODES_MAX = 2**15
 # How long after a failed write its run is loaded again without a request for it.
 RELOAD_S = 1.0
 # Read at once of the runs that may be played after a restart.
@@ -78,43 +81,6 @@ HEADS_PER_READ = 200
 VIEWS_AT_ONCE = 20
 
 Rendered = TypeVar("Rendered")
-
-
-class RunChange(asyncio.Event):
-    """The next change of a run. is_elsewhere: it will happen on another node."""
-
-    is_elsewhere = False
-
-    def __init__(self, run_id: str) -> None:
-        super().__init__()
-        self.run_id = run_id
-
-
-class Ownership(Protocol):
-    """This server as one of several that share the database."""
-
-    @property
-    def node_id(self) -> str:
-        """Whose runs are in memory; another one after they were lost."""
-
-    async def claim(self, run_id: str) -> bool:
-        """Become the owner, unless another node is it; whether this one is it now."""
-
-
-class OtherQueues(Protocol):
-    """What waits at the other nodes of a cluster."""
-
-    async def refresh(self) -> None:
-        """Call `note_queue` with what waits at all nodes by now."""
-
-    async def take(self, run_id: str) -> bool:
-        """Let in a run that waits there, as its owner; whether it worked."""
-
-    def announce(self) -> None:
-        """Let the others know that what waits here has changed."""
-
-    def look(self) -> None:
-        """Call `note_waiting_elsewhere` soon: there is a place for what waits."""
 
 
 class RunRegistry:
@@ -142,25 +108,22 @@ class RunRegistry:
         self._store, self._ownership = store, ownership
         self._other_queues = other_queues
         self._on_run_lost, self._on_change = on_run_lost, on_change
-        self._places = Places(active_max, unused_s)
         self.usage = AccountUsage(quota or Quota())
+        self._admission = Admission(
+            Places(active_max, unused_s),
+            self._let_in,
+            self._note_moved,
+            None if other_queues is None else other_queues.look,
+        )
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
-        self._recent: OrderedDict[str, Run] = OrderedDict()
-        self._recent_episodes = 0
-        self._queue = RunQueue()
-        self._queue_has_changed = False  # since other nodes were informed
+        self._recent = RecentRuns()
+        self._elsewhere = RunsElsewhere()
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
-        self._waiting_elsewhere: set[str] = set()  # ids; this node may take them
-        self._to_take: set[str] = set()  # those of them that have a place here
-        self._taken: WeakSet[Run] = WeakSet()  # runs that other nodes have now
         self._not_opened: WeakKeyDictionary[Run, Refused] = WeakKeyDictionary()
-        self._handed_over: WeakSet[Run] = WeakSet()  # those of them that were stored
         self._loading: dict[str, asyncio.Task[Run | None]] = {}
         self._saving: dict[str, asyncio.Task[bool]] = {}  # the last one of each run
         self._deleting: dict[str, asyncio.Task[None]] = {}
-        # Referenced only by the requests that wait for a change.
-        self._change_events: WeakValueDictionary[str, RunChange] = WeakValueDictionary()
-        self._admission_timer: asyncio.TimerHandle | None = None
+        self._changes = RunChanges()
         self._reload_timers: dict[str, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Future[object]] = set()
         self._ending = self._closed = False
@@ -176,10 +139,10 @@ class RunRegistry:
         """
         if self._ownership is not None:
             return
-        now = time.monotonic()
+        places, now = self._admission.places, time.monotonic()
         for run in await self._store.waiting_runs(*STATES_AFTER_RESTART):
-            self._places.play(run.run_id, run.account)
-            self._places.rest(run.run_id, now)
+            places.play(run.run_id, run.account)
+            places.rest(run.run_id, now)
         await self._store.replace_states(STATES_AFTER_RESTART, RESTART_REASON)
         self.usage.load_stored(*await self._store.sizes_of_accounts())
         for run in await self._store.waiting_runs(*ACTIVE_STATES):
@@ -187,7 +150,7 @@ class RunRegistry:
         for run in await self._store.waiting_runs(*WAITING_STATES):
             self.usage.note_open(run.account, run.run_id, is_open=True)
             if run.queue_until_wall <= steady_clock.now_wall():
-                self._note_queued(run, is_queued=True)
+                self._admission.note_queued(run, is_queued=True)
             else:  # seldom, and for seconds: `_adopt` checks it by what was asked for
                 await self.get(run.run_id)
         self._admit()
@@ -195,8 +158,7 @@ class RunRegistry:
     def begin_ending(self) -> None:
         """The server will shut down: end every wait for a change, begin nothing new."""
         self._ending = True
-        for run_id in list(self._change_events):
-            self._wake(run_id)
+        self._changes.wake_all()
 
     @property
     def is_ending(self) -> bool:
@@ -210,9 +172,9 @@ class RunRegistry:
     async def close(self) -> None:
         """Wait until every write that was begun has ended; no other begins."""
         self._closed = True
-        for timer in (self._admission_timer, *self._reload_timers.values()):
-            if timer is not None:
-                timer.cancel()
+        self._admission.close()
+        for timer in self._reload_timers.values():
+            timer.cancel()
         while self._tasks:  # one may begin another
             await asyncio.wait(self._tasks)
 
@@ -261,7 +223,7 @@ class RunRegistry:
 
     def has(self, run_id: str) -> bool:
         """Whether the run is in memory, and no other node may take it."""
-        return run_id in self._in_memory and run_id not in self._queue
+        return run_id in self._in_memory and run_id not in self._admission.queue
 
     def is_elsewhere(self, head: RunHead) -> bool:
         """Whether another node acts for the run, or will."""
@@ -273,7 +235,8 @@ class RunRegistry:
         if self.is_elsewhere(head):
             return True  # all that this node can know
         # What is known to be in the queue leaves it only in memory.
-        is_stable = head.state in RESTING_STATES or head.run_id in self._queue
+        queue = self._admission.queue
+        is_stable = head.state in RESTING_STATES or head.run_id in queue
         return is_stable and head.run_id not in self._in_memory
 
     async def add(self, run: Run, key: str | None, body_sha256: str) -> Run:
@@ -331,11 +294,11 @@ class RunRegistry:
                 self._in_memory.pop(run.run_id, None)
                 self.usage.note_open(run.account, run.run_id, is_open=False)
                 self.usage.note_stored(run, key, is_stored=False)
-                self._places.leave(run.run_id)
+                self._admission.places.leave(run.run_id)
                 self._admit()
         if is_stored:
             self._life.log_submitted(run)
-            if run in self._handed_over:  # another node had room for it
+            if self._elsewhere.is_complete(run):  # another node had room for it
                 return True
             if run.lost:  # `drop_all` meanwhile: the node that claims it plays it
                 text = "The node lost its lease. Repeat with the same Idempotency-Key."
@@ -369,7 +332,7 @@ class RunRegistry:
 
         Without an account those of all (AUTH-008).
         """
-        if self._queue and self._other_queues is not None:
+        if self._admission.queue and self._other_queues is not None:
             await self._other_queues.refresh()
         ids = [run_id for _, run_id in await self._store.page(account, before, limit)]
         heads = await self._store.heads([i for i in ids if i not in self._in_memory])
@@ -408,7 +371,7 @@ class RunRegistry:
         saving = self._saving.get(run.run_id)
         if saving is not None:
             await asyncio.wait([saving])
-        return not run.lost or run in self._handed_over
+        return not run.lost or self._elsewhere.is_complete(run)
 
     async def commit(self, run: Run) -> None:
         """Store what changed, then wake the requests that wait for it (CRASH-001).
@@ -434,7 +397,7 @@ class RunRegistry:
             return
         if (refused := self._not_opened.pop(run, None)) is not None:
             raise refused
-        if run in self._taken:
+        if self._elsewhere.is_lost(run):
             raise OwnedElsewhere(run.run_id)
         raise Refused("unavailable", "The run could not be stored.")
 
@@ -481,7 +444,7 @@ class RunRegistry:
             self._forget(run)
         finally:
             del self._deleting[run.run_id]
-            self._wake(run.run_id)
+            self._changes.wake(run.run_id)
             self._admit()
             self._announce_queue()
 
@@ -496,7 +459,7 @@ class RunRegistry:
 
     def change_event(self, run_id: str) -> RunChange:
         """The next change of what get_run shows; take it before reading the run."""
-        return self._change_events.setdefault(run_id, RunChange(run_id))
+        return self._changes.next_of(run_id)
 
     async def wait_for_change(self, change: RunChange, timeout_s: float) -> bool:
         """Wait for a change; whether there was one in time."""
@@ -515,7 +478,7 @@ class RunRegistry:
         if not run.lost:
             self._life.log_playing(run)
             self._index_by_state(run, run.state)
-        self._wake(run.run_id)
+        self._changes.wake(run.run_id)
         self._admit()
 
     async def check_open_elsewhere(self, account: str) -> None:
@@ -546,11 +509,12 @@ class RunRegistry:
         What waits gets the next place that is its own in turn, so that a repeat finds
         it. LIM-004: others give back what they do not use.
         """
-        if run.run_id in self._places:
+        places = self._admission.places
+        if run.run_id in places:
             return
-        self._places.wait(WaitingRun(run.run_id, run.number, run.account, 0.0))
+        places.wait(WaitingRun(run.run_id, run.number, run.account, 0.0))
         self._admit(knows_all=True)  # the answer waits for no look elsewhere
-        if run.run_id not in self._places:
+        if run.run_id not in places:
             raise Refused("no_capacity", "As many runs are played as may be at once.")
 
     async def push_runs(self) -> list[str]:
@@ -568,16 +532,11 @@ class RunRegistry:
 
     def queued_ids(self) -> list[str]:
         """Of the runs of this server that wait."""
-        return self._queue.ids()
+        return self._admission.queue.ids()
 
     def held_no_more(self) -> list[str]:
         """Ids of runs that their submitters held in the queue, and that wait now."""
-        now_wall = steady_clock.now_wall()
-        return [
-            run.run_id
-            for run in self._places.waiting_here()
-            if 0 < run.queue_until_wall <= now_wall and run.run_id in self._queue
-        ]
+        return self._admission.held_no_more()
 
     def queue_until(self, submission: Submission) -> float:
         """Until when a run that is submitted or resumed now is held in the queue.
@@ -591,21 +550,21 @@ class RunRegistry:
 
     def places_of_accounts(self) -> dict[str, int]:
         """How many places each account has here."""
-        return self._places.counts()
+        return self._admission.places.counts()
 
     def note_queue(self, seen: StoredQueue) -> None:
         """What waits at all nodes by now, and what became of others of `queued_ids`."""
         assert self._ownership is not None, "without it there is no other node"
-        me, elsewhere = self._ownership.node_id, []
+        me, queue, elsewhere = self._ownership.node_id, self._admission.queue, []
         for one in (*seen.queued, *seen.left):
             if one.owner != me:
                 self._forget_taken(one)
         for one in seen.queued:
             if one.owner != me:
                 elsewhere.append(one.run.number)
-            elif one.run.run_id not in self._queue and not self._knows(one.run.run_id):
+            elif one.run.run_id not in queue and not self._knows(one.run.run_id):
                 self.load_in_background(one.run.run_id)
-        changed = self._queue.note_elsewhere(elsewhere)
+        changed = queue.note_elsewhere(elsewhere)
         if changed is not None:
             self._wake_behind(changed)
 
@@ -617,8 +576,8 @@ class RunRegistry:
         By that, and by what waits here, the next runs get the places that are free.
         """
         waiting = [run for run in waiting if not self._knows(run.run_id)]
-        self._waiting_elsewhere = {run.run_id for run in waiting}
-        self._places.note_elsewhere(waiting, places)
+        self._elsewhere.offer(run.run_id for run in waiting)
+        self._admission.places.note_elsewhere(waiting, places)
         self._admit(knows_all=True)
 
     def _knows(self, run_id: str) -> bool:
@@ -631,39 +590,36 @@ class RunRegistry:
         run_id = taken.run.run_id
         run = self._in_memory.get(run_id)
         if run is not None:
-            if run.fence < taken.fence and run.owner != taken.owner:
-                if run_id not in self._saving and not run.lost:
-                    self._handed_over.add(run)
-                self._drop(run)
-        elif run_id in self._queue:
-            self._wake(run_id, is_elsewhere=True)
+            if has_newer_owner(run, taken):
+                self._drop(run, is_complete=run_id not in self._saving)
+        elif run_id in self._admission.queue:
+            self._changes.wake(run_id, is_elsewhere=True)
             self.usage.note_open(taken.run.account, run_id, is_open=False)
-            self._places.leave(run_id)
-            self._note_queued(taken.run, is_queued=False)
+            self._admission.places.leave(run_id)
+            self._admission.note_queued(taken.run, is_queued=False)
 
     async def _know_queue(self, run_id: str) -> None:
         """RUN-008: what waits before a run may wait at another node."""
-        if self._other_queues is None or run_id not in self._queue:
+        if self._other_queues is None or run_id not in self._admission.queue:
             return
-        if self._places.is_due(run_id, steady_clock.now_wall()):
+        if self._admission.places.is_due(run_id, steady_clock.now_wall()):
             await self._other_queues.refresh()
 
     def _announce_queue(self) -> None:
         """Once what has changed in the queue is stored."""
-        if self._queue_has_changed and self._other_queues is not None:
-            self._queue_has_changed = False
+        if self._other_queues is not None and self._elsewhere.begin_to_announce():
             self._other_queues.announce()
 
     def queue_position(self, run: RunHead) -> int | None:
         """RUN-008: 1 is next; None unless queued."""
         if run.state not in WAITING_STATES:
             return None
-        return self._queue.position(run.number)
+        return self._admission.queue.position(run.number)
 
     def count_open(self) -> dict[str, int]:
         """How many runs have not ended, by state."""
         played = Counter(run.state for run in list(self._in_memory.values()))
-        counts: dict[str, int] = {"queued": len(self._queue)}
+        counts: dict[str, int] = {"queued": len(self._admission.queue)}
         # What has a live session is in memory.
         counts |= {"running": played["running"], "stopping": played["stopping"]}
         counts["ready"] = max(0, self.usage.count_open() - sum(counts.values()))
@@ -671,73 +627,32 @@ class RunRegistry:
 
     def oldest_queued_s(self) -> float:
         """How long the first of the queue has waited; 0 without one."""
-        queued_at_wall = self._queue.oldest_queued_at_wall()
+        queued_at_wall = self._admission.queue.oldest_queued_at_wall()
         return 0.0 if queued_at_wall is None else max(0.0, time.time() - queued_at_wall)
 
     def _index_by_state(self, run: Run, state: State | None) -> None:
         """With a place, in the queue, or nowhere, as the state says; None: unknown."""
-        is_queued = state in WAITING_STATES
-        if state in STATES_AFTER_RESTART:
-            self._places.stop_waiting(run.run_id)
-            self._places.play(run.run_id, run.account)
-        elif state in PLAYABLE_STATES:
-            self._places.rest(run.run_id, time.monotonic())
-        else:
-            self._places.leave(run.run_id)
-        self._note_queued(WaitingRun.of(run), is_queued=is_queued)
+        self._admission.index(run, state)
         if state is not None:
-            is_open = is_queued or state in ACTIVE_STATES
+            is_open = state in WAITING_STATES or state in ACTIVE_STATES
             self.usage.note_open(run.account, run.run_id, is_open=is_open)
             self._on_change(run)
 
-    def _note_queued(self, run: WaitingRun, *, is_queued: bool) -> None:
-        """In the queue or not; those behind it have moved (RUN-008)."""
-        if is_queued:
-            self._places.wait(run)
-        if is_queued == (run.run_id in self._queue):
-            return
-        if is_queued:
-            self._queue.put(run)
-        else:
-            self._queue.remove(run.run_id)
-        self._queue_has_changed = True
-        self._wake_behind(run.number)
+    def _note_moved(self, number: int) -> None:
+        """A run came into the queue here, or left it."""
+        self._elsewhere.note_queue_change()
+        self._wake_behind(number)
 
     def _wake_behind(self, number: int) -> None:
         """Runs that wait behind that number have another place in the queue."""
         # Rarely as many wait for a change as there are in the queue.
-        for run_id in list(self._change_events):
-            if self._queue.is_behind(run_id, number):
-                self._wake(run_id)
-
-    def _wake(self, run_id: str, *, is_elsewhere: bool = False) -> None:
-        event = self._change_events.pop(run_id, None)
-        if event is not None:
-            event.is_elsewhere = is_elsewhere
-            event.set()
+        for run_id in self._changes.run_ids():
+            if self._admission.queue.is_behind(run_id, number):
+                self._changes.wake(run_id)
 
     def _admit(self, new: Run | None = None, *, knows_all: bool = False) -> None:
-        """Let runs in while there is capacity.
-
-        new: one that is not stored yet; its place is taken, and storing it is left to
-        the caller. knows_all: what waits at other nodes was just noted, or need not be.
-        """
-        if self._closed:
-            return
-        now, now_wall = time.monotonic(), steady_clock.now_wall()
-        is_new = new is not None and new.state in WAITING_STATES
-        unstored = WaitingRun.of(new) if new is not None and is_new else None
-        if not self._places.can_change(now, unstored):
-            pass
-        elif self._other_queues is not None and not (is_new or knows_all):
-            self._other_queues.look()
-        else:
-            for waiting in self._places.share(now, now_wall, unstored):
-                run = new if waiting is unstored else None
-                self._let_in(waiting.run_id, run)
-            self._check_capacity_in(self._places.next_due(now_wall))
-        self._check_capacity_in(self._places.next_look(now))
-        self._check_capacity_in(self._places.next_overdue(now))
+        """Let runs in while there is capacity, as Admission.admit does it."""
+        self._admission.admit(new, knows_all=knows_all)
 
     def _let_in(self, run_id: str, new: Run | None) -> None:
         """A run got a place; one that is not in memory is loaded for that."""
@@ -747,8 +662,7 @@ class RunRegistry:
             if not self._apply_admission(run):
                 self._index_by_state(run, run.state)
         else:
-            if run_id in self._waiting_elsewhere:
-                self._to_take.add(run_id)
+            self._elsewhere.want(run_id)
             self._admitted.append(run_id)
             if len(self._admitted) == 1:
                 self.run_in_background(self._load_admitted())
@@ -766,7 +680,7 @@ class RunRegistry:
         while self._admitted and not self._closed:
             run_id = self._admitted[0]
             try:
-                is_from_elsewhere = run_id in self._to_take
+                is_from_elsewhere = self._elsewhere.begin_to_take(run_id)
                 if is_from_elsewhere and not await self._take(run_id):
                     continue
                 run = self._in_memory.get(run_id) or await self._load(run_id)
@@ -775,52 +689,31 @@ class RunRegistry:
                 if run is not None:
                     await self.is_stored(run)
             except OwnedElsewhere:  # another node that has room came first
-                self._places.leave(run_id)
+                self._admission.places.leave(run_id)
                 self._admit()
             except StoreFailed as error:
                 self._failures.report("a run could not be loaded", str(error))
                 self._reload_later(run_id)
             except Exception:  # its row is damaged: those behind it are admitted
                 log.exception("run %s cannot be read", run_id)
-                self._places.leave(run_id)
+                self._admission.places.leave(run_id)
             finally:
                 self._admitted.popleft()
 
     async def _take(self, run_id: str) -> bool:
         """Whether a run of another node that got a place here is this one's now."""
-        self._to_take.discard(run_id)
         assert self._other_queues is not None, "without them nothing waits there"
         is_taken = False
         try:
             is_taken = await self._other_queues.take(run_id)
         finally:
             if not is_taken:
-                self._places.leave(run_id)
+                self._admission.places.leave(run_id)
                 self._admit()
-        self._queue_has_changed |= is_taken
+        if is_taken:
+            self._elsewhere.note_queue_change()
         self._announce_queue()
         return is_taken
-
-    def _check_capacity_in(self, wait_s: float | None) -> None:
-        """Admit again then: when a hold in the queue ends, or a place is unused."""
-        if wait_s is None:
-            return
-        loop = asyncio.get_running_loop()
-        at = loop.time() + max(0.001, wait_s)
-        timer = self._admission_timer
-        if timer is not None and not timer.cancelled():
-            if loop.time() < timer.when() <= at:
-                return
-            timer.cancel()
-        self._admission_timer = loop.call_at(
-            at, self._admit_in_time, context=contextvars.Context()
-        )
-
-    def _admit_in_time(self) -> None:
-        # By the resolution of the loop's clock, a timer may fire before its `when`:
-        # what has fired must not be taken for what will.
-        self._admission_timer = None
-        self._admit()
 
     async def run_to_end(self, work: Awaitable[Rendered]) -> Rendered:
         """What `work` returns. A caller that is cancelled does not take it with it.
@@ -907,8 +800,8 @@ class RunRegistry:
                 loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()
             )
             self._in_memory[loaded.run_id] = loaded
-            self._waiting_elsewhere.discard(loaded.run_id)
-            has_place = loaded.run_id in self._places
+            self._elsewhere.note_here(loaded.run_id)
+            has_place = loaded.run_id in self._admission.places
             if not (has_place and self._apply_admission(loaded)):
                 self._index_by_state(loaded, loaded.state)
             self._admit()
@@ -917,34 +810,19 @@ class RunRegistry:
     def _cache(self, run: Run) -> None:
         """Keep a run that is used; one that waits is not, however many there are."""
         self._in_memory[run.run_id] = run
-        if run.state in WAITING_STATES:
-            return
-        if self._recent.get(run.run_id) is run:
-            self._recent.move_to_end(run.run_id)
-            return
-        self._drop_recent(run.run_id)
-        self._recent[run.run_id] = run
-        self._recent_episodes += run.total
-        while len(self._recent) > 1 and (
-            len(self._recent) > CACHED_RUNS_MAX
-            or self._recent_episodes > CACHED_EPISODES_MAX
-        ):
-            self._drop_recent(next(iter(self._recent)))
-
-    def _drop_recent(self, run_id: str) -> None:
-        run = self._recent.pop(run_id, None)
-        if run is not None:
-            self._recent_episodes -= run.total
+        if run.state not in WAITING_STATES:
+            self._recent.keep(run)
 
     def _evict(self, run: Run) -> None:
         """Drop the run from memory: from now on it is what the store has."""
         if run.lost:
             return
-        had_place = run.run_id in self._places
+        places = self._admission.places
+        had_place = run.run_id in places
         self._forget(run)
         # Until it is known what the store has, the run may be active and keeps a place.
         if had_place:
-            self._places.play(run.run_id, run.account)
+            places.play(run.run_id, run.account)
         self._on_run_lost(run)
         self._reload_later(run.run_id)
 
@@ -952,20 +830,16 @@ class RunRegistry:
         """This node lost its runs: others may have claimed them."""
         for run in list(self._in_memory.values()):
             self._drop(run)
-        for run_id in self._places.run_ids():
-            self._places.leave(run_id)
+        self._admission.forget_all()
         self.usage.forget_open()
-        self._queue.clear()
-        self._waiting_elsewhere.clear()
-        self._to_take.clear()
-        for run_id in list(self._change_events):
-            self._wake(run_id, is_elsewhere=True)
+        self._elsewhere.forget_offers()
+        self._changes.wake_all(is_elsewhere=True)
 
-    def _drop(self, run: Run) -> None:
+    def _drop(self, run: Run, *, is_complete: bool = False) -> None:
         """Another node acts for the run: this one forgets it, and ends its sessions."""
         if not run.lost:
-            self._taken.add(run)
-            self._wake(run.run_id, is_elsewhere=True)
+            self._elsewhere.note_lost(run, is_complete=is_complete)
+            self._changes.wake(run.run_id, is_elsewhere=True)
             self.usage.note_open(run.account, run.run_id, is_open=False)
             self._forget(run)
             self._on_run_lost(run)
@@ -974,7 +848,7 @@ class RunRegistry:
         """Drop it from memory; a view of it that was not shown yet is taken again."""
         run.lost = True
         self._in_memory.pop(run.run_id, None)
-        self._drop_recent(run.run_id)
+        self._recent.drop(run.run_id)
         self._index_by_state(run, None)
 
     def _reload_later(self, run_id: str) -> None:

@@ -14,7 +14,8 @@ from reference_server.http.event_streams import EventStream
 from reference_server.rules import events
 from reference_server.rules.events import Cursor, EventBatch
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs.registry import RunChange, RunRegistry
+from reference_server.runs.memory.run_changes import RunChange
+from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from tests.mutants import Patch, mutant, put

@@ -300,12 +300,12 @@ def test_a_disconnect_releases_the_stream(tmp_path: Path) -> None:
         scope = {"type": "http", "asgi": {"spec_version": "2.3"}}
         sending = asyncio.ensure_future(answer(scope, receive, send))
         await sent.wait()
-        assert len(parts.registry._change_events) == 1
+        assert len(parts.registry._changes) == 1
         gone.set()
         await sending
         del answer, sending
         gc.collect()
-        assert len(parts.registry._change_events) == 0
+        assert len(parts.registry._changes) == 0
 
     run_scenarios(tmp_path, scenario)
 

@@ -14,7 +14,8 @@ from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
-from reference_server.runs import places, registry
+from reference_server.runs import registry
+from reference_server.runs.memory import places
 from reference_server.storage.rows import EPISODE_BYTES, stored_bytes
 from reference_server.storage.store import Store, StoreFailed
 from tests.support.server.server_parts import (
@@ -48,9 +49,9 @@ async def until(parts: ServerParts, run_id: str, state: str) -> Run:
 
 
 def let_unused_time_pass(parts: ServerParts) -> None:
-    parts.registry._places._unused_s = 0.0
-    parts.registry._places._settled_until = 0.0
-    parts.registry._admit()
+    parts.registry._admission.places._unused_s = 0.0
+    parts.registry._admission.places._settled_until = 0.0
+    parts.registry._admission.admit()
 
 
 # --- places ---
@@ -88,7 +89,7 @@ def test_unplayed_runs_give_their_places_to_later_ones(tmp_path: Path) -> None:
 
 def test_a_timer_ends_the_wait_for_an_unplayed_place(tmp_path: Path) -> None:
     async def scenario(parts: ServerParts) -> None:
-        parts.registry._places = places.Places(1, 0.05)
+        parts.registry._admission.places = places.Places(1, 0.05)
         await submit(parts, "run_1")
         await submit(parts, "run_2")
         await until(parts, "run_2", "ready")
@@ -128,7 +129,7 @@ def test_a_stopped_run_waits_for_no_place(tmp_path: Path) -> None:
         await parts.registry.commit(second)
         let_unused_time_pass(parts)
         assert second.state == "stopped"
-        assert "run_1" in parts.registry._places
+        assert "run_1" in parts.registry._admission.places
 
     run_scenarios(tmp_path, scenario, active_max=1)
 

@@ -14,6 +14,7 @@ from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Detach
 from reference_server.rules.run import Run
 from reference_server.runs import registry
+from reference_server.runs.memory import recent_runs
 from reference_server.storage.store import StoreFailed
 from reference_server.system.log_output import REQUEST_ID
 from tests.support.server.server_parts import (
@@ -482,7 +483,7 @@ def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
         assert (await parts.store.find_key("alice", "key") is not None) is is_stored
         assert parts.registry.usage.count_open() == int(is_stored)
         assert parts.registry.has("run_1") is is_stored
-        assert ("run_1" in parts.registry._places) is is_stored
+        assert ("run_1" in parts.registry._admission.places) is is_stored
 
     async def fail(_: object) -> None:
         raise StoreFailed("full")
@@ -516,7 +517,7 @@ def test_closing_waits_for_tasks_of_the_last_writes(
         blocked.open()
         await closing
         assert parts.registry._tasks == set()
-        timer = parts.registry._admission_timer
+        timer = parts.registry._admission._timer
         assert timer is not None
         assert timer.cancelled()
         stored = [await parts.store.load(f"run_{n}") for n in (1, 2)]
@@ -533,8 +534,8 @@ def test_a_timer_that_fires_early_is_set_again(tmp_path: Path) -> None:
         until = time.time() + 2.0
         held = calibration_run(run_id="run_3", queue_until_wall=until)
         await parts.registry.add(held, None, "")
-        parts.registry._admit_in_time()
-        timer = parts.registry._admission_timer
+        parts.registry._admission._admit_in_time()
+        timer = parts.registry._admission._timer
         assert timer is not None
         assert not timer.cancelled()
         while held.state == "queued":
@@ -603,7 +604,7 @@ def test_an_evicted_run_is_read_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A finished run falls out of memory; what plays stays, whatever else is read."""
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 2)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 2)
 
     async def scenario(parts: ServerParts) -> None:
         for number in range(5):
@@ -671,11 +672,11 @@ def test_what_a_timer_does_belongs_to_no_request(
         def note(name: str) -> Any:
             return lambda *_: seen.append((name, REQUEST_ID.get()))
 
-        monkeypatch.setattr(runs, "_admit", note("admit"))
+        monkeypatch.setattr(runs._admission, "admit", note("admit"))
         monkeypatch.setattr(runs, "_reload", note("reload"))
         monkeypatch.setattr(leases, "_on_lease_over", note("lease"))
         token = REQUEST_ID.set("another")
-        runs._check_capacity_in(0.001)
+        runs._admission._admit_in(0.001)
         runs._reload_later("run_2")
         resources.session.expires_at = time.monotonic() + 0.001
         leases._schedule_lease_check(resources)

@@ -12,7 +12,8 @@ from reference_server.rules import capacity, effects
 from reference_server.rules.capacity import Shares, WaitingRun
 from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach, Heartbeat
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs import places, registry, session_resources
+from reference_server.runs import session_resources
+from reference_server.runs.memory import places, recent_runs
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
@@ -192,7 +193,7 @@ def test_a_run_in_use_stays_one_object(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The run leaves the kept ones while its reader has not had its turn."""
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
 
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(
@@ -220,7 +221,7 @@ def test_waiters_are_notified_of_evicted_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It waits for the id: the run is loaded again by the caller that changes it."""
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
 
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(
@@ -248,7 +249,7 @@ def test_cached_runs_have_so_many_episodes_together(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run may have thousands, and each is a few hundred bytes."""
-    monkeypatch.setattr(registry, "CACHED_EPISODES_MAX", 7)
+    monkeypatch.setattr(recent_runs, "CACHED_EPISODES_MAX", 7)
 
     async def scenario(parts: ServerParts) -> None:
         runs = [finished_run(f"run_{number}") for number in range(4)]
@@ -289,7 +290,7 @@ def test_a_lease_ends_without_requests(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What is played stays in memory; after its lease it is stored, and may leave."""
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
 
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, finished_run("run_2"))
@@ -322,7 +323,7 @@ def test_a_session_that_is_done_keeps_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A client may end a thousand runs within one lease, and repeat each last turn."""
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
     monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
 
     async def scenario(parts: ServerParts) -> None:
@@ -389,7 +390,7 @@ def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
 def test_a_lease_ends_that_has_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
     monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
 
     async def scenario(parts: ServerParts) -> None:
@@ -415,7 +416,7 @@ def test_a_lease_ends_that_has_no_run_in_memory(
 def test_closing_ends_sessions_that_have_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
 
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, finished_run("run_2"))
@@ -434,7 +435,7 @@ def test_closing_ends_sessions_that_have_no_run_in_memory(
 def test_eviction_does_not_repeat_episodes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(registry, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
 
     async def scenario(parts: ServerParts) -> None:
         await insert_runs(parts, calibration_run(*["score"] * 4, state="ready"))

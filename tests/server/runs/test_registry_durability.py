@@ -157,7 +157,7 @@ def test_no_change_between_read_and_wait_is_missed(tmp_path: Path) -> None:
         )
         del change
         gc.collect()
-        assert len(parts.registry._change_events) == 0, (
+        assert len(parts.registry._changes) == 0, (
             "an event without waiting callers is not kept"
         )
 

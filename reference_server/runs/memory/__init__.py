@@ -1,0 +1,1 @@
+"""What the registry keeps in memory beside the runs: it awaits and stores nothing."""

@@ -1,0 +1,124 @@
+"""What a node of a cluster knows of runs that other nodes have, or offer.
+
+It decides nothing, and without other nodes it is empty. The registry changes it: by
+what the shared queue reads (`note_queue`, `note_waiting_elsewhere`), and by what it
+finds out itself when it loads or stores a run.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Protocol
+from weakref import WeakSet
+
+from reference_server.rules.run import Run, RunHead
+from reference_server.storage.node_store import OwnedRun
+
+
+class Ownership(Protocol):
+    """This server as one of several that share the database."""
+
+    @property
+    def node_id(self) -> str:
+        """Whose runs are in memory; another one after they were lost."""
+
+    async def claim(self, run_id: str) -> bool:
+        """Become the owner, unless another node is it; whether this one is it now."""
+
+
+class OtherQueues(Protocol):
+    """What waits at the other nodes of a cluster."""
+
+    async def refresh(self) -> None:
+        """Call `note_queue` with what waits at all nodes by now."""
+
+    async def take(self, run_id: str) -> bool:
+        """Let in a run that waits there, as its owner; whether it worked."""
+
+    def announce(self) -> None:
+        """Let the others know that what waits here has changed."""
+
+    def look(self) -> None:
+        """Call `note_waiting_elsewhere` soon: there is a place for what waits."""
+
+
+class RunsElsewhere:
+    """Facts about runs of other nodes; each is of one of these kinds.
+
+    offered: a run that waits at another node, and that this one may take. Each look at
+    the queues replaces all of them (`offer`); one that was loaded here is none any more
+    (`note_here`).
+
+    wanted: an offered run that got a place here (`want`), until the attempt to take it
+    begins (`begin_to_take`).
+
+    lost: a run of this node's memory for which another node acts by now (`note_lost`).
+    Nothing more of it is stored here.
+
+    complete: a lost run of which all was stored before that (`note_lost`): what memory
+    showed of it was right.
+
+    changed: what waits here is not what the other nodes know (`note_queue_change`),
+    until they are informed (`begin_to_announce`).
+    """
+
+    def __init__(self) -> None:
+        self._offered: set[str] = set()
+        self._wanted: set[str] = set()
+        self._lost: WeakSet[Run] = WeakSet()
+        self._complete: WeakSet[Run] = WeakSet()
+        self._has_changed = False
+
+    def offer(self, run_ids: Iterable[str]) -> None:
+        """What this node may take now, and nothing else."""
+        self._offered = set(run_ids)
+
+    def note_here(self, run_id: str) -> None:
+        """The run is this node's."""
+        self._offered.discard(run_id)
+
+    def want(self, run_id: str) -> None:
+        """The run got a place here; one that is not offered need not be taken."""
+        if run_id in self._offered:
+            self._wanted.add(run_id)
+
+    def begin_to_take(self, run_id: str) -> bool:
+        """Whether the run has to be taken before it is loaded; True once."""
+        is_wanted = run_id in self._wanted
+        self._wanted.discard(run_id)
+        return is_wanted
+
+    def forget_offers(self) -> None:
+        """This node has lost its lease: it may take nothing."""
+        self._offered.clear()
+        self._wanted.clear()
+
+    def note_lost(self, run: Run, *, is_complete: bool = False) -> None:
+        """Another node acts for the run. is_complete: all of it was stored before."""
+        self._lost.add(run)
+        if is_complete:
+            self._complete.add(run)
+
+    def is_lost(self, run: Run) -> bool:
+        return run in self._lost
+
+    def is_complete(self, run: Run) -> bool:
+        """Whether the run is lost, and all that memory has of it is stored."""
+        return run in self._complete
+
+    def note_queue_change(self) -> None:
+        """A run waits here, or waits here no more."""
+        self._has_changed = True
+
+    def begin_to_announce(self) -> bool:
+        """Whether the other nodes have to be informed; True once for each change."""
+        has_changed, self._has_changed = self._has_changed, False
+        return has_changed
+
+
+def has_newer_owner(run: RunHead, seen: OwnedRun) -> bool:
+    """Whether a run of this node, as it was just seen, has another owner since then.
+
+    What was read before this node became the owner says nothing.
+    """
+    return run.fence < seen.fence and run.owner != seen.owner
