@@ -10,8 +10,6 @@ from reference_server.rules.run import Run
 from reference_server.runs.memory import recent_runs
 from reference_server.runs.memory.recent_runs import RecentRuns
 from reference_server.runs.memory.run_changes import RunChanges
-from reference_server.runs.memory.runs_elsewhere import RunsElsewhere, has_newer_owner
-from reference_server.storage.node_store import OwnedRun
 from tests.support.server.server_parts import calibration_run
 
 
@@ -100,69 +98,3 @@ def test_who_waits_no_more_is_forgotten() -> None:
         assert len(changes) == 0
 
     asyncio.run(scenario())
-
-
-# --- runs elsewhere ---
-
-
-def test_only_an_offered_run_is_taken_and_only_once() -> None:
-    elsewhere = RunsElsewhere()
-    elsewhere.offer(["a", "b"])
-    elsewhere.note_here("b")
-    for name in "abc":
-        elsewhere.want(name)
-    assert [elsewhere.begin_to_take(name) for name in "aabc"] == [
-        True,
-        False,
-        False,
-        False,
-    ]
-
-
-def test_a_later_look_at_the_queues_replaces_what_was_offered() -> None:
-    elsewhere = RunsElsewhere()
-    elsewhere.offer(["a"])
-    elsewhere.offer(["b"])
-    elsewhere.want("a")
-    assert not elsewhere.begin_to_take("a")
-
-
-def test_a_node_without_its_lease_takes_nothing() -> None:
-    elsewhere = RunsElsewhere()
-    elsewhere.offer(["a", "b"])
-    elsewhere.want("a")
-    elsewhere.forget_offers()
-    elsewhere.want("b")
-    assert not any(elsewhere.begin_to_take(name) for name in "ab")
-
-
-def test_what_was_stored_before_a_run_was_lost_stays_right() -> None:
-    elsewhere, whole, broken, own = RunsElsewhere(), _run("a"), _run("b"), _run("c")
-    elsewhere.note_lost(whole, is_complete=True)
-    elsewhere.note_lost(broken)
-    found = [
-        (elsewhere.is_lost(run), elsewhere.is_complete(run))
-        for run in (whole, broken, own)
-    ]
-    assert found == [(True, True), (True, False), (False, False)]
-
-
-def test_each_change_of_the_queue_is_announced_once() -> None:
-    elsewhere = RunsElsewhere()
-    assert not elsewhere.begin_to_announce()
-    elsewhere.note_queue_change()
-    elsewhere.note_queue_change()
-    assert [elsewhere.begin_to_announce() for _ in range(2)] == [True, False]
-
-
-@pytest.mark.parametrize(
-    ("owner", "fence", "is_newer"),
-    [("b", 3, True), ("b", 2, False), ("b", 1, False), ("a", 3, False)],
-)
-def test_only_a_later_owner_takes_a_run_away(
-    owner: str, fence: int, is_newer: bool
-) -> None:
-    run = _run("a")
-    run.owner, run.fence = "a", 2
-    seen = OwnedRun(run=None, owner=owner, fence=fence)  # type: ignore[arg-type]
-    assert has_newer_owner(run, seen) is is_newer
