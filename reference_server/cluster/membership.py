@@ -165,9 +165,9 @@ class Membership:
             if self._has_joined:
                 log.warning("other nodes have taken over the runs of this one")
                 self._node = _new_node(self._node.url, self._node.secret)
-                self._has_joined = False
                 self._owners.clear()
                 self._on_lost()
+                self._has_joined = False  # last: it is not tried again after that
             await asyncio.to_thread(self._announce, self.node_id)
             began = _now()
             await self._nodes.join(self._node)

@@ -17,7 +17,6 @@ from typing import Any
 import httpcore
 from starlette.types import Message, Receive, Scope, Send
 
-from reference_server.cluster.kept_connections import KeptConnections
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_headers import (
     SECRET_HEADER,
@@ -26,6 +25,7 @@ from reference_server.cluster.node_headers import (
     trace_headers,
 )
 from reference_server.cluster.reachability import Reachability
+from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
@@ -42,7 +42,7 @@ _NOT_REACHED = (
     httpcore.TimeoutException,
     httpcore.ProtocolError,
 )
-# A node closes a connection that is unused for 5 s.
+# Far less than after what a node closes a connection that has no request.
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
@@ -62,7 +62,7 @@ class NodeConnections:
     def __init__(self, membership: Membership) -> None:
         self.membership = membership
         self.failures = RepeatedFailures(log)
-        self._kept = KeptConnections(CONNECTIONS_MAX, KEEPALIVE_S)
+        self._reused = ReusedConnections(CONNECTIONS_MAX, KEEPALIVE_S)
         self._questions = httpcore.AsyncConnectionPool(
             max_connections=QUESTIONS_AT_ONCE_MAX, max_keepalive_connections=0
         )
@@ -74,7 +74,7 @@ class NodeConnections:
 
     async def close(self) -> None:
         await self._reachability.close()
-        await self._kept.close()
+        await self._reused.close()
         await self._questions.aclose()
 
     async def _answers(self, node: Node) -> bool:
@@ -114,7 +114,7 @@ class NodeConnections:
         incomplete: the server closes its connection then.
         """
         scope[OPERATION] = PASSED_ON
-        exchange = _Exchange(self._kept, node, scope, receive, send)
+        exchange = _Exchange(self._reused, node, scope, receive, send)
         try:
             with span("pass on to owner", is_call=True):
                 await self._carry_out(exchange, node)
@@ -151,7 +151,7 @@ class NodeConnections:
 
         async def ask() -> None:
             url = httpcore.URL(node.url + path)
-            async with self._kept.stream(
+            async with self._reused.stream(
                 "POST", url, headers=headers, content=body
             ) as response:
                 if response.status == 200:
@@ -176,13 +176,13 @@ class _Exchange:
 
     def __init__(
         self,
-        kept: KeptConnections,
+        connections: ReusedConnections,
         node: Node,
         scope: Scope,
         receive: Receive,
         send: Send,
     ) -> None:
-        self._kept, self._node, self._scope = kept, node, scope
+        self._connections, self._node, self._scope = connections, node, scope
         self._receive, self._send = receive, send
         self._body_read = asyncio.Event()
         self.is_begun = self.is_answered = self.has_no_reader = False
@@ -199,7 +199,7 @@ class _Exchange:
         url = httpcore.URL(
             scheme=base.scheme, host=base.host, port=base.port, target=target
         )
-        async with self._kept.stream(
+        async with self._connections.stream(
             self._scope["method"],
             url,
             headers=headers,

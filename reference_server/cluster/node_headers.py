@@ -56,7 +56,7 @@ def is_from_node(scope: Scope, membership: Membership) -> bool:
 
 
 def has_secret_of(membership: Membership, scope: Scope) -> bool:
-    """Whether a node passed it on to this one; changes nothing, as `is_from_node`."""
+    """Whether a node passed it on to this one. Unlike `is_from_node` it only looks."""
     secret = membership.secret.encode()
     return any(
         name == SECRET_HEADER and hmac.compare_digest(value, secret)

@@ -20,15 +20,15 @@ from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.storage.node_store import Node
 
-Asked = TypeVar("Asked")
-Answered = TypeVar("Answered")
+Question = TypeVar("Question")
+Reply = TypeVar("Reply")
 
 
-class NodeRequests(Generic[Asked, Answered]):
+class NodeRequests(Generic[Question, Reply]):
     """One kind of them: it asks other nodes, and is the endpoint that answers them.
 
-    asked, answered: what is sent, and what comes back, both as JSON. answer: what this
-    node says; it may raise Refused. timeout_s: for the answer of another node.
+    question_type, answer_type: what is sent, and what comes back, both as JSON.
+    answer: what this node says; it may raise Refused. timeout_s: of another node's.
     """
 
     def __init__(
@@ -36,18 +36,18 @@ class NodeRequests(Generic[Asked, Answered]):
         connections: NodeConnections,
         path: str,
         *,
-        asked: type[Asked],
-        answered: type[Answered],
-        answer: Callable[[Asked], Awaitable[Answered]],
+        question_type: type[Question],
+        answer_type: type[Reply],
+        answer: Callable[[Question], Awaitable[Reply]],
         timeout_s: float,
     ) -> None:
         self._connections, self.path = connections, path
-        self._asked, self._answered = asked, answered
+        self._question_type, self._answer_type = question_type, answer_type
         self._answer, self._timeout_s = answer, timeout_s
 
-    async def ask(self, node: Node, asked: Asked) -> Answered | None:
+    async def ask(self, node: Node, question: Question) -> Reply | None:
         """What a node says; None if it does not in time, ends or refuses."""
-        body = msgspec.json.encode(asked)
+        body = msgspec.json.encode(question)
         try:
             async with asyncio.timeout(self._timeout_s):
                 answer = await self._connections.post(node, self.path, body)
@@ -55,7 +55,7 @@ class NodeRequests(Generic[Asked, Answered]):
             return None
         if answer is None:
             return None
-        return msgspec.json.decode(answer, type=self._answered)
+        return msgspec.json.decode(answer, type=self._answer_type)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer another node; to every other caller there is nothing here."""
@@ -70,5 +70,5 @@ class NodeRequests(Generic[Asked, Answered]):
         if scope["method"] != "POST" or not is_from_node(scope, membership):
             raise Refused("not_found", "Unknown path.")
         body = await Request(scope, receive).body()
-        asked = msgspec.json.decode(body, type=self._asked)
-        return Response(msgspec.json.encode(await self._answer(asked)))
+        question = msgspec.json.decode(body, type=self._question_type)
+        return Response(msgspec.json.encode(await self._answer(question)))

@@ -71,8 +71,8 @@ class SharedQueue:
         self.requests = NodeRequests(
             connections,
             PATH,
-            asked=_Announced,
-            answered=_Places,
+            question_type=_Announced,
+            answer_type=_Places,
             answer=self._answer,
             timeout_s=TIMEOUT_S,
         )

@@ -46,8 +46,8 @@ class ViewsElsewhere:
         self.requests = NodeRequests(
             connections,
             PATH,
-            asked=_Page,
-            answered=dict[str, Json],
+            question_type=_Page,
+            answer_type=dict[str, Json],
             answer=self._views,
             timeout_s=TIMEOUT_S,
         )

@@ -27,10 +27,10 @@ from reference_server.runs.memory.run_queue import RunQueue
 class Admission:
     """The places and the queue of one server.
 
-    let_in: is called with each run that got a place, and with the run itself if it is
-    not stored yet. on_moved: is called with a number in the queue, when those behind it
-    have moved. look: asks for a look at what waits at other nodes, which ends in
-    `admit`; None without other nodes.
+    let_in: is called with the id of each run that got a place, and with the run itself
+    if it is not stored yet. on_moved: is called with a number in the queue, when those
+    behind it have moved. look: asks for a look at what waits at other nodes, which ends
+    in `admit`; None without other nodes.
     """
 
     def __init__(
@@ -79,6 +79,11 @@ class Admission:
         else:
             self.queue.remove(run.run_id)
         self._on_moved(run.number)
+
+    def give_back(self, run_id: str) -> None:
+        """The run does not use its place: the next one may."""
+        self.places.leave(run_id)
+        self.admit()
 
     def held_no_more(self) -> list[str]:
         """Ids of runs that their submitters held in the queue, and that wait now."""

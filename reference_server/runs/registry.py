@@ -294,8 +294,7 @@ class RunRegistry:
                 self._in_memory.pop(run.run_id, None)
                 self.usage.note_open(run.account, run.run_id, is_open=False)
                 self.usage.note_stored(run, key, is_stored=False)
-                self._admission.places.leave(run.run_id)
-                self._admit()
+                self._admission.give_back(run.run_id)
         if is_stored:
             self._life.log_submitted(run)
             if self._elsewhere.is_complete(run):  # another node had room for it
@@ -631,7 +630,7 @@ class RunRegistry:
         return 0.0 if queued_at_wall is None else max(0.0, time.time() - queued_at_wall)
 
     def _index_by_state(self, run: Run, state: State | None) -> None:
-        """With a place, in the queue, or nowhere, as the state says; None: unknown."""
+        """What the state means for places and accounts, and for listeners."""
         self._admission.index(run, state)
         if state is not None:
             is_open = state in WAITING_STATES or state in ACTIVE_STATES
@@ -689,14 +688,13 @@ class RunRegistry:
                 if run is not None:
                     await self.is_stored(run)
             except OwnedElsewhere:  # another node that has room came first
-                self._admission.places.leave(run_id)
-                self._admit()
+                self._admission.give_back(run_id)
             except StoreFailed as error:
                 self._failures.report("a run could not be loaded", str(error))
                 self._reload_later(run_id)
             except Exception:  # its row is damaged: those behind it are admitted
                 log.exception("run %s cannot be read", run_id)
-                self._admission.places.leave(run_id)
+                self._admission.give_back(run_id)
             finally:
                 self._admitted.popleft()
 
@@ -708,8 +706,7 @@ class RunRegistry:
             is_taken = await self._other_queues.take(run_id)
         finally:
             if not is_taken:
-                self._admission.places.leave(run_id)
-                self._admit()
+                self._admission.give_back(run_id)
         if is_taken:
             self._elsewhere.note_queue_change()
         self._announce_queue()

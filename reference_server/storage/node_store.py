@@ -88,8 +88,9 @@ _silent_s = sa.func.abs(_Now() - _nodes.c.renewed_at, type_=sa.Float())
 _fence = sa.func.coalesce(_runs.c.fence, 0)
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
 _IS_QUEUED = _runs.c.state.in_(sorted(WAITING_STATES))
-# Nothing happened to it since it was submitted: no session of it was ever known. Each
-# change makes the time later, also where a clock was set back.
+# Nothing happened to it since it was submitted: no session of it was ever known. What
+# brings a run back to the queue is stored with a later time, also where a clock was set
+# back; a claim alone changes no time.
 _IS_NEW = _runs.c.updated_at_wall == _runs.c.created_at_wall
 _OWNED = sa.select(
     *(_runs.c[name] for name in WaitingRun.__dataclass_fields__),

@@ -19,10 +19,6 @@ class RecentRuns:
         self._runs: OrderedDict[str, Run] = OrderedDict()
         self._episodes = 0
 
-    def clear(self) -> None:
-        self._runs.clear()
-        self._episodes = 0
-
     def keep(self, run: Run) -> None:
         """The run is used now; the last one is kept, however large it is."""
         if self._runs.get(run.run_id) is run:

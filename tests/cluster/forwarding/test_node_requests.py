@@ -55,8 +55,8 @@ def requests_of(
     return NodeRequests(
         cast("NodeConnections", node),
         "/node/count",
-        asked=Count,
-        answered=Count,
+        question_type=Count,
+        answer_type=Count,
         answer=answer,
         timeout_s=timeout_s,
     )

@@ -42,7 +42,7 @@ def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
 async def evict_run(parts: ServerParts, run: Run) -> None:
     """The run is stored and leaves memory as soon as no caller holds it."""
     await parts.registry.commit(run)
-    parts.registry._recent.clear()
+    parts.registry._recent.drop(run.run_id)
 
 
 async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:

@@ -9,7 +9,7 @@ from collections.abc import AsyncIterator
 import httpcore
 import pytest
 
-from reference_server.cluster.kept_connections import KeptConnections
+from reference_server.cluster.reused_connections import ReusedConnections
 
 HOST = "127.0.0.1"
 ANSWER = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nok"
@@ -21,7 +21,7 @@ class _Server:
     def __init__(self) -> None:
         self.writers: list[asyncio.StreamWriter] = []
         self.may_answer = asyncio.Event()
-        self._asked = asyncio.Semaphore(0)
+        self._asked, self._left = asyncio.Semaphore(0), asyncio.Semaphore(0)
         self.url = httpcore.URL("http://none")
 
     @classmethod
@@ -44,6 +44,13 @@ class _Server:
                 self._asked.release()
                 await self.may_answer.wait()
                 writer.write(ANSWER)
+        self._left.release()
+
+    async def was_left(self, count: int) -> None:
+        """So many connections were closed since the last call."""
+        async with asyncio.timeout(30):
+            for _ in range(count):
+                await self._left.acquire()
 
     async def was_asked(self, count: int) -> None:
         """So many times since the last call."""
@@ -52,9 +59,9 @@ class _Server:
                 await self._asked.acquire()
 
 
-async def _ask(kept: KeptConnections, server: _Server) -> None:
+async def _ask(connections: ReusedConnections, server: _Server) -> None:
     headers = [(b"host", b"node")]
-    async with kept.stream("GET", server.url, headers=headers) as response:
+    async with connections.stream("GET", server.url, headers=headers) as response:
         assert await response.aread() == b"ok"
 
 
@@ -62,11 +69,11 @@ def test_one_request_after_another_uses_one_connection() -> None:
     async def scenario() -> None:
         async with _Server.open() as server:
             server.may_answer.set()
-            kept = KeptConnections(10, expiry_s=30.0)
+            connections = ReusedConnections(10, expiry_s=30.0)
             for _ in range(3):
-                await _ask(kept, server)
+                await _ask(connections, server)
             assert len(server.writers) == 1
-            await kept.close()
+            await connections.close()
 
     asyncio.run(scenario())
 
@@ -77,14 +84,14 @@ def test_a_connection_that_has_ended_is_not_used_again(is_closed_by: str) -> Non
         async with _Server.open() as server:
             server.may_answer.set()
             is_old = is_closed_by == "its age"
-            kept = KeptConnections(10, expiry_s=0.0 if is_old else 30.0)
-            await _ask(kept, server)
+            connections = ReusedConnections(10, expiry_s=0.0 if is_old else 30.0)
+            await _ask(connections, server)
             if not is_old:
                 server.writers[0].close()
                 await server.writers[0].wait_closed()
-            await _ask(kept, server)
+            await _ask(connections, server)
             assert len(server.writers) == 2
-            await kept.close()
+            await connections.close()
 
     asyncio.run(scenario())
 
@@ -94,16 +101,16 @@ def test_a_request_that_was_given_up_leaves_no_connection_to_others() -> None:
 
     async def scenario() -> None:
         async with _Server.open() as server:
-            kept = KeptConnections(1, expiry_s=30.0)
-            given_up = asyncio.ensure_future(_ask(kept, server))
+            connections = ReusedConnections(1, expiry_s=30.0)
+            given_up = asyncio.ensure_future(_ask(connections, server))
             await server.was_asked(1)
             given_up.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await given_up
             server.may_answer.set()
-            await _ask(kept, server)  # the only place is free again
+            await _ask(connections, server)  # the only place is free again
             assert len(server.writers) == 2
-            await kept.close()
+            await connections.close()
 
     asyncio.run(scenario())
 
@@ -124,17 +131,64 @@ def test_many_requests_at_once_look_at_each_connection_a_few_times(
 
     async def scenario() -> None:
         async with _Server.open() as server:
-            kept = KeptConnections(count, expiry_s=30.0)
-            for _ in range(2):  # over new connections, and over kept ones
+            connections = ReusedConnections(count, expiry_s=30.0)
+            for _ in range(2):  # over new connections, and over those that have none
                 server.may_answer.clear()
                 asked = [
-                    asyncio.ensure_future(_ask(kept, server)) for _ in range(count)
+                    asyncio.ensure_future(_ask(connections, server))
+                    for _ in range(count)
                 ]
                 await server.was_asked(count)
                 server.may_answer.set()
                 await asyncio.gather(*asked)
             assert len(server.writers) == count
-            await kept.close()
+            await connections.close()
 
     asyncio.run(scenario())
     assert looks <= 6 * count
+
+
+def test_connections_that_have_no_use_are_closed_without_another_request() -> None:
+    """A node that has ended, or has nothing to do: its connections take descriptors."""
+    count = 20
+
+    async def scenario() -> None:
+        async with _Server.open() as server:
+            connections = ReusedConnections(count, expiry_s=0.05)
+            asked = [
+                asyncio.ensure_future(_ask(connections, server)) for _ in range(count)
+            ]
+            await server.was_asked(count)
+            server.may_answer.set()
+            await asyncio.gather(*asked)
+            await server.was_left(count)
+            await connections.close()
+
+    asyncio.run(scenario())
+
+
+def test_a_connection_that_could_not_be_opened_is_not_kept() -> None:
+    async def scenario() -> None:
+        async with _Server.open() as server:
+            pass
+        connections = ReusedConnections(1, expiry_s=30.0)
+        with pytest.raises(httpcore.ConnectError):
+            await _ask(connections, server)
+        assert not connections._idle
+        await connections.close()
+
+    asyncio.run(scenario())
+
+
+def test_what_is_under_way_at_the_end_leaves_no_connection() -> None:
+    async def scenario() -> None:
+        async with _Server.open() as server:
+            connections = ReusedConnections(1, expiry_s=30.0)
+            asked = asyncio.ensure_future(_ask(connections, server))
+            await server.was_asked(1)
+            await connections.close()
+            server.may_answer.set()
+            await asked
+            await server.was_left(1)
+
+    asyncio.run(scenario())
