@@ -560,7 +560,7 @@ def counts_no_attempt_when_it_aborts_a_turn() -> None:
     put(effects, "stop", wrong)
 
 
-@mutant("DET-004")
+@mutant("DET-004", "ATT-005")
 def detaches_the_session_of_the_worker_for_any_id() -> None:
     """A confused client ends the session of another one."""
     right = SessionExecutor.detach
