@@ -27,7 +27,27 @@ def lists_benchmarks_backwards() -> None:
 def hashes_without_the_limit_of_faults() -> None:
     """Runs that forgive different numbers of faults seem to be comparable."""
     right = benchmarks.digest
-    put(benchmarks, "digest", lambda manifest: right({**manifest, "max_faults": 3}))
+    shown: dict[str, str] = {}  # manifests are stored by the right hash
+
+    def wrong(manifest: Any) -> str:
+        found = right(manifest)
+        shown[found] = right({**manifest, "max_faults": 3})
+        return found
+
+    def spoil(body: dict[str, Any], run: RunHead) -> None:
+        found = run.manifest_sha256
+        body["manifest_sha256"] = shown.get(found, found)
+
+    right_score = run_views.score_view
+
+    def wrong_score(run: RunHead, *rest: Any) -> dict[str, Any]:
+        score = right_score(run, *rest)
+        spoil(score, run)
+        return score
+
+    put(benchmarks, "digest", wrong)
+    spoil_run(spoil)
+    put(run_views, "score_view", wrong_score)
 
 
 @mutant("BEN-005")

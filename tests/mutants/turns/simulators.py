@@ -300,7 +300,7 @@ def scores_echo_by_its_commanded_score() -> None:
     )
 
 
-@mutant("CAL-007", "ENC-003")
+@mutant("CAL-007", "ENC-003", "ENC-012")
 def sends_numbers_in_single_precision() -> None:
     """All positions are slightly wrong."""
     import numpy as np
@@ -325,7 +325,7 @@ def sends_tensors_big_endian() -> None:
     spoil_observations(wrong)
 
 
-@mutant("ENC-005")
+@mutant("ENC-005", "PRED-012")
 def sends_images_upside_down() -> None:
     """A policy sees every image upside down."""
 
