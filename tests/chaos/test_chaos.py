@@ -226,8 +226,24 @@ def test_the_table_replaces_an_earlier_one_and_nothing_else(
             "| 1,000 nodes killed: no result lost, doubled, rescored | 1 | **b" in text
         )
         assert "at most 10 s | 6.0 s | kept |" in text
+        assert "| The log of no node has a traceback | 0 | kept |" in text
         assert "| node killed | SIGKILL, started when all go on | 1 | 0.5 |" in text
         assert text.endswith("| 6.0 | 1 |\n")
+
+
+def test_a_traceback_is_no_lost_result(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reliability_page, "PAGE", tmp_path / "page.md")
+    reliability_page.PAGE.write_text("# Reliability\n")
+    found = ["node 2: Traceback (most recent call last): …"]
+    played = Round(0, FAULTS["node killed"], [0.5], found, count=1000)
+    chaos_page.write([played], chaos_page.Conditions([1], 2, 5.0, 0.5))
+    text = reliability_page.PAGE.read_text()
+    assert (
+        "| 1,000 nodes killed: no result lost, doubled, rescored | 1,000 | kept" in text
+    )
+    assert "| The log of no node has a traceback | 1 | **broken** |" in text
 
 
 # --- a long campaign ---
