@@ -13,6 +13,7 @@ never was is an alarm. Prints a line for each time; exit code 1 after an alarm.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import itertools
 import signal
 import sys
@@ -38,7 +39,10 @@ TRIES_MAX = 6
 
 
 class Kills:
-    """Kills one node after another, from `begin` to `end`. count: so far."""
+    """Kills one node after another while it is entered. count: so far.
+
+    What has ended the kills before is raised at the end.
+    """
 
     def __init__(self, cluster: ChaosCluster) -> None:
         self._cluster = cluster
@@ -47,11 +51,10 @@ class Kills:
         self._thread = threading.Thread(target=self._run, name="kills")
         self.count = 0
 
-    def begin(self) -> None:
+    def __enter__(self) -> None:
         self._thread.start()
 
-    def end(self) -> None:
-        """Raises what has ended the kills before."""
+    def __exit__(self, *_: object) -> None:
         self._is_over.set()
         self._thread.join()
         if self._failed is not None:
@@ -65,7 +68,7 @@ class Kills:
                 node.end(signal.SIGKILL)
                 self.count += 1
                 node.start()
-        except Exception as error:  # noqa: BLE001 - `end` raises it
+        except Exception as error:  # noqa: BLE001 - raised at the end
             self._failed = error
 
 
@@ -114,16 +117,11 @@ def main() -> int:
     ):
         kills = Kills(cluster) if options.kill else None
         runs = KitRuns(cluster, Path(directory), kills)
-        if kills is not None:
-            kills.begin()
-        try:
+        with kills or contextlib.nullcontext():
             right = sum(
                 runs.is_conformant(FIRST_SEED + number)
                 for number in range(options.runs)
             )
-        finally:
-            if kills is not None:
-                kills.end()
     killed = f", {kills.count} nodes killed" if kills else ""
     print(f"{right} of {options.runs} runs without an alarm{killed}")
     return int(right < options.runs)

@@ -22,6 +22,7 @@ from reference_server.rules.run import Result, Run
 from reference_server.views.run_views import episode_view, run_view, score_view
 from tests.support.pages.page_reader import fields_of
 from tests.support.server.server_parts import calibration_run
+from tests.support.servers import TIMEOUT_S
 
 ENTRIES_PER_PAGE = 2
 RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
@@ -167,3 +168,25 @@ class Gate:
 
     def open(self) -> None:
         self._opened.set()
+
+
+Story = Callable[[PageApi, httpx.AsyncClient], Awaitable[None]]
+
+
+def play(story: Story) -> None:
+    """With a reader whose token is `alice`."""
+
+    async def run() -> None:
+        api = PageApi()
+        async with asyncio.timeout(TIMEOUT_S), client_of(api) as client:
+            await sign_in(client, "alice")
+            await story(api, client)
+
+    asyncio.run(run())
+
+
+async def text_of(client: httpx.AsyncClient, path: str) -> str:
+    """Of a page that is there."""
+    answer = await client.get(path)
+    assert answer.status_code == 200, answer.text
+    return answer.text

@@ -2,43 +2,20 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Awaitable, Callable
-
 import httpx
 
 from tests.support.pages.page_api import (
     ENTRIES_PER_PAGE,
     RESULT,
     PageApi,
-    client_of,
-    sign_in,
+    play,
+    text_of,
 )
-from tests.support.servers import TIMEOUT_S
 
 LEADERBOARD = "/pages/benchmarks/calibration/leaderboard"
 UNKNOWN = f"{LEADERBOARD}?manifest={'f' * 64}"
 PUBLISH, WITHDRAW = "/runs/done/publish", "/runs/done/withdraw"
 MANY = 10 * ENTRIES_PER_PAGE
-Story = Callable[[PageApi, httpx.AsyncClient], Awaitable[None]]
-
-
-def play(story: Story) -> None:
-    """With a reader whose token is `alice`."""
-
-    async def run() -> None:
-        api = PageApi()
-        async with asyncio.timeout(TIMEOUT_S), client_of(api) as client:
-            await sign_in(client, "alice")
-            await story(api, client)
-
-    asyncio.run(run())
-
-
-async def text_of(client: httpx.AsyncClient, path: str) -> str:
-    answer = await client.get(path)
-    assert answer.status_code == 200, answer.text
-    return answer.text
 
 
 def test_a_manifest_without_entries_reads_one_page_of_them() -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
 from typing import Any
 
 import httpx
@@ -13,18 +12,17 @@ from reference_record.pages.recorded_episode import CameraPicture, RecordedEpiso
 from reference_record.pages.run_page import RunFigures
 from reference_server.http.pages import page_handlers
 from reference_server.http.pages.page_handlers import LISTS_KEPT, RECORDINGS_KEPT
+from tests.support.pages import page_api
 from tests.support.pages.page_api import (
     FAILURE,
     RESULT,
     Gate,
     PageApi,
-    client_of,
+    play,
     sign_in,
 )
-from tests.support.servers import TIMEOUT_S
 
 PICTURE = CameraPicture("front", 0, b"a picture", "png")
-Story = Callable[[PageApi, httpx.AsyncClient], Awaitable[None]]
 
 
 @pytest.fixture
@@ -36,22 +34,8 @@ def recordings(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
-def play(story: Story) -> None:
-    """With a reader whose token is `alice`."""
-
-    async def run() -> None:
-        api = PageApi()
-        async with asyncio.timeout(TIMEOUT_S), client_of(api) as client:
-            await sign_in(client, "alice")
-            await story(api, client)
-
-    asyncio.run(run())
-
-
 async def text_of(client: httpx.AsyncClient, run_id: str, query: str = "") -> str:
-    answer = await client.get(f"/pages/runs/{run_id}{query}")
-    assert answer.status_code == 200, answer.text
-    return answer.text
+    return await page_api.text_of(client, f"/pages/runs/{run_id}{query}")
 
 
 def rows_of(page: str) -> dict[str, int]:
