@@ -16,11 +16,13 @@ import os
 import statistics
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+import httpcore
 
 from tests.support.server.cluster_nodes import Cluster
 from tests.support.server.http_runs import predict_body, worker_path
@@ -32,6 +34,10 @@ NODES = 3
 WORKERS_OF_RUN = 50
 # What a request is answered with when it has to be sent again.
 AGAIN = (429, 503)
+HEADERS: Mapping[bytes | str, bytes | str] = {
+    "Authorization": f"Bearer {TOKENS['alice']}",
+    "Content-Type": "application/json",
+}
 
 
 @dataclass
@@ -45,8 +51,13 @@ class Worker:
     repeated: int = 0
     reconnected: int = 0
 
-    async def connect(self) -> None:
-        self._reader, self._writer = await asyncio.open_connection(HOST, self.port)
+    def __post_init__(self) -> None:
+        self._connect()
+
+    def _connect(self) -> None:
+        # One connection each: a pool of httpcore looks at all of them for each request.
+        self._origin = httpcore.Origin(b"http", HOST.encode(), self.port)
+        self._connection = httpcore.AsyncHTTPConnection(self._origin)
 
     async def attach(self) -> None:
         path = worker_path(self.run_id, self.name)
@@ -61,40 +72,31 @@ class Worker:
             self._turn = await self._ask("POST", path, body)
             self.added_s.append(time.monotonic() - began_at - sleep_s)
 
-    def close(self) -> None:
-        self._writer.close()
+    async def close(self) -> None:
+        await self._connection.aclose()
 
     async def _ask(self, method: str, path: str, body: dict[str, Any]) -> Any:
         """Sent again, after a short time, while there is no room."""
-        data = json.dumps(body).encode()
-        head = (
-            f"{method} {path} HTTP/1.1\r\nHost: {HOST}\r\n"
-            f"Authorization: Bearer {TOKENS['alice']}\r\n"
-            f"Content-Type: application/json\r\nContent-Length: {len(data)}\r\n\r\n"
-        )
         while True:
             try:
-                status, content = await self._send(head.encode() + data)
-            except (asyncio.IncompleteReadError, OSError):
+                answer = await self._connection.request(
+                    method,
+                    f"{self._origin}{path}",
+                    headers=HEADERS,
+                    content=json.dumps(body).encode(),
+                )
+            except (httpcore.NetworkError, httpcore.ProtocolError):
                 self.reconnected += 1
-                self._writer.close()
-                await self.connect()
+                await self.close()
+                self._connect()
                 continue
-            if status == 200:
-                return json.loads(content)
-            if status not in AGAIN:
-                raise RuntimeError(f"{method} {path}: {status} {content[:300]!r}")
+            if answer.status == 200:
+                return json.loads(answer.content)
+            if answer.status not in AGAIN:
+                said = answer.content[:300]
+                raise RuntimeError(f"{method} {path}: {answer.status} {said!r}")
             self.repeated += 1
             await asyncio.sleep(1.0)
-
-    async def _send(self, request: bytes) -> tuple[int, bytes]:
-        """Status and body of the answer. Raises if the connection is closed."""
-        self._writer.write(request)
-        said = (await self._reader.readuntil(b"\r\n\r\n")).decode().lower()
-        status, _, fields = said.partition("\r\n")
-        named = dict(one.split(": ", 1) for one in fields.splitlines() if one)
-        content = await self._reader.readexactly(int(named["content-length"]))
-        return int(status.split()[1]), content
 
 
 @contextmanager
@@ -145,15 +147,13 @@ async def _measure(
     async with await balancer.listen(HOST, 0) as server:
         port = server.sockets[0].getsockname()[1]
         workers = [Worker(run, f"w{number}", port) for number, run in enumerate(runs)]
-        for worker in workers:
-            await worker.connect()
         began_at = time.monotonic()
         await asyncio.gather(*(worker.attach() for worker in workers))
         attached_s = time.monotonic() - began_at
         until = time.monotonic() + lasts_s
         await asyncio.gather(*(worker.play(sleep_s, until) for worker in workers))
         for worker in workers:
-            worker.close()
+            await worker.close()
         await balancer.close()
     return attached_s, workers
 

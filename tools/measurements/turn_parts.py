@@ -15,9 +15,9 @@ import os
 import statistics
 import tempfile
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 from urllib.parse import urlsplit
 
 from tests.attack.attacked_server import WATCHER, AttackedServer
@@ -48,16 +48,21 @@ class TurnParts:
             "policy": {"name": "p"},
             "options": {"tasks": ["count"], "max_steps": 10_000},
         }
-        run_id = self._ask("POST", "/v1/runs", json.dumps(body))["run_id"]
-        path, key = worker_path(run_id), json.dumps({"attach_key": "k"})
-        self._turn = self._ask("PUT", path, key)
+        run = json.loads(self._send("POST", "/v1/runs", json.dumps(body)))
+        path, key = worker_path(run["run_id"]), json.dumps({"attach_key": "k"})
+        self._turn = json.loads(self._send("PUT", path, key))
         self._path = f"{path}/predict"
-        self._last = ""
-        self.costs = {
-            kind: Costs() for kind in ("GET /livez", "turn again", "new turn")
+        self._play_turn()
+        self._does: dict[str, Callable[[], object]] = {
+            "GET /livez": lambda: self._send("GET", "/livez"),
+            "turn again": lambda: json.loads(
+                self._send("POST", self._path, self._last)
+            ),
+            "new turn": self._play_turn,
         }
+        self.costs = {kind: Costs() for kind in self._does}
 
-    def _ask(self, method: str, path: str, body: str | None = None) -> dict[str, Any]:
+    def _send(self, method: str, path: str, body: str | None = None) -> bytes:
         headers = {
             "Authorization": f"Bearer {WATCHER}",
             "Content-Type": "application/json",
@@ -66,14 +71,20 @@ class TurnParts:
         answer = self._connection.getresponse()
         content = answer.read()
         assert answer.status < 300, content
-        return dict(json.loads(content)) if path != "/livez" else {}
+        return content
+
+    def _play_turn(self) -> None:
+        self._last = json.dumps(predict_body(self._turn))
+        self._turn = json.loads(self._send("POST", self._path, self._last))
 
     def play(self, *, is_counted: bool) -> None:
         """Requests of each kind."""
         for kind, costs in self.costs.items():
             before = self._cpu()
             for _ in range(REQUESTS):
-                self._play(kind, costs.taken_us)
+                began_at = time.perf_counter()
+                self._does[kind]()
+                costs.taken_us.append(1e6 * (time.perf_counter() - began_at))
             spent = [now - then for now, then in zip(self._cpu(), before, strict=True)]
             if is_counted:
                 costs.cpu_us += spent[0]
@@ -81,16 +92,6 @@ class TurnParts:
                 costs.simulator_us += spent[2]
             else:
                 costs.taken_us.clear()
-
-    def _play(self, kind: str, taken_us: list[float]) -> None:
-        if kind == "new turn":
-            self._last = json.dumps(predict_body(self._turn))
-        began_at = time.perf_counter()
-        if kind == "GET /livez":
-            self._ask("GET", "/livez")
-        elif kind == "new turn" or self._last:
-            self._turn = self._ask("POST", self._path, self._last)
-        taken_us.append(1e6 * (time.perf_counter() - began_at))
 
     def _cpu(self) -> tuple[float, float, float]:
         """Microseconds of the server, of it in the system, and of simulators."""
