@@ -183,10 +183,11 @@ def _serve(
     # A large body is read in a thread. Whatever else runs waits for that thread so long
     # at each change of threads, and a turn has several; 5 ms are Python's default.
     sys.setswitchinterval(THREAD_SWITCH_S)
-    # uvicorn shuts down in order and then raises Ctrl-C again.
-    with contextlib.suppress(KeyboardInterrupt):
+    # uvicorn shuts down in order and then raises Ctrl-C again. It exits by itself when
+    # the start is refused; the log says why.
+    with contextlib.suppress(KeyboardInterrupt, SystemExit):
         server.run(sockets=[listener])
-    return 0 if server.started else 1
+    return 0 if server.started else 2
 
 
 class _CannotUse(Exception):

@@ -10,15 +10,15 @@ import signal
 import socket
 import time
 import typing
-from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
-from contextlib import asynccontextmanager
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator, Mapping
+from contextlib import AbstractAsyncContextManager, asynccontextmanager, contextmanager
 from functools import partial
-from typing import Any, Protocol
+from typing import Protocol
 
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import BaseRoute, Route, Router
-from starlette.types import ASGIApp, Lifespan, Message, Receive, Scope, Send
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_record.formats.merkle_tree import leaf_hash
 from reference_record.formats.opened_seeds import load_opened_seeds
@@ -54,7 +54,7 @@ from reference_server.records.board_history import BoardHistory
 from reference_server.records.record_imports import ImportSettings, RecordImports
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.records.shared_folder import check_shared, show_node
+from reference_server.records.shared_folder import NotShared, check_shared, show_node
 from reference_server.rules.capacity import Quota
 from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
@@ -70,9 +70,10 @@ from reference_server.storage.board_store import BoardStore
 from reference_server.storage.import_store import ImportStore
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.server_lock import lock_of
-from reference_server.storage.store import Store
+from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.counters import COUNTERS
 from reference_server.system.hourly_work import HourlyWork
+from reference_server.system.lifespan import StartRefused, run_lifespan
 from reference_server.system.log_output import (
     ACCESS_LOG,
     REQUEST_ID,
@@ -138,17 +139,18 @@ def build(
     token_file = TokenFile(settings.tokens_file_path, tokens)
 
     @asynccontextmanager
-    async def lifespan(_app: Any) -> AsyncIterator[None]:
+    async def lifespan() -> AsyncIterator[None]:
         async with _locked(settings):
-            await store.open()
-            key_encryption.open()
-            seed_secret.open()
-            await _open_all(traces, records, registry)
-            await pool.start()
-            driver.open()
-            await _open_all(imports, node, token_file)
-            retention.open()
-            await metrics.open()
+            with _refusals():
+                await store.open()
+                key_encryption.open()
+                seed_secret.open()
+                await _open_all(traces, records, registry)
+                await pool.start()
+                driver.open()
+                await _open_all(imports, node, token_file)
+                retention.open()
+                await metrics.open()
             try:
                 yield
             finally:
@@ -160,8 +162,9 @@ def build(
     readiness = _readiness_of(store, pool, registry)
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
     metrics = _metrics_of(metrics_socket, readiness, read_state)
-    app = _router(handlers, tokens, readiness, lifespan, node, traces=traces)
-    return Application(app, partial(_begin_drain, registry, driver, node), executor)
+    app = _router(handlers, tokens, readiness, node, traces=traces)
+    begin_drain = partial(_begin_drain, registry, driver, node)
+    return Application(app, lifespan, begin_drain, executor)
 
 
 def _traced(
@@ -177,13 +180,28 @@ def _traced(
     return RequestSpans(app, traces, trusts)
 
 
+def _end_server() -> None:
+    signal.raise_signal(signal.SIGTERM)
+
+
+@contextmanager
+def _refusals() -> Iterator[None]:
+    """Around the start: what was right a moment before may not be so any more."""
+    try:
+        yield
+    except StoreFailed as error:
+        raise StartRefused(f"cannot use the database ({error})") from error
+    except NotShared as error:
+        raise StartRefused(str(error)) from error
+
+
 @asynccontextmanager
 async def _locked(settings: Settings) -> AsyncIterator[None]:
     """While the server uses its database, as the only one or as one of its nodes."""
-    end_server = partial(signal.raise_signal, signal.SIGTERM)
     is_shared = settings.cluster == "on"
-    lock = lock_of(settings.database_url, end_server, is_shared=is_shared)
-    await lock.acquire()
+    lock = lock_of(settings.database_url, _end_server, is_shared=is_shared)
+    with _refusals():
+        await lock.acquire()
     try:
         yield
     finally:
@@ -306,6 +324,7 @@ def _node_of(
         service,
         announce=announce,
         on_joined=on_joined,
+        end_server=_end_server,
     )
 
 
@@ -345,7 +364,6 @@ def _router(
     handlers: Handlers,
     tokens: Tokens,
     readiness: Readiness,
-    lifespan: Lifespan[Any],
     node: ServerNode | None,
     *,
     traces: Traces | None,
@@ -362,7 +380,7 @@ def _router(
     routes: list[BaseRoute] = [Route(*one) for one in endpoints.items()]
     routes += health_routes(readiness)
     if settings.pages == "off":
-        router = Router(routes, False, _not_found, lifespan=lifespan)
+        router = Router(routes, False, _not_found)
         return _traced(router, traces, settings, node)
     node_id = str if node is None else node.node_id
     find_entry_id = None if handlers.board is None else handlers.board.entry_id_of_run
@@ -371,7 +389,7 @@ def _router(
     if node is not None:
         shown = node.routed_pages(shown, pages.show_away)
     # Behind the operations: no turn looks at their routes.
-    router = Router(routes, False, shown, lifespan=lifespan)
+    router = Router(routes, False, shown)
     pages.use_api(router)
     return _traced(router, traces, settings, node)
 
@@ -536,17 +554,19 @@ class Application:
     One layer around the router, not a framework's stack of them: a turn passes every
     layer three times.
 
-    begin_drain: to be called when the server begins to end; ends waiting requests, and
-    from then on nothing new begins. executor: has the turns that are to be finished.
+    lifespan: the parts, open while it is entered. begin_drain: to be called when the
+    server begins to end; ends waiting requests, and from then on nothing new begins.
+    executor: has the turns that are to be finished.
     """
 
     def __init__(
         self,
         app: ASGIApp,
+        lifespan: Callable[[], AbstractAsyncContextManager[None]],
         begin_drain: Callable[[], Awaitable[None]],
         executor: SessionExecutor,
     ) -> None:
-        self._app = app
+        self._app, self._lifespan = app, lifespan
         self._executor = executor
         self.begin_drain = begin_drain
 
@@ -554,8 +574,8 @@ class Application:
         return self._executor.turns_in_progress
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        if scope["type"] != "http":
-            await self._app(scope, receive, send)
+        if scope["type"] != "http":  # no web sockets: it is the lifespan
+            await run_lifespan(self._lifespan(), receive, send)
             return
         response_started = False
         status = 0

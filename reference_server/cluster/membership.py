@@ -57,7 +57,9 @@ class Membership:
     url: where other nodes reach this one. on_lost: forgets all runs of this node; it
     may await nothing. adopt: begins to load an open run that was claimed: nothing else
     goes on with it, and no other node looks for it any more. announce: is called with
-    the id of this node before it joins with it; raises StoreFailed.
+    the id of this node before it joins with it; raises StoreFailed. on_joined_again: is
+    called when it has joined after others removed it; raises StoreFailed while it must
+    not act for a run.
     """
 
     def __init__(
@@ -69,9 +71,11 @@ class Membership:
         adopt: Callable[[str], None],
         *,
         announce: Callable[[str], None] = lambda _: None,
+        on_joined_again: Callable[[], Awaitable[None]] | None = None,
     ) -> None:
         self._nodes, self.lease_s = nodes, lease_s
         self._on_lost, self._adopt, self._announce = on_lost, adopt, announce
+        self._on_joined_again = on_joined_again
         self._node = _new_node(url, secrets.token_hex(32))
         self._claims = True
         self._has_joined = False  # with its id: until then it tries again with it
@@ -171,6 +175,8 @@ class Membership:
             await asyncio.to_thread(self._announce, self.node_id)
             began = _now()
             await self._nodes.join(self._node)
+        if not self._has_joined and self._on_joined_again is not None:
+            await self._on_joined_again()
         self._has_joined = True
         self._valid_until = began + self.lease_s
 

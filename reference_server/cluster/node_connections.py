@@ -11,8 +11,8 @@ import asyncio
 import contextlib
 import logging
 import time
-from collections.abc import AsyncIterator
-from typing import Any
+from collections.abc import AsyncIterator, Coroutine
+from typing import Any, TypeVar
 
 import httpcore
 from starlette.types import Message, Receive, Scope, Send
@@ -36,6 +36,7 @@ from reference_server.system.repeated_failures import RepeatedFailures
 from reference_server.system.spans import span
 
 log = logging.getLogger("proctor.cluster")
+T = TypeVar("T")
 
 _NOT_REACHED = (
     httpcore.NetworkError,
@@ -147,24 +148,21 @@ class NodeConnections:
     async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
         """What a node answers to a request of this one; None if it ends."""
         headers = [(b"host", b"node"), (SECRET_HEADER, node.secret.encode())]
-        answers: list[bytes] = []
 
-        async def ask() -> None:
+        async def ask() -> bytes | None:
             url = httpcore.URL(node.url + path)
             async with self._reused.stream(
                 "POST", url, headers=headers, content=body
             ) as response:
-                if response.status == 200:
-                    answers.append(await response.aread())
+                return await response.aread() if response.status == 200 else None
 
         try:
             with span("read from node", is_call=True):
                 headers += trace_headers()
-                await _first_of(ask(), self.membership.gone(node).wait())
+                return await _first_of(ask(), self.membership.gone(node).wait())
         except (*_NOT_REACHED, OSError) as error:
             self.failures.report("a node was not reached", repr(error))
             return None
-        return next(iter(answers), None)
 
 
 class _ClientLeft(Exception):
@@ -252,14 +250,19 @@ def _body(part: bytes, *, more: bool) -> Message:
     return {"type": "http.response.body", "body": part, "more_body": more}
 
 
-async def _first_of(answer: Any, *ends: Any) -> None:
-    """Until the answer is sent or one of the others ends; raises what ended it."""
-    tasks = [asyncio.ensure_future(one) for one in (answer, *ends)]
+async def _first_of(
+    answer: Coroutine[Any, Any, T], *ends: Coroutine[Any, Any, object]
+) -> T | None:
+    """What `answer` gives, or None if another ends before; raises what ended it."""
+    answering = asyncio.ensure_future(answer)
+    ending = [asyncio.ensure_future(end) for end in ends]
+    tasks: list[asyncio.Future[Any]] = [answering, *ending]
     try:
         done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
         for task in tasks:
             if task in done:
                 task.result()
+        return answering.result() if answering in done else None
     finally:
         for task in tasks:
             task.cancel()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
@@ -15,6 +16,9 @@ from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.cluster.views_elsewhere import ViewsElsewhere
 from reference_server.runs.service import RunService
 from reference_server.storage.node_store import NodeStore
+from reference_server.storage.store import StoreFailed
+
+log = logging.getLogger("proctor.cluster")
 
 
 class ServerNode:
@@ -22,7 +26,8 @@ class ServerNode:
 
     url: where other nodes reach it. service: once the server is put together.
     announce: as of Membership. on_joined: is called when the others see this node, and
-    before it claims anything; what it raises says why it must not be one of them.
+    before it acts for a run; what it raises says why it must not be one of them. When
+    it joins again, end_server is called then.
     """
 
     def __init__(
@@ -34,8 +39,10 @@ class ServerNode:
         *,
         announce: Callable[[str], None],
         on_joined: Callable[[], Awaitable[None]],
+        end_server: Callable[[], None],
     ) -> None:
         self._service, self._on_joined = service, on_joined
+        self._end_server = end_server
         self.membership = Membership(
             nodes,
             url,
@@ -43,6 +50,7 @@ class ServerNode:
             on_lost=self._forget_runs,
             adopt=self._adopt,
             announce=announce,
+            on_joined_again=self._check_again,
         )
         self._connections = NodeConnections(self.membership)
         self.views = ViewsElsewhere(self._connections, self._view_run)
@@ -82,6 +90,17 @@ class ServerNode:
 
     async def _view_run(self, run_id: str, endpoint: str) -> dict[str, Any]:
         return await self._service().view_run(None, run_id, endpoint)
+
+    async def _check_again(self) -> None:
+        """Nodes that started meanwhile may have agreed on something else."""
+        try:
+            await self._on_joined()
+        except StoreFailed:
+            raise
+        except Exception as error:
+            log.error("the server ends: %s", error)  # noqa: TRY400 - says what to do
+            self._end_server()
+            raise StoreFailed(str(error)) from error
 
     async def open(self) -> None:
         """Join the nodes, when all other parts are open.

@@ -153,7 +153,7 @@ class RunRegistry:
                 self._admission.note_queued(run, is_queued=True)
             else:  # seldom, and for seconds: `_adopt` checks it by what was asked for
                 await self.get(run.run_id)
-        self._admit()
+        self._admission.admit()
 
     def begin_ending(self) -> None:
         """The server will shut down: end every wait for a change, begin nothing new."""
@@ -257,7 +257,7 @@ class RunRegistry:
         self.usage.note_stored(run, key)
         # A request that finds it in the store, even before this one, finds this object.
         self._in_memory[run.run_id] = run
-        self._admit(run)  # before it is stored: one submit is one transaction
+        self._admission.admit(run)  # before it is stored: one submit is one transaction
         if await self.run_to_end(self._store_new(run, key, body_sha256, check)):
             return run
         assert key is not None
@@ -304,7 +304,7 @@ class RunRegistry:
                 raise Refused("unavailable", text)
             self._cache(run)
             self._index_by_state(run, run.state)
-            self._admit()
+            self._admission.admit()
             self._announce_queue()
         return is_stored
 
@@ -444,7 +444,7 @@ class RunRegistry:
         finally:
             del self._deleting[run.run_id]
             self._changes.wake(run.run_id)
-            self._admit()
+            self._admission.admit()
             self._announce_queue()
 
     async def ended_since(
@@ -478,7 +478,7 @@ class RunRegistry:
             self._life.log_playing(run)
             self._index_by_state(run, run.state)
         self._changes.wake(run.run_id)
-        self._admit()
+        self._admission.admit()
 
     async def check_open_elsewhere(self, account: str) -> None:
         """LIM-007: refuse before anything has changed, where that is known by then.
@@ -512,7 +512,7 @@ class RunRegistry:
         if run.run_id in places:
             return
         places.wait(WaitingRun(run.run_id, run.number, run.account, 0.0))
-        self._admit(knows_all=True)  # the answer waits for no look elsewhere
+        self._admission.admit(knows_all=True)  # the answer waits for no look elsewhere
         if run.run_id not in places:
             raise Refused("no_capacity", "As many runs are played as may be at once.")
 
@@ -577,7 +577,7 @@ class RunRegistry:
         waiting = [run for run in waiting if not self._knows(run.run_id)]
         self._elsewhere.offer(run.run_id for run in waiting)
         self._admission.places.note_elsewhere(waiting, places)
-        self._admit(knows_all=True)
+        self._admission.admit(knows_all=True)
 
     def _knows(self, run_id: str) -> bool:
         """Whether the run is here, or on its way."""
@@ -648,10 +648,6 @@ class RunRegistry:
         for run_id in self._changes.run_ids():
             if self._admission.queue.is_behind(run_id, number):
                 self._changes.wake(run_id)
-
-    def _admit(self, new: Run | None = None, *, knows_all: bool = False) -> None:
-        """Let runs in while there is capacity, as Admission.admit does it."""
-        self._admission.admit(new, knows_all=knows_all)
 
     def _let_in(self, run_id: str, new: Run | None) -> None:
         """A run got a place; one that is not in memory is loaded for that."""
@@ -801,7 +797,7 @@ class RunRegistry:
             has_place = loaded.run_id in self._admission.places
             if not (has_place and self._apply_admission(loaded)):
                 self._index_by_state(loaded, loaded.state)
-            self._admit()
+            self._admission.admit()
         return loaded
 
     def _cache(self, run: Run) -> None:

@@ -126,8 +126,10 @@ class NodeStore:
 
         facts: what must be equal on all nodes, as this node has it; the caller compares
         it with what is returned. While no other node lives, those of this node replace
-        what is stored, but for the names in `lasting`, which never change. url: of this
-        node; a row with it is of this one, from before a restart, and of no other.
+        what is stored, but for the names in `lasting`, which never change; nodes that
+        had agreed on something else are removed then, and compare again when they go on
+        and join. url: of this node; a row with it is of this one, from before a
+        restart, and of no other.
         """
         others = sa.select(_nodes.c.node_id).where(_nodes.c.url != url, self._lives)
 
@@ -138,6 +140,8 @@ class NodeStore:
             for name, value in facts.items():
                 if name in known and (name in lasting or not is_alone):
                     continue
+                if known.get(name, value) != value:
+                    connection.execute(_nodes.delete().where(~self._lives))
                 connection.execute(_facts.delete().where(_facts.c.name == name))
                 connection.execute(_facts.insert().values(name=name, value=value))
                 known[name] = value

@@ -431,6 +431,61 @@ def test_a_living_node_at_the_same_address_is_not_removed(
     run_scenario(database, scenario)
 
 
+def test_a_node_that_was_removed_acts_for_no_run_before_it_may(
+    database: UsedDatabase,
+) -> None:
+    """Others that started meanwhile may have another key: it is asked until it may."""
+
+    async def scenario(nodes: Nodes) -> None:
+        answers: list[StoreFailed | None] = [StoreFailed("wait"), None]
+        asked: list[list[str]] = []
+
+        async def check() -> None:
+            asked.append(await live(nodes.nodes[1]))
+            if (error := answers.pop(0)) is not None:
+                raise error
+
+        member = Membership(
+            NodeStore(nodes.stores[0], 0.0),
+            "http://member",
+            0.0,
+            lambda: None,
+            lambda _run_id: None,
+            on_joined_again=check,
+        )
+        await member.open()
+        assert asked == []
+        await nodes.nodes[1].leave(member.node_id)
+        with pytest.raises(StoreFailed, match="wait"):
+            await member.ensure_lease()
+        await member.ensure_lease()
+        await member.ensure_lease()
+        assert asked == [sorted([member.node_id, "first", "second"])] * 2
+
+    run_scenario(database, scenario)
+
+
+def test_who_agrees_on_something_else_removes_the_silent(
+    database: UsedDatabase,
+) -> None:
+    """They compare again when they join; by a renewal alone they would not."""
+
+    async def scenario(nodes: Nodes) -> None:
+        store, lasting = nodes.nodes[1], {"folder"}
+        facts = {"folder": "f", "key": "1"}
+        assert await store.agree_on(facts, FIRST.url, lasting) == facts
+        await nodes.let_lease_end(SECOND)
+        assert await store.agree_on(facts, FIRST.url, lasting) == facts
+        assert await store.renew("second")
+        await nodes.let_lease_end(SECOND)
+        facts["key"] = "2"
+        assert await store.agree_on(facts, FIRST.url, lasting) == facts
+        assert not await store.renew("second")
+        assert await store.renew("first")
+
+    run_scenario(database, scenario)
+
+
 @pytest.mark.slow("PostgreSQL")
 def test_a_node_that_is_paused_in_a_transaction_locks_nothing_for_long(
     postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch

@@ -105,6 +105,33 @@ def test_a_failed_start_prints_one_line(tmp_path: Path, cause: str, about: str) 
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
+    """It is restarted, say, between two looks at it."""
+    program = (
+        "import sys, reference_server.__main__ as server\n"
+        "server._check_database_and_keys = lambda settings: None\n"
+        "sys.argv[1:] = ['--port', '0']\n"
+        "sys.exit(server.main())"
+    )
+    settings = {
+        "PROCTOR_DATABASE": str(ROOT / "LICENSE"),
+        "PROCTOR_TOKENS": "alice:read:a-token",
+        "PROCTOR_RECORDINGS": "off",
+    }
+    ended = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=ROOT,
+        env=environment(**settings),
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    assert ended.returncode == 2, ended.stderr
+    assert "cannot use the database (" in ended.stderr
+    assert "Traceback" not in ended.stderr
+
+
 @pytest.mark.slow("starts a server")
 def test_a_second_server_on_a_database_is_refused(tmp_path: Path) -> None:
     """The runs of the first one go on: nothing was done to them."""

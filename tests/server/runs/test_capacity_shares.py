@@ -51,7 +51,7 @@ async def until(parts: ServerParts, run_id: str, state: str) -> Run:
 def let_unused_time_pass(parts: ServerParts) -> None:
     parts.registry._admission.places._unused_s = 0.0
     parts.registry._admission.places._settled_until = 0.0
-    parts.registry._admit()
+    parts.registry._admission.admit()
 
 
 # --- places ---

@@ -1,0 +1,41 @@
+"""The start and the end of the server, when the ASGI server says so.
+
+A start that is refused is one sentence in the log, as for a bad setting. What fails
+otherwise is a defect, and the log has its traceback.
+"""
+
+from __future__ import annotations
+
+import logging
+from contextlib import AbstractAsyncContextManager
+
+from starlette.types import Receive, Send
+
+log = logging.getLogger("proctor.app")
+
+
+class StartRefused(Exception):
+    """Why the server must not start; the text says what to do."""
+
+
+async def run_lifespan(
+    parts: AbstractAsyncContextManager[None], receive: Receive, send: Send
+) -> None:
+    """Enter `parts` at the start of the server, leave it at its end.
+
+    receive, send: of the ASGI scope `lifespan`.
+    """
+    ended = "lifespan.startup"
+    await receive()
+    try:
+        async with parts:
+            await send({"type": "lifespan.startup.complete"})
+            ended = "lifespan.shutdown"
+            await receive()
+    except StartRefused as refused:
+        await send({"type": f"{ended}.failed", "message": str(refused)})
+    except Exception:
+        log.exception("the server could not start or end in order")
+        await send({"type": f"{ended}.failed", "message": ""})
+    else:
+        await send({"type": f"{ended}.complete"})
