@@ -10,8 +10,8 @@ import signal
 import socket
 import time
 import typing
-from collections.abc import AsyncIterator, Awaitable, Callable, Iterator, Mapping
-from contextlib import AbstractAsyncContextManager, asynccontextmanager, contextmanager
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from functools import partial
 from typing import Protocol
 
@@ -73,7 +73,7 @@ from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.counters import COUNTERS
 from reference_server.system.hourly_work import HourlyWork
-from reference_server.system.lifespan import StartRefused, run_lifespan
+from reference_server.system.lifespan import CannotServe, run_lifespan
 from reference_server.system.log_output import (
     ACCESS_LOG,
     REQUEST_ID,
@@ -140,17 +140,16 @@ def build(
 
     @asynccontextmanager
     async def lifespan() -> AsyncIterator[None]:
-        async with _locked(settings):
-            with _refusals():
-                await store.open()
-                key_encryption.open()
-                seed_secret.open()
-                await _open_all(traces, records, registry)
-                await pool.start()
-                driver.open()
-                await _open_all(imports, node, token_file)
-                retention.open()
-                await metrics.open()
+        async with _explained(), _locked(settings):
+            await store.open()
+            key_encryption.open()
+            seed_secret.open()
+            await _open_all(traces, records, registry)
+            await pool.start()
+            driver.open()
+            await _open_all(imports, node, token_file)
+            retention.open()
+            await metrics.open()
             try:
                 yield
             finally:
@@ -163,8 +162,7 @@ def build(
     read_state = partial(_read_state, registry, executor, pool, streams, limiter)
     metrics = _metrics_of(metrics_socket, readiness, read_state)
     app = _router(handlers, tokens, readiness, node, traces=traces)
-    begin_drain = partial(_begin_drain, registry, driver, node)
-    return Application(app, lifespan, begin_drain, executor)
+    return Application(app, lifespan, partial(_drain, registry, driver, node), executor)
 
 
 def _traced(
@@ -184,15 +182,15 @@ def _end_server() -> None:
     signal.raise_signal(signal.SIGTERM)
 
 
-@contextmanager
-def _refusals() -> Iterator[None]:
-    """Around the start: what was right a moment before may not be so any more."""
+@asynccontextmanager
+async def _explained() -> AsyncIterator[None]:
+    """What was right when it was checked may not be so any more: a sentence says so."""
     try:
         yield
     except StoreFailed as error:
-        raise StartRefused(f"cannot use the database ({error})") from error
+        raise CannotServe(f"cannot use the database ({error})") from error
     except NotShared as error:
-        raise StartRefused(str(error)) from error
+        raise CannotServe(str(error)) from error
 
 
 @asynccontextmanager
@@ -200,15 +198,14 @@ async def _locked(settings: Settings) -> AsyncIterator[None]:
     """While the server uses its database, as the only one or as one of its nodes."""
     is_shared = settings.cluster == "on"
     lock = lock_of(settings.database_url, _end_server, is_shared=is_shared)
-    with _refusals():
-        await lock.acquire()
+    await lock.acquire()
     try:
         yield
     finally:
         await lock.release()
 
 
-async def _begin_drain(
+async def _drain(
     registry: RunRegistry, driver: Driver, node: ServerNode | None
 ) -> None:
     registry.begin_ending()

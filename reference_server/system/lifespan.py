@@ -1,6 +1,6 @@
 """The start and the end of the server, when the ASGI server says so.
 
-A start that is refused is one sentence in the log, as for a bad setting. What fails
+What is known to go wrong is one sentence in the log, as for a bad setting. What fails
 otherwise is a defect, and the log has its traceback.
 """
 
@@ -14,8 +14,8 @@ from starlette.types import Receive, Send
 log = logging.getLogger("proctor.app")
 
 
-class StartRefused(Exception):
-    """Why the server must not start; the text says what to do."""
+class CannotServe(Exception):
+    """Why the server cannot start, or not end in order: a sentence for its host."""
 
 
 async def run_lifespan(
@@ -23,7 +23,8 @@ async def run_lifespan(
 ) -> None:
     """Enter `parts` at the start of the server, leave it at its end.
 
-    receive, send: of the ASGI scope `lifespan`.
+    receive, send: of the ASGI scope `lifespan`. Of CannotServe the sentence is
+    reported.
     """
     ended = "lifespan.startup"
     await receive()
@@ -32,8 +33,8 @@ async def run_lifespan(
             await send({"type": "lifespan.startup.complete"})
             ended = "lifespan.shutdown"
             await receive()
-    except StartRefused as refused:
-        await send({"type": f"{ended}.failed", "message": str(refused)})
+    except CannotServe as error:
+        await send({"type": f"{ended}.failed", "message": str(error)})
     except Exception:
         log.exception("the server could not start or end in order")
         await send({"type": f"{ended}.failed", "message": ""})
