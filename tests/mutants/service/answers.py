@@ -124,8 +124,13 @@ def accepts_any_version() -> None:
 def does_not_name_its_version() -> None:
     """A client cannot know which protocol version an answer follows."""
 
+    right = app.Application.__call__
+
     async def wrong(self: app.Application, scope: Any, receive: Any, send: Any) -> None:
-        await self._app(scope, receive, send)
+        if scope["type"] == "http":
+            await self._app(scope, receive, send)
+        else:
+            await right(self, scope, receive, send)
 
     put(app.Application, "__call__", wrong)
 
