@@ -10,7 +10,7 @@ from collections.abc import Awaitable, Callable
 from typing import Generic, TypeVar
 
 import msgspec
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
@@ -63,6 +63,8 @@ class NodeRequests(Generic[Question, Reply]):
             response = await self._respond(scope, receive)
         except Refused as refused:
             response = problem_response(refused)
+        except ClientDisconnect:
+            return  # the other node ended, or waits no more
         await response(scope, receive, send)
 
     async def _respond(self, scope: Scope, receive: Receive) -> Response:

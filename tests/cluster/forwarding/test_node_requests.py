@@ -103,6 +103,27 @@ def test_a_refusal_is_a_problem_document(
     assert {"code", "detail", "title"} <= problem.keys()
 
 
+def test_a_node_that_ends_while_it_asks_is_not_answered() -> None:
+    async def scenario() -> None:
+        messages = [
+            {"type": "http.request", "body": b"{", "more_body": True},
+            {"type": "http.disconnect"},
+        ]
+
+        async def receive() -> Any:
+            return messages.pop(0)
+
+        async def send(message: Any) -> None:
+            pytest.fail(f"{message} was sent")
+
+        headers = [(b"proctor-node-secret", SECRET.encode())]
+        scope = {"type": "http", "method": "POST", "headers": headers, "path": "/"}
+        await requests_of(FakeConnections())(scope, receive, send)
+        assert not messages
+
+    asyncio.run(scenario())
+
+
 def test_another_node_is_asked() -> None:
     async def scenario() -> None:
         node = FakeConnections(b'{"number":8}')
