@@ -158,15 +158,17 @@ def test_a_worker_that_ends_alone_gives_its_episode_back(
 
     Expect it to play that episode, too, long before the lease is over.
     """
-    may_end = threading.Event()
+    is_in_the_middle, may_end = threading.Event(), threading.Event()
     made: list[GradedPolicy] = []
 
     class EndingPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
             if made[0] is self and observation.step == 1:
+                is_in_the_middle.set()
                 may_end.wait(TIMEOUT_S)
                 raise ProctorError(WORKER_DIED, "the device was lost")
-            if made[1] is self:
+            if made[0] is not self:
+                is_in_the_middle.wait(TIMEOUT_S)
                 may_end.set()
             return super().act(observation)
 

@@ -132,7 +132,7 @@ def test_foreign_accounts_are_refused_in_an_envelope(
 
 def test_a_queued_task_is_not_ready(http: httpx.Client) -> None:
     client = EbenchClient(
-        http, submit_native_run(http, "score", options={"queue_s": 0.4})
+        http, submit_native_run(http, "score", options={"queue_s": 3})
     )
     first = client.find()
     assert first["data"] == {"ready": False, "endpoint": ""}

@@ -341,21 +341,22 @@ def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
         await begin(handle, "count")
         assert handle.pid is not None
         os.kill(handle.pid, signal.SIGSTOP)  # as deaf as a process can be
+        handle._process._timeout_s = 1.0  # not of its start, which may be slower
         with pytest.raises(SimulatorFault, match="no step for"):
             await handle.play([action()], observe_all=False)
         await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
 
-    with_pool(scenario, turn_timeout_s=2.0, fork=fork)
+    with_pool(scenario, fork=fork)
 
 
 def test_a_slow_chunk_that_makes_steps_does_not_time_out() -> None:
     async def scenario(pool: SimulatorPool) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
-        played = await handle.play([action(delay_s=0.6)] * 5, observe_all=False)
-        assert played.executed == 5
+        played = await handle.play([action(delay_s=0.6)] * 9, observe_all=False)
+        assert played.executed == 9
 
-    with_pool(scenario, turn_timeout_s=2.5)
+    with_pool(scenario, turn_timeout_s=5.0)
 
 
 @fork_and_exec
@@ -394,10 +395,13 @@ def test_a_long_turn_delays_no_other_simulator() -> None:
         slow, quick = await pool.acquire(WORLD), await pool.acquire(WORLD)
         await begin(slow, "delay")
         await begin(quick, "count", max_steps=1000)
-        playing = asyncio.create_task(slow.play([action(delay_s=2)], observe_all=False))
+        assert slow.pid is not None
+        os.kill(slow.pid, signal.SIGSTOP)  # as long as the other one plays
+        playing = asyncio.create_task(slow.play([action()], observe_all=False))
         for _ in range(20):
             await quick.play([action()], observe_all=False)
         assert not playing.done()
+        os.kill(slow.pid, signal.SIGCONT)
         await playing
 
     with_pool(scenario)

@@ -92,6 +92,7 @@ def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
 def test_a_full_cluster_refuses_and_the_request_stays() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         first = await pool.acquire(WORLD)
+        pool._place_s = 0.5
         fullness = [pool.is_full]
         for _ in range(3):  # a caller that repeats asks for no more
             with pytest.raises(NoCapacity, match="no room"):
@@ -106,7 +107,7 @@ def test_a_full_cluster_refuses_and_the_request_stays() -> None:
         assert first.pid != second.pid
         assert pool.starts == 2
 
-    with_pool(scenario, room=1, place_s=3.0)
+    with_pool(scenario, room=1)
 
 
 def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
@@ -207,11 +208,12 @@ def test_an_actor_that_makes_no_step_is_killed() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
+        handle._process._timeout_s = 1.0  # not of its start, which may be slower
         with pytest.raises(SimulatorFault, match="made no step for 1 s"):
             await handle.play([action(delay_s=5)], observe_all=False)
         assert launcher.actors == {}
 
-    with_pool(scenario, room=1, turn_timeout_s=1.0)
+    with_pool(scenario, room=1)
 
 
 def test_a_discarded_actor_is_killed() -> None:

@@ -20,8 +20,10 @@ from pathlib import Path
 import pytest
 
 from tests.support.client.command import ProctorCommand, options
+from tests.support.client.faulty_proxy import serve_in_thread
 from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
+from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 SEPARATOR = "\v"
@@ -57,6 +59,18 @@ def complete(tmp_path: Path) -> Complete:
     return run
 
 
+def complete_in_time(complete: Complete, line: str, url: str) -> list[str]:
+    """The words, asked for again when the server did not answer within a second."""
+    words: list[str] = []
+
+    def has_words() -> bool:
+        words[:] = complete(line, url)
+        return words != [""]
+
+    wait_until(has_words, f"`{line}` is completed")
+    return words
+
+
 def test_commands_flags_and_values_are_completed(
     server: ReferenceServer, complete: Complete
 ) -> None:
@@ -71,10 +85,14 @@ def test_runs_and_benchmarks_are_those_of_the_server(
 ) -> None:
     """Expect the newest run first, also of a server that the line names."""
     run_id = proctor.json("submit", *options("score"))["run_id"]
-    assert complete("proctor results ", server.url)[0] == run_id
     named = f"proctor compare x --url {server.url} "
-    assert complete(named, "http://127.0.0.1:9")[0] == run_id
-    assert complete("proctor run --benchmark calib", server.url) == ["calibration"]
+    calibration = "proctor run --benchmark calib"
+    for line, url, word in (
+        ("proctor results ", server.url, run_id),
+        (named, "http://127.0.0.1:9", run_id),
+        (calibration, server.url, "calibration"),
+    ):
+        assert complete_in_time(complete, line, url)[0] == word
     assert complete("proctor board ver", server.url) == ["verify"]
 
 
@@ -106,10 +124,10 @@ def test_a_hostile_server_puts_nothing_on_the_command_line(complete: Complete) -
             self.end_headers()
             self.wfile.write(body)
 
-    with HTTPServer(("127.0.0.1", 0), Hostile) as server:
-        threading.Thread(target=server.handle_request).start()
+    with serve_in_thread(HTTPServer(("127.0.0.1", 0), Hostile)) as server:
         url = f"http://127.0.0.1:{server.server_port}"
-        assert complete("proctor results ", url) == ["run_1", "run_3"]
+        words = complete_in_time(complete, "proctor results ", url)
+        assert words == ["run_1", "run_3"]
 
 
 def test_a_server_that_sends_slowly_holds_no_tab(complete: Complete) -> None:
@@ -133,7 +151,7 @@ def test_a_server_that_sends_slowly_holds_no_tab(complete: Complete) -> None:
         took_s = time.monotonic() - asked_at[0]
         is_over.set()
         server.join()
-    assert took_s < 5  # a busy machine ends a process slowly
+    assert took_s < 15  # a busy machine ends a process slowly
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])

@@ -32,6 +32,8 @@ from tests.support.waiting import wait_until
 pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
 RUN_BLOCKING_POLICY = ["run", "--no-dry-turn", "--policy", "policies:Held"]
+# What is stopped may execute one more action before it knows, and no second one.
+RUN_BLOCKED_TWICE = ["run", "--no-dry-turn", "--policy", "policies:HeldAtEachStep"]
 
 
 def acting_policies(policy_folder: Path) -> int:
@@ -99,7 +101,7 @@ def test_ctrl_c_detaches_and_prints_the_resume_command(
     tasks = options(*["count"] * 3)
     flags = ["--workers", "2", "--processes"]
     with start_proctor(
-        policy_folder, server.url, *RUN_BLOCKING_POLICY, *tasks, *flags
+        policy_folder, server.url, *RUN_BLOCKED_TWICE, *tasks, *flags
     ) as process:
         wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
         run_id = direct_client.latest().run_id
@@ -107,13 +109,14 @@ def test_ctrl_c_detaches_and_prints_the_resume_command(
         wait_until(lambda: "Stopping" in stderr_text(policy_folder), "it is said")
         (policy_folder / "go").touch()
         assert wait_for_exit(process) == (130, "")
-    # A process may execute one more action before it stops; then its episode waits.
+    # After one more action its episode waits.
     waiting = stderr_text(policy_folder).count(" waits at step ")
     assert direct_client.control.get_run(run_id).live_workers == waiting
     assert "Traceback" not in stderr_text(policy_folder)
     assert ": 0/3 episodes scored" in stderr_text(policy_folder)
     (command,) = RESUME.findall(stderr_text(policy_folder))
     assert f"--run-id {run_id}" in command
+    (policy_folder / "go_on").touch()
     with start_proctor(
         policy_folder, server.url, *shlex.split(command)[1:], "--json"
     ) as process:
@@ -142,9 +145,10 @@ def test_a_second_ctrl_c_ends_at_once(
 def test_sigterm_detaches(
     server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
 ) -> None:
-    """A batch system ends the job. Expect 143, and no session left."""
+    """A batch system ends the job. Expect 143, and no session left but what is said
+    to wait."""
     with start_proctor(
-        policy_folder, server.url, *RUN_BLOCKING_POLICY, *options("count")
+        policy_folder, server.url, *RUN_BLOCKED_TWICE, *options("count")
     ) as process:
         wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
         run_id = direct_client.latest().run_id
@@ -153,13 +157,14 @@ def test_sigterm_detaches(
         (policy_folder / "go").touch()
         assert wait_for_exit(process) == (143, "")
     assert RESUME.search(stderr_text(policy_folder))
-    assert direct_client.control.get_run(run_id).live_workers == 0
+    waiting = stderr_text(policy_folder).count(" waits at step ")
+    assert direct_client.control.get_run(run_id).live_workers == waiting
 
 
 def test_processes_leave_when_their_parent_is_killed(
     server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
 ) -> None:
-    """Expect no process left, and no session."""
+    """While the policy thinks for ever. Expect no process left, and no session."""
     run = [*RUN_BLOCKING_POLICY, *options("count"), "--processes"]
     with start_proctor(policy_folder, server.url, *run) as process:
         wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
@@ -168,7 +173,6 @@ def test_processes_leave_when_their_parent_is_killed(
         run_id = direct_client.latest().run_id
         process.kill()
         process.wait()
-    (policy_folder / "go").touch()
     wait_until_ended(children)
     assert direct_client.control.get_run(run_id).live_workers == 0
 
