@@ -60,10 +60,13 @@ class Server:
     def read(self, path: str) -> dict[str, Any]:
         """One GET by hand, outside every client."""
         headers = {"Authorization": f"Bearer {self.token}"}
-        with httpx.Client(
-            base_url=self.url, headers=headers, trust_env=False
-        ) as client:
-            answer = client.get(path).raise_for_status().json()
+        answer = (
+            httpx.get(
+                self.url + path, headers=headers, trust_env=False, timeout=TIMEOUT_S
+            )
+            .raise_for_status()
+            .json()
+        )
         assert isinstance(answer, dict)
         return answer
 
@@ -72,7 +75,11 @@ class Server:
         headers = {"Authorization": f"Bearer {self.token}"}
         body = {"benchmark_id": "calibration", "policy": {"name": "interop"}}
         httpx.post(
-            f"{self.url}/v1/runs", json=body, headers=headers, trust_env=False
+            f"{self.url}/v1/runs",
+            json=body,
+            headers=headers,
+            trust_env=False,
+            timeout=TIMEOUT_S,
         ).raise_for_status()
 
 

@@ -118,10 +118,10 @@ def test_odd_values_in_a_signed_file(name: str, tmp_path: Path) -> None:
 def test_many_members_of_which_the_last_stand_twice() -> None:
     members = [f'"{number}":0' for number in range(40_000)]
     text = "{" + ",".join([*members, members[-1]]) + "}"
-    started = time.monotonic()
+    started = time.process_time()
     with pytest.raises(BrokenRecord, match="stands twice"):
         read_json(MANIFEST, text.encode(), dict)
-    assert time.monotonic() - started < 2  # tens of seconds if each is searched
+    assert time.process_time() - started < 2  # tens of seconds if each is searched
 
 
 @pytest.mark.parametrize("text", [b"[" * 100_000, b'{"a":' * 100_000, b"\xff", b""])

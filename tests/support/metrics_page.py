@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 import httpx
 from prometheus_client import Metric, parser
 
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 METRICS = {"PROCTOR_METRICS": "on", "PROCTOR_METRICS_PORT": "0"}
 
@@ -28,7 +28,7 @@ def metrics_url(server: ReferenceServer) -> str:
 
 def read_page(url: str) -> Page:
     """Every sample, by its name and the values of its labels, sorted by label."""
-    answer = httpx.get(url, trust_env=False)
+    answer = httpx.get(url, trust_env=False, timeout=TIMEOUT_S)
     assert answer.status_code == 200, answer.text
     found: Page = {}
     for family in READ_TEXT(answer.text):

@@ -24,7 +24,7 @@ from reference_client.policies.gr00t.gr00t_client import Gr00tClient
 from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
 from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
 from tests.support.client.command import ProctorCommand, options
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 # A greeting of ZMTP 3.1 with NULL, and READY of a REP socket.
 LIBZMQ_HELLO = (
@@ -360,7 +360,7 @@ def test_a_closed_client_does_not_connect_again(
 
     def answer(_request: dict[str, Any], _number: int) -> bytes:
         entered.set()
-        leave.wait(5)
+        leave.wait(TIMEOUT_S)
         return b"\x80"
 
     policies = start_server(answer)
@@ -368,7 +368,7 @@ def test_a_closed_client_does_not_connect_again(
     client = Gr00tClient(host, int(port))
 
     def close() -> None:
-        entered.wait(5)
+        entered.wait(TIMEOUT_S)
         client.close()
 
     threading.Thread(target=close).start()

@@ -7,7 +7,6 @@ openpi-client 0.1.2, which also read what we write.
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -21,7 +20,8 @@ from reference_client import ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 from reference_client.policies.openpi_client import OpenpiClient
 from tests.support.client.command import ProctorCommand, options
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.waiting import wait_until
 
 # {"actions": float32 2x3, "n": np.float64(1.5), "i": uint8, "t", "l", "b": bool}
 GOLDEN = bytes.fromhex(
@@ -199,11 +199,9 @@ def test_a_policy_server_is_left_with_a_close_frame(
     policies = start_policy_server(lambda _request, _number: frame())
     proctor.json(*run(policies.url, *["score"] * 4, workers=2), *flags)
     assert proctor.code == 0
-    deadline = time.monotonic() + 5
-    while (
-        len(policies.close_codes) < len(policies.keys) and time.monotonic() < deadline
-    ):
-        time.sleep(0.01)
+    wait_until(
+        lambda: len(policies.close_codes) == len(policies.keys), "both are closed"
+    )
     assert policies.close_codes == [1000] * 2
 
 
@@ -215,14 +213,14 @@ def test_a_closed_client_does_not_connect_again(
 
     def answer(_request: bytes, _number: int) -> bytes:
         entered.set()
-        leave.wait(5)
+        leave.wait(TIMEOUT_S)
         return frame()
 
     policies = start_policy_server(answer)
     client = OpenpiClient.connect_to(policies.url)
 
     def close() -> None:
-        entered.wait(5)
+        entered.wait(TIMEOUT_S)
         client.close()
         leave.set()
 

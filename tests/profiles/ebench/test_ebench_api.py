@@ -30,7 +30,7 @@ from tests.support.profiles.ebench_client import (
     run_of,
     submit_native_run,
 )
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
 
 
@@ -126,7 +126,9 @@ def test_foreign_accounts_are_refused_in_an_envelope(
             assert foreign_client.stop(url)["code"] == code
         assert EbenchClient(bob, task_id).find()["code"] == 404
         assert EbenchClient(reader, task_id).find()["data"]["ready"]
-    with httpx.Client(base_url=server.url, trust_env=False) as anonymous:
+    with httpx.Client(
+        base_url=server.url, trust_env=False, timeout=TIMEOUT_S
+    ) as anonymous:
         assert EbenchClient(anonymous, task_id).find()["code"] == 401
 
 

@@ -28,7 +28,7 @@ from tests.support.profiles.flageval_client import (
     wait_until_finished,
 )
 from tests.support.push_runs import start_push_server
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers")
 MODES = (
@@ -57,7 +57,9 @@ def host(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
 def script(host: ReferenceServer) -> Iterator[httpx.Client]:
     """A script as it is: no token, and `Content-Type` in every request."""
     headers = {"Content-Type": "application/json"}
-    with httpx.Client(base_url=host.url, headers=headers) as client:
+    with httpx.Client(
+        base_url=host.url, headers=headers, trust_env=False, timeout=TIMEOUT_S
+    ) as client:
         yield client
 
 

@@ -14,7 +14,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from http.server import BaseHTTPRequestHandler, HTTPServer
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
@@ -124,7 +124,7 @@ def test_a_hostile_server_puts_nothing_on_the_command_line(complete: Complete) -
             self.end_headers()
             self.wfile.write(body)
 
-    with serve_in_thread(HTTPServer(("127.0.0.1", 0), Hostile)) as server:
+    with serve_in_thread(ThreadingHTTPServer(("127.0.0.1", 0), Hostile)) as server:
         url = f"http://127.0.0.1:{server.server_port}"
         words = complete_in_time(complete, "proctor results ", url)
         assert words == ["run_1", "run_3"]
