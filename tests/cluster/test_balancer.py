@@ -84,6 +84,11 @@ def run(scenario: Callable[[int, Node, Node], Awaitable[None]]) -> None:
 @pytest.fixture(autouse=True)
 def _hurry(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(balancer_module, "CHECK_EVERY_S", 0.02)
+    monkeypatch.setattr(balancer_module, "SILENT_S", 10.0)
+
+
+@pytest.fixture
+def _notices_silence_soon(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(balancer_module, "SILENT_S", 0.3)
 
 
@@ -101,6 +106,7 @@ def test_connections_are_given_to_the_nodes_in_turn() -> None:
     run(scenario)
 
 
+@pytest.mark.usefixtures("_notices_silence_soon")
 @pytest.mark.parametrize("health", [REFUSED, b""])
 def test_a_node_that_is_not_ready_gets_no_connection_until_it_is(health: bytes) -> None:
     async def scenario(port: int, first: Node, second: Node) -> None:
@@ -128,6 +134,7 @@ def test_a_node_that_refuses_keeps_the_connections_that_it_has() -> None:
     run(scenario)
 
 
+@pytest.mark.usefixtures("_notices_silence_soon")
 def test_who_waits_for_a_node_that_says_nothing_is_disconnected() -> None:
     """A client may wait for long: a turn may take long."""
 

@@ -32,7 +32,7 @@ def test_each_number_moves_where_it_happens(tmp_path: Path) -> None:
         body = {
             "benchmark_id": "calibration",
             "policy": {"name": "p"},
-            "idle_timeout_s": 1,
+            "idle_timeout_s": 3,
             "options": {"tasks": ["score", "score"]},
         }
         run_id = owner.post("/v1/runs", json=body).json()["run_id"]

@@ -184,7 +184,9 @@ def test_nodes_share_the_lock_of_the_database(
             with pytest.raises(StoreFailed, match="another server uses it"):
                 await alone.acquire()
             await node.release()
-        await alone.acquire()
+        with monkeypatch.context() as patched:  # its predecessor may take a while
+            patched.setattr(server_lock, "WAIT_S", 30.0)
+            await alone.acquire()
         with pytest.raises(StoreFailed, match="another server uses it"):
             await nodes[0].acquire()
         await alone.release()
@@ -491,7 +493,7 @@ def test_a_node_that_is_paused_in_a_transaction_locks_nothing_for_long(
     postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Others would wait for its locks until it goes on."""
-    monkeypatch.setattr(database_postgresql, "NODE_IDLE_TIMEOUT_S", 0.2)
+    monkeypatch.setattr(database_postgresql, "NODE_IDLE_TIMEOUT_S", 1.0)
     database = UsedDatabase(postgresql.create(), server=postgresql)
 
     async def scenario(nodes: Nodes) -> None:
@@ -515,16 +517,17 @@ def test_a_request_does_not_wait_long_for_a_lease(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A database that does not answer: another node may reach it."""
-    monkeypatch.setattr(membership_module, "LATE_LEASE_S", 0.05)
 
     async def scenario(nodes: Nodes) -> None:
         member = Membership(
             nodes.nodes[0], "http://member", 0.0, lambda: None, lambda _: None
         )
         await member.open()
-        async with nodes.stores[0].write(), asyncio.timeout(5):
-            with pytest.raises(StoreFailed, match="could not be renewed"):
-                await member.ensure_lease()
+        with monkeypatch.context() as patched:
+            patched.setattr(membership_module, "LATE_LEASE_S", 0.05)
+            async with nodes.stores[0].write(), asyncio.timeout(5):
+                with pytest.raises(StoreFailed, match="could not be renewed"):
+                    await member.ensure_lease()
         await member.ensure_lease()
 
     run_scenario(UsedDatabase.of_file(tmp_path / "d.sqlite"), scenario)

@@ -112,9 +112,11 @@ def test_another_node_goes_on_when_the_owner_is_killed(
     predict(first, run_id, turn, score=0.5)
     cluster.kill(0)
     lost = predict(second, run_id, turn, score=0.5)
-    assert lost.status_code == 503, lost.text  # nothing was sent: a repeat is safe
-    assert lost.headers["Retry-After"]
-    assert lost.headers["Connection"] == "close"  # the balancer gives it another node
+    if lost.status_code == 503:  # nothing was sent: a repeat is safe
+        assert lost.headers["Retry-After"]
+        assert lost.headers["Connection"] == "close"  # it may reach another node so
+    else:  # this one has claimed the run meanwhile
+        assert lost.json()["code"] == "session_ended", lost.text
     turn = attach(second, run_id)
     assert turn["episode"]["step"] == 0  # by the rules of a restart
     assert play_to_end(second, run_id, turn, 0.75)["done"]
@@ -132,7 +134,7 @@ def test_a_node_that_was_paused_stores_nothing_of_a_run_it_lost(
     run_id = submit(first, "delay")
     turn = attach(first, run_id)
     url = f"/v1/runs/{run_id}/workers/w/predict"
-    body = predict_body(turn, delay_s=0.4, end=1)
+    body = predict_body(turn, delay_s=3, end=1)  # until it is paused, too
     with ThreadPoolExecutor(1) as thread:
         late = thread.submit(first.post, url, json=body)
         wait_until(
@@ -227,12 +229,16 @@ def test_lists_show_the_runs_of_other_nodes_as_these_do(cluster: Cluster) -> Non
     first, second, _ = cluster.clients
     run_id = submit(first, "score")
     attach(first, run_id)
-    listed = second.get("/v1/runs", params={"limit": 1}).json()["runs"]
     view = first.get(f"/v1/runs/{run_id}").json()
-    endpoints = (listed[0].pop("endpoint"), view.pop("endpoint"))
-    assert endpoints == (str(second.base_url), str(first.base_url))
-    assert listed == [view]
     assert view["live_workers"] == 1
+    assert view.pop("endpoint") == str(first.base_url)
+
+    def is_listed_so() -> bool:  # what a busy node does not say in a second is left out
+        listed = second.get("/v1/runs", params={"limit": 1}).json()["runs"]
+        assert listed[0].pop("endpoint") == str(second.base_url)
+        return bool(listed == [view])
+
+    wait_until(is_listed_so, "both show the same")
 
 
 def test_a_reader_is_signed_in_at_every_node(cluster: Cluster) -> None:
@@ -330,11 +336,16 @@ def test_quotas_count_the_runs_of_all_nodes(cluster: Cluster) -> None:
         def submit_until_decided(number: int) -> dict[str, Any]:
             """A node that is late with its lease refuses: the key makes one run."""
             key = {"Idempotency-Key": f"quota-{number}"}
-            while True:
-                answer = clients[number % 3].post("/v1/runs", json=body, headers=key)
-                decided: dict[str, Any] = answer.json()
-                if decided.get("code") != "unavailable":
-                    return decided
+            decided: dict[str, Any] = {}
+
+            def is_decided() -> bool:
+                client = clients[number % 3]
+                decided.clear()
+                decided.update(client.post("/v1/runs", json=body, headers=key).json())
+                return decided.get("code") != "unavailable"
+
+            wait_until(is_decided, "the submission is decided")
+            return decided
 
         with ThreadPoolExecutor(8) as threads:
             answers = list(threads.map(submit_until_decided, range(36)))

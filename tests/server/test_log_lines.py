@@ -9,7 +9,6 @@ import sys
 from pathlib import Path
 from typing import Any
 
-import httpx
 import pytest
 
 from reference_server.system.log_output import (
@@ -30,8 +29,7 @@ ACTION = {
 
 def play(server: ReferenceServer) -> str:
     """Submit a run, play its episode, and stop nothing; returns its id."""
-    headers = {"Authorization": f"Bearer {TOKENS['alice']}"}
-    with httpx.Client(base_url=server.url, headers=headers) as client:
+    with server.client() as client:
         body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
         submitted = client.post(
             "/v1/runs", json=body, headers={"X-Request-Id": "from-the-client.1"}

@@ -9,7 +9,7 @@ import httpx
 import pytest
 
 from tests.support.server.http_runs import predict_body, submit
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers")
 TOKENS = "alice:read+run:alice,host:read+run+host:host"
@@ -17,7 +17,9 @@ TOKENS = "alice:read+run:alice,host:read+run+host:host"
 
 def client(server: ReferenceServer, token: str | None) -> httpx.Client:
     headers = {} if token is None else {"Authorization": f"Bearer {token}"}
-    return httpx.Client(base_url=server.url, headers=headers, trust_env=False)
+    return httpx.Client(
+        base_url=server.url, headers=headers, trust_env=False, timeout=TIMEOUT_S
+    )
 
 
 def publish(http: httpx.Client, success: float) -> dict[str, Any]:

@@ -176,7 +176,7 @@ def test_frequent_changes_are_sent_in_one_batch(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Changes that follow one another closely are sent together."""
-    monkeypatch.setattr(event_streams, "PAUSE_S", 1.0)
+    monkeypatch.setattr(event_streams, "PAUSE_S", 4.0)
 
     async def scenario(parts: ServerParts) -> None:
         run = await add_stored_run(parts, *["score"] * 9)

@@ -13,6 +13,7 @@ from reference_server.http.tokens import admin_command as admin
 from reference_server.http.tokens import token_file
 from reference_server.http.tokens.token_file import TokenFile, edited_lines, parse
 from reference_server.rules.refusal import Refused
+from tests.support.waiting import wait_in_loop
 
 ALICE = f"alice:read+run:sha256={hash_of('a')}"
 BOB = f"bob:read:sha256={hash_of('b')}"
@@ -106,13 +107,20 @@ def test_the_server_follows_it_off_the_event_loop_and_complains_once(
             while account_of(tokens, secret) != account:  # noqa: ASYNC110
                 await asyncio.sleep(0.005)
 
+    def put(text: str) -> None:
+        """At once: a file that is written is empty for a moment."""
+        new = path.with_name("new")
+        new.write_text(text)
+        new.replace(path)
+
     async def scenario() -> None:
         following = asyncio.create_task(TokenFile(path, tokens).follow())
         await until("a", "alice")
-        path.write_text("nonsense")
-        await asyncio.sleep(0.1)
+        put("nonsense")
+        await wait_in_loop(lambda: "cannot be used" in caplog.text)
+        await asyncio.sleep(0.1)  # for complaints that must not come
         assert account_of(tokens, "a") == "alice"
-        path.write_text(BOB)
+        put(BOB)
         await until("b", "bob")
         assert account_of(tokens, "a") is None
         following.cancel()

@@ -13,7 +13,7 @@ from reference_server.monitoring import readiness
 from reference_server.monitoring.readiness import Readiness
 from reference_server.storage.store import StoreFailed
 from reference_sim.process.pool import SimulatorFault, SimulatorPool
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
 
 
@@ -127,7 +127,7 @@ def test_a_server_with_a_locked_database_is_not_ready(tmp_path: Path) -> None:
     """It lives, and is ready again when the database is."""
     with (
         ReferenceServer(tmp_path, PROCTOR_ALLOWED_HOSTS="eval.example.org") as server,
-        httpx.Client(base_url=server.url, trust_env=False) as caller,
+        httpx.Client(base_url=server.url, trust_env=False, timeout=TIMEOUT_S) as caller,
     ):
         ready = caller.get("/readyz")
         assert (ready.status_code, ready.json()) == (200, {"status": "ready"})

@@ -27,7 +27,7 @@ pytestmark = pytest.mark.slow("starts servers or kits")
 
 TIMEOUT_S = 0.5
 # Of a fault: so often it may happen in a row before the run fails, and once more.
-LONGEST_S = 10.0
+LONGEST_S = 25.0
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +60,9 @@ def test_an_invalid_http_server_fails_the_run(
 ) -> None:
     began = time.monotonic()
     with raw_socket_server(getattr(push_runs, name)) as url:
-        run = play_push_run(push_server, url, call_timeout_s=TIMEOUT_S)
+        is_too_slow = "0\\.5 s" in BARE[name]
+        limit_s = TIMEOUT_S if is_too_slow else 20.0
+        run = play_push_run(push_server, url, call_timeout_s=limit_s)
     assert (run["state"], run["retryable"]) == ("failed", True)
     assert url in run["reason"]
     assert re.search(BARE[name], run["reason"])
@@ -305,11 +307,13 @@ def test_no_more_calls_are_in_flight_than_allowed(
     barrier = threading.Barrier(3)
 
     def together(call: PolicyCall) -> PolicyReply:
-        barrier.wait(10)
+        barrier.wait(30)
         return policy.final_action_reply(call)
 
     policy.on("predict", together)
-    run = play_push_run(push_server, policy.url, *["score"] * 9, max_concurrent=3)
+    run = play_push_run(
+        push_server, policy.url, *["score"] * 9, max_concurrent=3, call_timeout_s=30.0
+    )
     assert run["state"] == "completed"
     assert policy.max_in_flight == 3
 

@@ -245,8 +245,8 @@ def test_a_session_without_a_turn_ends(tmp_path: Path, how: str) -> None:
     """LIM-006: heartbeats and repeats extend its lease for a time only."""
 
     async def scenario(parts: ServerParts) -> None:
-        parts.executor._heartbeat_s_max = 0.2
-        run = calibration_run(idle_timeout_s=0.1)
+        parts.executor._heartbeat_s_max = 1.0
+        run = calibration_run(idle_timeout_s=0.5)
         run = await parts.registry.add(run, None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         command = predict_command(turn, score=0.5)
@@ -263,7 +263,7 @@ def test_a_session_without_a_turn_ends(tmp_path: Path, how: str) -> None:
                     parts.executor.heartbeat(run, heartbeat)
                 await asyncio.sleep(0.02)
             parts.executor.heartbeat(run, Heartbeat("w", session.session_id))
-        assert time.monotonic() - began > 0.15
+        assert time.monotonic() - began > 0.75
         assert run.episodes[0].attempt == 2  # LEASE-012
 
     run_scenarios(tmp_path, scenario)

@@ -49,6 +49,8 @@ from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts two servers")
+# Longer than a busy machine takes to pause the node that plays it.
+TURN_S = 3.0
 
 
 @pytest.fixture(scope="module", params=["sqlite", "postgresql"])
@@ -178,7 +180,7 @@ def test_an_owner_that_was_paused_changes_no_recording(
     first, second = cluster.clients
     run_id = submit(first, "delay")
     turn = attach(first, run_id)
-    body = predict_body(turn, delay_s=0.4, end=1)
+    body = predict_body(turn, delay_s=TURN_S, end=1)
     taken_over = cluster.nodes[0].log().count("have taken over")
     with ThreadPoolExecutor(1) as thread:
         late = thread.submit(
@@ -216,7 +218,7 @@ def test_a_machine_that_was_paused_answers_no_turn_that_is_not_recorded(
     first, second = cluster.clients
     run_id = submit(first, "delay")
     turn = attach(first, run_id)
-    body = predict_body(turn, delay_s=0.5)
+    body = predict_body(turn, delay_s=TURN_S)
     node = cluster.nodes[0]
     with ThreadPoolExecutor(1) as thread:
         late = thread.submit(
@@ -231,7 +233,7 @@ def test_a_machine_that_was_paused_answers_no_turn_that_is_not_recorded(
         fetch_record(second, run_id)
         for pid in simulators:
             os.kill(pid, signal.SIGCONT)
-        time.sleep(0.5)  # so long its turn takes
+        time.sleep(TURN_S)  # so long it takes at most from here
         go_on(node)
         assert late.result().status_code in (404, 410, 503), late.result().text
 

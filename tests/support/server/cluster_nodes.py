@@ -15,7 +15,8 @@ from tests.support.server.http_runs import predict_body
 from tests.support.servers import ReferenceServer
 from tests.support.waiting import wait_until
 
-LEASE_S = 1.0
+# A node that gets no processor for so long loses its runs.
+LEASE_S = 2.0
 
 
 class Cluster:

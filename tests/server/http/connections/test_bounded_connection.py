@@ -60,6 +60,7 @@ def test_a_flood_of_pipelined_requests_is_not_kept() -> None:
     with bounded_server() as server, server.connect() as connection:
         connection.settimeout(0.3)
         send_all(connection, WAIT + GET * 400_000)  # 12 MB
+        wait_until(lambda: server.paths, "the first request arrived")
         (held,) = (len(one._held) for one in server.connections)
         assert held <= server.limiter.limits.held_bytes
         assert server.paths == ["/wait"]
@@ -228,8 +229,8 @@ def test_a_body_that_is_slower_than_the_least_rate_is_not_waited_for() -> None:
 def test_a_body_that_is_fast_enough_may_take_long() -> None:
     limits = {"body_grace_s": 0.2, "rate_min": 100}
     with bounded_server(**limits) as server, server.connect() as connection:
-        connection.sendall(POST % 1000)
-        for _ in range(10):
+        connection.sendall(POST % 1000 + b"a" * 400)  # it may take 4 s so far
+        for _ in range(6):
             time.sleep(0.06)
             connection.sendall(b"a" * 100)
         assert read_answer(connection) == (200, b"1000")

@@ -179,7 +179,7 @@ def test_a_wrong_body_of_the_limit_costs_little(live_run: LiveRun, kind: str) ->
     assert_problem(answer, "invalid_request")
     assert len(answer.content) < 2**16
     assert memory_peak(live_run.server.process.pid) - before < 128 * 2**20
-    assert answer.elapsed.total_seconds() < 10  # before: half a minute to an hour
+    assert answer.elapsed.total_seconds() < 25  # before: half a minute to an hour
 
 
 def test_a_body_of_just_the_limit_is_read(live_run: LiveRun) -> None:
