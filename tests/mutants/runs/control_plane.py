@@ -378,7 +378,7 @@ def counts_abandoned_episodes_as_failures() -> None:
     put(run_views, "score_of", wrong)
 
 
-@mutant("RUN-003", "RUN-004", "RUN-027", "RUN-028")
+@mutant("RUN-003", "RUN-004", "RUN-019", "RUN-027", "RUN-028")
 def ignores_idempotency_keys() -> None:
     """A repeated submit evaluates everything twice."""
     right = RunRegistry.add
