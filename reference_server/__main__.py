@@ -185,8 +185,12 @@ def _serve(
     sys.setswitchinterval(THREAD_SWITCH_S)
     # uvicorn shuts down in order and then raises Ctrl-C again. It exits by itself when
     # the start is refused; the log says why.
-    with contextlib.suppress(KeyboardInterrupt, SystemExit):
-        server.run(sockets=[listener])
+    try:
+        with contextlib.suppress(KeyboardInterrupt):
+            server.run(sockets=[listener])
+    except SystemExit:
+        if server.started:
+            raise
     return 0 if server.started else 2
 
 

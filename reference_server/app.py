@@ -54,11 +54,12 @@ from reference_server.records.board_history import BoardHistory
 from reference_server.records.record_imports import ImportSettings, RecordImports
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.records.shared_folder import NotShared, check_shared, show_node
+from reference_server.records.shared_folder import check_shared, show_node
 from reference_server.rules.capacity import Quota
 from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
+from reference_server.rules.run_owner import NodeRefused
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.board_service import BoardService
@@ -184,12 +185,12 @@ def _end_server() -> None:
 
 @asynccontextmanager
 async def _explained() -> AsyncIterator[None]:
-    """What was right when it was checked may not be so any more: a sentence says so."""
+    """A check before the start may no longer hold: one sentence says so."""
     try:
         yield
     except StoreFailed as error:
         raise CannotServe(f"cannot use the database ({error})") from error
-    except NotShared as error:
+    except NodeRefused as error:
         raise CannotServe(str(error)) from error
 
 
@@ -208,6 +209,7 @@ async def _locked(settings: Settings) -> AsyncIterator[None]:
 async def _drain(
     registry: RunRegistry, driver: Driver, node: ServerNode | None
 ) -> None:
+    """Begin it: nothing new is taken in from now on."""
     registry.begin_ending()
     if node is not None:
         node.membership.stop_claiming()
@@ -310,8 +312,11 @@ def _node_of(
     async def on_joined() -> None:
         if records is not None and folder is not None:
             keyid, host = records.key.keyid, settings.host_name
-            # Once more: a node that started at the same moment was not there before.
-            await check_shared(nodes, url, folder, keyid, host)
+            # Once more: nodes that started at the same moment were not there before.
+            try:
+                await check_shared(nodes, url, folder, keyid, host)
+            except OSError as error:
+                raise StoreFailed(f"the folder of recordings: {error}") from error
             await records.use_key()
 
     return ServerNode(

@@ -14,6 +14,7 @@ from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_headers import has_secret_of
 from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.cluster.views_elsewhere import ViewsElsewhere
+from reference_server.rules.run_owner import NodeRefused
 from reference_server.runs.service import RunService
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.store import StoreFailed
@@ -26,8 +27,8 @@ class ServerNode:
 
     url: where other nodes reach it. service: once the server is put together.
     announce: as of Membership. on_joined: is called when the others see this node, and
-    before it acts for a run; what it raises says why it must not be one of them. When
-    it joins again, end_server is called then.
+    before it acts for a run; it may raise StoreFailed, and NodeRefused. If it refuses a
+    node that has joined again, end_server is called.
     """
 
     def __init__(
@@ -43,6 +44,7 @@ class ServerNode:
     ) -> None:
         self._service, self._on_joined = service, on_joined
         self._end_server = end_server
+        self._refused: str | None = None
         self.membership = Membership(
             nodes,
             url,
@@ -93,19 +95,20 @@ class ServerNode:
 
     async def _check_again(self) -> None:
         """Nodes that started meanwhile may have agreed on something else."""
-        try:
-            await self._on_joined()
-        except StoreFailed:
-            raise
-        except Exception as error:
-            log.error("the server ends: %s", error)  # noqa: TRY400 - says what to do
-            self._end_server()
-            raise StoreFailed(str(error)) from error
+        if self._refused is None:
+            try:
+                await self._on_joined()
+            except NodeRefused as refused:
+                self._refused = str(refused)
+                log.error("the server ends: %s", refused)  # noqa: TRY400 - no defect
+                self._end_server()  # once: a second signal would end it at once
+        if self._refused is not None:
+            raise StoreFailed(self._refused)
 
     async def open(self) -> None:
         """Join the nodes, when all other parts are open.
 
-        Raises StoreFailed, and what `on_joined` raises.
+        Raises StoreFailed and NodeRefused.
         """
         await self.membership.open()
         try:

@@ -1,8 +1,8 @@
 """Refuses a node that would record or sign apart from the others of its cluster.
 
 All nodes have one folder of recordings, one key that signs records, and one name of
-their host. What these are is stored in the database, and a node whose own ones differ
-does not start.
+their host. What these are is stored in the database. A node whose own ones differ does
+not start, and ends when it joins again.
 
 Of the folder an id is stored, which a file in it has. A copy of the folder has the same
 file. So each node also makes a file there that is named by the id of the node, and a
@@ -17,7 +17,7 @@ import time
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
-from reference_server.rules.run_owner import lease_is_over
+from reference_server.rules.run_owner import NodeRefused, lease_is_over
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.store import StoreFailed
 from reference_server.system import private_files
@@ -31,7 +31,7 @@ STARTING_S = 3600.0
 FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
 
 
-class NotShared(Exception):
+class NotShared(NodeRefused):
     """This node has not what the others have; the text says what to do."""
 
     def __init__(self, detail: str) -> None:
@@ -43,8 +43,9 @@ async def check_shared(
 ) -> None:
     """Compare this node with the cluster.
 
-    Before it joins, and again when it has joined: two nodes that start at the same
-    moment do not see each other before. url: of this node. keyid: of its key. host: the
+    Before it joins, and whenever it has joined: two nodes that start at the same moment
+    do not see each other before, and others may have changed what they agreed on while
+    this one was away. url: of this node. keyid: of its key. host: the
     name that its records give. The key and the name may change when no other node
     lives. Raises NotShared, StoreFailed and OSError.
     """

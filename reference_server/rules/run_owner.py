@@ -35,6 +35,10 @@ class StoredOwner(NamedTuple):
     silent_s: float | None
 
 
+class NodeRefused(Exception):
+    """Why a server must not be a node of its cluster; the text says what to do."""
+
+
 class OwnedElsewhere(Refused):
     """Another node has the run; the same request finds it there."""
 

@@ -137,11 +137,17 @@ class NodeStore:
             self._store.lock_order(connection)
             known = _read_facts(connection)
             is_alone = connection.execute(others).first() is None
+            if is_alone and any(
+                known.get(name, value) != value
+                for name, value in facts.items()
+                if name not in lasting
+            ):
+                connection.execute(_nodes.delete().where(~self._lives))
+                if connection.execute(others).first() is not None:
+                    raise StoreFailed("another node has just come back: start again")
             for name, value in facts.items():
                 if name in known and (name in lasting or not is_alone):
                     continue
-                if known.get(name, value) != value:
-                    connection.execute(_nodes.delete().where(~self._lives))
                 connection.execute(_facts.delete().where(_facts.c.name == name))
                 connection.execute(_facts.insert().values(name=name, value=value))
                 known[name] = value

@@ -23,8 +23,8 @@ async def run_lifespan(
 ) -> None:
     """Enter `parts` at the start of the server, leave it at its end.
 
-    receive, send: of the ASGI scope `lifespan`. Of CannotServe the sentence is
-    reported.
+    receive, send: of the ASGI scope `lifespan`. Reports the text of
+    CannotServe.
     """
     ended = "lifespan.startup"
     await receive()

@@ -7,13 +7,14 @@ import time
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import pytest
 import sqlalchemy as sa
 
 from reference_server.cluster import membership as membership_module
 from reference_server.cluster.membership import Membership
+from reference_server.cluster.server_node import ServerNode
 from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import (
     RESTART_REASON,
@@ -22,8 +23,9 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
-from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
 from reference_server.runs.account_usage import AccountUsage
+from reference_server.runs.service import RunService
 from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock
 from reference_server.storage.database_tables import nodes as node_rows
@@ -463,6 +465,40 @@ def test_a_node_that_was_removed_acts_for_no_run_before_it_may(
         await member.ensure_lease()
         await member.ensure_lease()
         assert asked == [sorted([member.node_id, "first", "second"])] * 2
+
+    run_scenario(database, scenario)
+
+
+def test_a_node_that_is_refused_when_it_joins_again_ends_the_server_once(
+    database: UsedDatabase,
+) -> None:
+    """A second signal would end it at once, with answers in progress."""
+
+    async def scenario(nodes: Nodes) -> None:
+        ends: list[str] = []
+        checks: list[str] = []
+
+        async def refuse() -> None:
+            checks.append("refused")
+            raise NodeRefused("another key")
+
+        server = ServerNode(
+            NodeStore(nodes.stores[0], 0.0),
+            "http://member",
+            0.0,
+            lambda: cast("RunService", None),
+            announce=lambda _node_id: None,
+            on_joined=refuse,
+            end_server=lambda: ends.append("end"),
+        )
+        member = server.membership
+        member._on_lost = lambda: None
+        await member.open()
+        await nodes.nodes[1].leave(member.node_id)
+        for _again in range(3):
+            with pytest.raises(StoreFailed, match="another key"):
+                await member.ensure_lease()
+        assert (checks, ends) == (["refused"], ["end"])
 
     run_scenario(database, scenario)
 

@@ -27,6 +27,8 @@ from tests.support.servers import TOKENS
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts two servers")
+# Longer than a busy machine takes to pause the node that plays it.
+TURN_S = 3.0
 
 
 @pytest.fixture(scope="module")
@@ -116,6 +118,7 @@ def test_another_node_goes_on_when_the_owner_is_killed(
         assert lost.headers["Retry-After"]
         assert lost.headers["Connection"] == "close"  # it may reach another node so
     else:  # this one has claimed the run meanwhile
+        assert lost.status_code == 409, lost.text
         assert lost.json()["code"] == "session_ended", lost.text
     turn = attach(second, run_id)
     assert turn["episode"]["step"] == 0  # by the rules of a restart
@@ -134,7 +137,7 @@ def test_a_node_that_was_paused_stores_nothing_of_a_run_it_lost(
     run_id = submit(first, "delay")
     turn = attach(first, run_id)
     url = f"/v1/runs/{run_id}/workers/w/predict"
-    body = predict_body(turn, delay_s=3, end=1)  # until it is paused, too
+    body = predict_body(turn, delay_s=TURN_S, end=1)
     with ThreadPoolExecutor(1) as thread:
         late = thread.submit(first.post, url, json=body)
         wait_until(
@@ -149,6 +152,7 @@ def test_a_node_that_was_paused_stores_nothing_of_a_run_it_lost(
         again = play_to_end(second, run_id, turn, 0)
         assert again["done"]
         stored = episodes(second, run_id)
+        time.sleep(TURN_S)  # then its simulator has ended the episode
         go_on(cluster.nodes[0])
         assert late.result().status_code in (200, 404, 409, 410, 503)
     wait_until(

@@ -55,11 +55,9 @@ def hand_in(client: httpx.Client, content: Any) -> httpx.Response:
     return client.post("/v1/records", content=content, headers=ZIP)
 
 
-def wait_for_state(
-    client: httpx.Client, import_id: str, state: str, wait_s: float = 30
-) -> dict[str, Any]:
+def wait_for_state(client: httpx.Client, import_id: str, state: str) -> dict[str, Any]:
     """The import in this state. It fails at once when the state can no longer come."""
-    until = time.monotonic() + wait_s
+    until = time.monotonic() + 30
     while True:
         one: dict[str, Any] = client.get(f"/v1/records/{import_id}").json()
         if one["state"] == state:
@@ -149,17 +147,21 @@ def test_an_account_fills_its_space_and_makes_room(
     assert len(kept_files(tmp_path)) == 3
 
 
-def test_a_replay_that_was_cut_off_begins_again(tmp_path: Path, archive: bytes) -> None:
-    """Killed while it replays; a draft that was left is removed (REC-123)."""
+def slow_record(folder: Path, turn_s: float) -> bytes:
+    """Of six turns that take so long each when they are replayed."""
 
     def slow(index: int, number: int, turn: Turn) -> Turn:
         del index, number
-        turn.actions = [calibration_action(delay_s=0.5), *turn.actions[1:]]
+        turn.actions = [calibration_action(delay_s=turn_s), *turn.actions[1:]]
         return turn
 
-    folder = tmp_path / "slow"
     folder.mkdir()
-    content = save_calibration_record(folder / "r", folder, slow).read_bytes()
+    return save_calibration_record(folder / "r", folder, slow).read_bytes()
+
+
+def test_a_replay_that_was_cut_off_begins_again(tmp_path: Path, archive: bytes) -> None:
+    """Killed while it replays; a draft that was left is removed (REC-123)."""
+    content = slow_record(tmp_path / "slow", turn_s=0.5)
     with ReferenceServer(tmp_path, **ON) as server, server.client() as client:
         ids = [hand_in(client, content).json()["import_id"]]
         # Killed at once: what is examined besides may take longer than its replay.
@@ -181,17 +183,21 @@ def test_a_replay_that_was_cut_off_begins_again(tmp_path: Path, archive: bytes) 
     assert hashlib.sha256(archive).hexdigest() == shown[1]["archive_sha256"]
 
 
+def test_what_waits_for_its_replay_outlives_a_kill(
+    tmp_path: Path, archive: bytes
+) -> None:
+    content = slow_record(tmp_path / "slow", turn_s=0.2)
+    with ReferenceServer(tmp_path, **ON) as server, server.client() as client:
+        ids = [hand_in(client, one).json()["import_id"] for one in (content, archive)]
+        server.end(signal.SIGKILL)
+        server.start()
+        shown = [finished(client, one) for one in ids]
+    assert [one["level"] for one in shown] == ["replayed", "replayed"]
+
+
 def test_what_is_deleted_in_its_replay_is_gone(tmp_path: Path) -> None:
     """The next one does not wait for it."""
-
-    def slow(index: int, number: int, turn: Turn) -> Turn:
-        del index, number
-        turn.actions = [calibration_action(delay_s=20.0), *turn.actions[1:]]
-        return turn
-
-    folder = tmp_path / "slow"
-    folder.mkdir()
-    content = save_calibration_record(folder / "r", folder, slow).read_bytes()
+    content = slow_record(tmp_path / "slow", turn_s=20.0)
     good = (VECTORS / "good.proctor").read_bytes()
     with ReferenceServer(tmp_path, **ON) as server, server.client() as client:
         ids = [hand_in(client, one).json()["import_id"] for one in (content, good)]

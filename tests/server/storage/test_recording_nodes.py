@@ -190,6 +190,7 @@ def test_an_owner_that_was_paused_changes_no_recording(
         pause(cluster.nodes[0])
         turn = attach(second, run_id)
         turn = predict(second, run_id, turn, delay_s=0).json()
+        time.sleep(TURN_S)  # then its simulator has ended the episode
         go_on(cluster.nodes[0])
         late.result()
     wait_until(
@@ -369,6 +370,7 @@ def test_a_node_that_joins_again_ends_if_the_others_have_another_key(
         said = paused.log()
         assert "ERROR   proctor.cluster: the server ends: cannot be a node" in said
         assert "set signing_key to a copy of their file" in said
+        assert said.count("the server ends") == 1
         with other.client() as client:
             listed = client.get("/v1/keys").json()["keys"]
     (signing,) = (key["keyid"] for key in listed if key["retired_at"] is None)
