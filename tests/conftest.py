@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 pytest.register_assert_rewrite("tests.support")
 
@@ -23,6 +24,12 @@ __all__ = [  # hooks and fixtures
     "pytest_pyfunc_call",
     "pytest_runtest_protocol",
 ]
+
+# How long an example takes says nothing on a machine that does other things, too.
+settings.register_profile(
+    "any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("any machine")
 
 # A shell that starts pytest in the background makes it ignore SIGINT, and its children
 # inherit that: tests of SIGINT would never end.

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import count, pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from conformance.client.check_context import CheckContext
@@ -47,7 +47,6 @@ def read(events: list[Event]) -> list[tuple[str, str | None, list[str]]]:
     return [(event.kind, event.id, event.data) for event in events]
 
 
-@settings(deadline=None)
 @given(
     end=st.sampled_from(["\n", "\r", "\r\n"]),
     cuts=st.lists(st.integers(0, 2 * len(TEXT)), max_size=12),

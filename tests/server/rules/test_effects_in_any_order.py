@@ -261,7 +261,5 @@ class AnyOrder(RuleBasedStateMachine):
         self.the_state_follows_from_the_rest()
 
 
-AnyOrder.TestCase.settings = settings(
-    max_examples=200, stateful_step_count=50, deadline=None
-)
+AnyOrder.TestCase.settings = settings(max_examples=200, stateful_step_count=50)
 TestAnyOrder = AnyOrder.TestCase

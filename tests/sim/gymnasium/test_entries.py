@@ -55,7 +55,7 @@ def read_single_entry(space: spaces.Space[Any]) -> Entry:
     return entry
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 @given(SPACES, st.integers(0, 2**32 - 1))
 def test_an_action_survives_encoding_and_decoding(
     space: spaces.Space[Any], seed: int

@@ -370,7 +370,7 @@ def test_another_account_can_neither_read_nor_change_a_run(live_run: LiveRun) ->
             assert_problem(attach, code)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 @given(
     method=st.sampled_from(["GET", "POST", "PUT", "DELETE", "PATCH", "HEAD"]),
     path=st.sampled_from(["", "/stop", "/workers/w", "/workers/w/predict", "/score"]),
