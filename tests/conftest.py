@@ -1,11 +1,11 @@
 """The fixture `server`, and what holds for every test process."""
 
+import contextlib
 import signal
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, settings
 
 pytest.register_assert_rewrite("tests.support")
 
@@ -25,11 +25,15 @@ __all__ = [  # hooks and fixtures
     "pytest_runtest_protocol",
 ]
 
-# How long an example takes says nothing on a machine that does other things, too.
-settings.register_profile(
-    "any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow]
-)
-settings.load_profile("any machine")
+# Environments that are made for one simulator or for Ray have no hypothesis.
+with contextlib.suppress(ModuleNotFoundError):
+    from hypothesis import HealthCheck, settings
+
+    # How long an example takes says nothing on a machine that does other things, too.
+    settings.register_profile(
+        "any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow]
+    )
+    settings.load_profile("any machine")
 
 # A shell that starts pytest in the background makes it ignore SIGINT, and its children
 # inherit that: tests of SIGINT would never end.
