@@ -57,10 +57,13 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_pyfunc_call() -> Iterator[None]:
-    """A fast test that computes for long fails."""
+    """A fast test that computes for long fails, unless it is traced.
+
+    A tracer, which coverage is, makes Python several times slower.
+    """
     began_at = _processor_time_s()
     result = yield
     took_s = _processor_time_s() - began_at
-    if _fast_test[0] and took_s > FAST_TEST_MAX_S:
+    if _fast_test[0] and sys.gettrace() is None and took_s > FAST_TEST_MAX_S:
         pytest.fail(f"{took_s:.0f} s of a processor: mark it with pytest.mark.slow")
     return result

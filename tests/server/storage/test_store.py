@@ -312,13 +312,15 @@ def test_reads_are_read_only(database: UsedDatabase) -> None:
     ],
 )
 def test_an_invalid_database_is_reported(url: str) -> None:
+    others = set(threading.enumerate())
+
     async def open_in_vain() -> None:
         store = Store(url)
         try:
             await store.open()
         finally:
             # The driver's thread ends by itself, and has to find its loop until then.
-            for thread in set(threading.enumerate()) - {threading.main_thread()}:
+            for thread in set(threading.enumerate()) - others:
                 await asyncio.to_thread(thread.join, TIMEOUT_S)
             await store.close()
 
