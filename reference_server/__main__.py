@@ -48,6 +48,7 @@ from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.process.ray.actor_process import CannotUseRay
 from reference_sim.process.ray.ray_pool import check_cluster
+from reference_sim.ray_resources import format_resources, parse_resources
 
 if TYPE_CHECKING:
     from reference_server.monitoring.traces import Traces
@@ -271,16 +272,36 @@ def _check_simulators(settings: Settings) -> None:
     if settings.simulators == "local":
         return
     recordings = None if settings.recordings == "off" else settings.records_path
-    checked = check_cluster(settings.simulators, settings.ray_resources, recordings)
+    kinds = _simulators_of(settings)
     try:
-        machines = asyncio.run(checked)
+        machines = asyncio.run(
+            check_cluster(
+                settings.simulators, list(map(parse_resources, kinds)), recordings
+            )
+        )
     except (CannotUseRay, OSError) as error:
         raise _CannotUse(f"cannot use Ray for simulators: {error}") from error
-    if not machines:
-        _print_line(
-            f"no machine of the Ray cluster has {settings.ray_resources} for a "
-            "simulator yet; turns are refused as no_capacity until one joins"
-        )
+    for (resources, declared_by), found in zip(kinds.items(), machines, strict=True):
+        if not found:
+            of = f" of {', '.join(declared_by)}" if declared_by else ""
+            _print_line(
+                f"no machine of the Ray cluster has {resources} for a simulator{of} "
+                "yet; turns are refused as no_capacity until one joins"
+            )
+
+
+def _simulators_of(settings: Settings) -> dict[str, list[str]]:
+    """What simulators take of a machine, and the benchmarks that declare it.
+
+    The setting comes first, without those that it is for.
+    """
+    default = format_resources(parse_resources(settings.ray_resources))
+    kinds: dict[str, list[str]] = {default: []}
+    for benchmark_id in benchmark_registry.benchmark_ids():
+        declared = format_resources(benchmark_registry.ray_resources(benchmark_id))
+        if declared not in ("", default):
+            kinds.setdefault(declared, []).append(benchmark_id)
+    return kinds
 
 
 def _traces_of(settings: Settings) -> Traces | None:

@@ -17,7 +17,7 @@ from pydantic_settings import BaseSettings, SettingsConfigDict
 from reference_server.allowed_networks import AllowedNetworks
 from reference_server.http.allowed_hosts import AllowedHosts, is_loopback
 from reference_server.profiles.flageval.mode_table import ModeTable
-from reference_sim.process.ray.ray_pool import parse_resources
+from reference_sim.ray_resources import parse_resources
 
 
 class Settings(BaseSettings):
@@ -58,9 +58,9 @@ class Settings(BaseSettings):
         "off",
         description="Whether several servers share the database: each is a node that "
         "plays runs of its own, and passes requests for those of the others on. Needs "
-        "equal settings on all nodes, record_imports off, no profiles and, without an "
-        "SQLite file, tokens, sealing_key and seed_secret; with recordings, "
-        "signing_key and a folder records_dir that all nodes share, too.",
+        "equal settings on all nodes, record_imports off and, without an SQLite file, "
+        "tokens, sealing_key and seed_secret; with recordings, signing_key and a "
+        "folder records_dir that all nodes share, too.",
     )
     node_url: str = Field(
         "",
@@ -87,7 +87,8 @@ class Settings(BaseSettings):
     ray_resources: str = Field(
         "CPU=1",
         description="Ray: what one simulator takes of a machine, comma-separated, each "
-        "NAME=AMOUNT with Ray's names, for example CPU=0.5,GPU=0.25.",
+        "NAME=AMOUNT with Ray's names, for example CPU=0.5,GPU=0.25. For benchmarks "
+        "that declare none themselves.",
     )
     benchmarks: str = Field(
         "",
@@ -479,8 +480,6 @@ class Settings(BaseSettings):
             raise ValueError("cluster needs a database that other servers can open")
         if self.record_imports != "off":
             raise ValueError("cluster needs record_imports off")
-        if self.profiles:
-            raise ValueError("cluster needs profiles empty")
         if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104
             raise ValueError(
                 f"cluster with host {self.host!r} needs node_url: set it to the URL at "

@@ -9,7 +9,7 @@ registry, without them.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
@@ -48,11 +48,13 @@ class SimulatorConfig:
     """What a simulator process needs to build its simulator; `settings` is JSON-able.
 
     Processes are reused for equal configurations, so settings contain nothing that
-    differs by episode.
+    differs by episode. ray_resources: see BenchmarkDefinition; for where the process is
+    started, and not sent to it.
     """
 
     benchmark_id: str
     settings: Mapping[str, Any]
+    ray_resources: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def image_codec(self) -> str:
@@ -126,14 +128,20 @@ def resolve(
         raise InvalidChoice("/options", f"{benchmark_id} takes no options")
     manifest = definition.describe(options or {}, max_chunk)
     chosen = _choose_images(manifest, images)
+    settings = definition.settings(chosen)
     return ResolvedBenchmark(
         manifest=manifest,
         episodes=tuple(EpisodePlan(**episode) for episode in manifest["episodes"]),
-        world=SimulatorConfig(benchmark_id, definition.settings(chosen)),
+        world=SimulatorConfig(benchmark_id, settings, definition.ray_resources),
         images=chosen,
         seed_block=definition.seed_block,
         seed_max=definition.seed_max,
     )
+
+
+def ray_resources(benchmark_id: str) -> Mapping[str, float]:
+    """What the benchmark declares; see BenchmarkDefinition."""
+    return _definition(benchmark_id).ray_resources
 
 
 def drawn_as(benchmark_id: str) -> ResolvedBenchmark | None:

@@ -11,12 +11,13 @@ from __future__ import annotations
 import importlib.metadata
 import importlib.util
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
 from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
+from reference_sim.ray_resources import check_resources
 
 Json = dict[str, Any]
 SEED_MAX = 2**53 - 1  # every language has it exactly
@@ -42,6 +43,8 @@ class BenchmarkDefinition:
     seed_block, seed_max: how a host may draw other seeds for the splits that
         `sealed_splits` of the manifest names: seeds belong together in blocks of so
         many, and none is larger.
+    ray_resources: what one simulator takes of a machine of a Ray cluster; empty if the
+        benchmark declares nothing. No part of the manifest: no score depends on it.
     """
 
     describe: Callable[[Mapping[str, Any], int], Json]
@@ -52,6 +55,11 @@ class BenchmarkDefinition:
     drawn_as: str | None = None
     seed_block: int = 1
     seed_max: int = SEED_MAX
+    ray_resources: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        if self.ray_resources:
+            check_resources(self.ray_resources)  # raises ValueError
 
 
 @dataclass(frozen=True, slots=True)

@@ -24,6 +24,7 @@ from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.run_log import log_left
 from reference_server.system.seed_secret import SeedSecret
 from reference_server.system.spans import span
+from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 
 # How often sessions that are done are looked at, all of them by one timer, and how
@@ -237,8 +238,8 @@ class ResourceManager:
             return 0.0
         started = time.perf_counter()
         config = self._configs.find(resources.run)
-        if self._pool.is_full:
-            self._take_from_others(resources)
+        if self._pool.is_full_for(config):
+            self._take_from_others(resources, config)
         resources.acquiring = True
         try:
             with span("wait for simulator"):
@@ -249,12 +250,15 @@ class ResourceManager:
             self.return_simulator(resources, kill=False)
         return time.perf_counter() - started
 
-    def _take_from_others(self, resources: SessionResources) -> None:
+    def _take_from_others(
+        self, resources: SessionResources, config: SimulatorConfig
+    ) -> None:
         """LIM-005: end a session of another account that does not use its own."""
         lent = [
             LentSimulator(one.run.account, one.session)
             for one in self._by_session.values()
-            if one.handle is not None or one.acquiring
+            if (one.handle is not None or one.acquiring)
+            and self._pool.makes_room(self._configs.find(one.run), config)
         ]
         waiting, now = resources.run.account, time.monotonic()
         unused = session_to_end(lent, waiting, now, self._unused_s)

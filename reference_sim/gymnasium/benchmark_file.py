@@ -12,9 +12,17 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ValidationError,
+    model_validator,
+)
 
 from reference_sim.gymnasium import BadBenchmark
+from reference_sim.ray_resources import check_resources
 
 BUNDLED_BENCHMARKS = {
     "metaworld_mt50": Path(__file__).parents[1] / "benchmarks/metaworld/benchmark.toml"
@@ -35,6 +43,7 @@ Rotation = Literal[
     "euler_xyz",
     "rot6d_columns",
 ]
+RayResources = Annotated[dict[str, float], BeforeValidator(check_resources)]
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
 
@@ -189,6 +198,7 @@ class Benchmark(_Strict):
     ] = ["raw", "png", "jpeg"]
     action: dict[str, Convention] = {}
     state: dict[str, Convention] = {}
+    ray_resources: RayResources | None = None
 
     @model_validator(mode="after")
     def _is_consistent(self) -> Self:

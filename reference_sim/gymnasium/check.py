@@ -57,7 +57,7 @@ class BenchmarkCheck:
         self._steps_played, self._play_s = 0, 0.0
 
     def run(self) -> Json:
-        """faults, warnings, notes: lines; without faults, also plan and manifest."""
+        """faults, warnings, notes: lines; without faults, also what `settle` gives."""
         draft = self._draft
         self._report_progress(f"importing {draft.benchmark.source}")
         try:

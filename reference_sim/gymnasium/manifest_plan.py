@@ -19,6 +19,7 @@ from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.benchmark_file import Benchmark, Camera, Convention
 from reference_sim.gymnasium.entries import Entry
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
+from reference_sim.ray_resources import check_resources
 
 _SUCCESS_KEYS = ("is_success", "success")
 _MAX_STEPS = 1000
@@ -80,6 +81,23 @@ class PlanDraft:
             self.plan["camera"] = (requested or Camera()).model_dump()
         if not self.tasks:
             self.tasks.append(self._only_task())
+        self._ray_resources = self._declared_resources()
+
+    def _declared_resources(self) -> Mapping[str, float]:
+        """Those of the file, or of the class or function that it names."""
+        benchmark = self.benchmark
+        if benchmark.ray_resources is not None:
+            return benchmark.ray_resources
+        if benchmark.made_by is None:
+            return {}
+        maker = environments.find(benchmark.made_by, self.plan["made_of"]["folder"])
+        declared = getattr(maker, "ray_resources", None)
+        if declared is None:
+            return {}
+        try:
+            return check_resources(declared)
+        except ValueError as error:
+            raise Unsettled(f"ray_resources: {error}") from error
 
     def _only_task(self) -> Json:
         benchmark = self.benchmark
@@ -157,7 +175,7 @@ class PlanDraft:
         observed: Sequence[Entry],
         frame: tuple[int, int] | None,
     ) -> Json:
-        """`plan` and `manifest`. Raises Unsettled and UnsupportedSpace.
+        """`plan`, `manifest`, `ray_resources`. Raises Unsettled and UnsupportedSpace.
 
         The manifest is that of Definition.describe, without max_chunk.
         """
@@ -190,7 +208,11 @@ class PlanDraft:
             "image_codecs": codecs,
             "simulator": self._simulator(),
         }
-        return {"plan": self.plan, "manifest": manifest}
+        return {
+            "plan": self.plan,
+            "manifest": manifest,
+            "ray_resources": self._ray_resources,
+        }
 
     def _sizes(
         self, images: Sequence[Entry], frame: tuple[int, int] | None

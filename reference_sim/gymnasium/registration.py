@@ -57,10 +57,13 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
             raise BadBenchmark(f"{name}: {found['faults'][0]}{more}{cure}")
         for warning in found["warnings"]:
             say(f"{benchmark.benchmark_id}: {warning}")
-        yield benchmark.benchmark_id, _definition(found["plan"], found["manifest"])
+        yield benchmark.benchmark_id, _definition(found)
 
 
-def _definition(plan: Json, manifest: Json) -> BenchmarkDefinition:
+def _definition(found: Json) -> BenchmarkDefinition:
+    """found: of a check without faults."""
+    plan, manifest = found["plan"], found["manifest"]
+
     def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
         return {**manifest, "max_chunk": max_chunk}
 
@@ -73,7 +76,13 @@ def _definition(plan: Json, manifest: Json) -> BenchmarkDefinition:
             "success_scored_tasks": scored,
         }
 
-    return BenchmarkDefinition(describe, settings, make, seed_max=SEED_MAX)
+    return BenchmarkDefinition(
+        describe,
+        settings,
+        make,
+        seed_max=SEED_MAX,
+        ray_resources=found["ray_resources"],
+    )
 
 
 def make(settings: Mapping[str, Any]) -> Simulator:

@@ -193,9 +193,13 @@ class SimulatorPool:
     def size_max(self) -> int:
         return self._size_max
 
-    @property
-    def is_full(self) -> bool:
+    def is_full_for(self, world: SimulatorConfig) -> bool:
+        """Whether it needs what another session gives back."""
         return self.busy >= self._size_max
+
+    def makes_room(self, lent: SimulatorConfig, world: SimulatorConfig) -> bool:
+        """Whether a pool that is full for `world` is not when this one is returned."""
+        return True
 
     @property
     def idle(self) -> int:
@@ -222,11 +226,11 @@ class SimulatorPool:
         Starts none, unless the last one could not be started.
         """
         if self._closed or self._last_start_failed:
-            self._idle.append(await self._start_process())
+            self._idle.append(await self._start_process(self._new_process()))
 
     async def acquire(self, world: SimulatorConfig) -> SimulatorHandle:
         """Raises NoCapacity, or SimulatorFault if the simulator cannot be built."""
-        if self.is_full:
+        if self.is_full_for(world):
             raise NoCapacity(f"all {self._size_max} simulators are in use")
         return await self._lend(world)
 
@@ -250,7 +254,7 @@ class SimulatorPool:
         `acquire`.
         """
         try:
-            process = await self._obtain_process()
+            process = await self._obtain_process(world)
             await process.build(world)
         except ResourceShortage as shortage:
             raise NoCapacity(str(shortage)) from shortage
@@ -263,25 +267,30 @@ class SimulatorPool:
             with contextlib.suppress(SimulatorFault):
                 await idle.build(world)
                 return idle
-        process = await self._obtain_process()
+        process = await self._obtain_process(world)
         await process.build(world)
         return process
 
-    async def _obtain_process(self) -> SimulatorProcess:
+    async def _obtain_process(self, world: SimulatorConfig) -> SimulatorProcess:
         """One that no session uses, built or not. Raises SimulatorFault."""
-        return await self._start_process()
+        return await self._start_process(self._new_process())
 
     def _pick_idle(self, world: SimulatorConfig) -> SimulatorProcess | None:
         """An idle process with this configuration, else a spare, else any."""
-        if not self._idle:
+        fitting = self._idle_for(world)
+        if not fitting:
             return None
 
         def preference(process: SimulatorProcess) -> int:
             return (process.world is None) + 2 * (process.world == world)
 
-        chosen = max(self._idle, key=preference)
+        chosen = max(fitting, key=preference)
         self._idle.remove(chosen)
         return chosen
+
+    def _idle_for(self, world: SimulatorConfig) -> Sequence[SimulatorProcess]:
+        """Idle processes that may play this, longest idle first."""
+        return self._idle
 
     def _take_back(self, process: SimulatorProcess) -> None:
         self._lent.discard(process)
@@ -298,10 +307,9 @@ class SimulatorPool:
         if process in self._idle:
             self._idle.remove(process)
 
-    async def _start_process(self) -> SimulatorProcess:
+    async def _start_process(self, process: SimulatorProcess) -> SimulatorProcess:
         if self._closed:
             raise SimulatorFault("the pool of simulators is closed")
-        process = self._new_process()
         self._processes.add(process)
         try:
             await process.start()
@@ -322,6 +330,6 @@ class SimulatorPool:
     async def _start_spares(self) -> None:
         try:
             while sum(one.world is None for one in self._idle) < self._spares:
-                self._idle.append(await self._start_process())
+                self._idle.append(await self._start_process(self._new_process()))
         except SimulatorFault as fault:
             _log.warning("no spare simulator: %s", fault)

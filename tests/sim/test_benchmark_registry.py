@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from reference_server.runs.benchmarks import digest
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import BadBenchmark
@@ -52,6 +55,23 @@ def test_a_simulator_is_built_without_the_registration() -> None:
     simulator.close()
     with pytest.raises(benchmark_registry.UnknownBenchmark):
         benchmark_registry.resolve("corridor")
+
+
+def test_declared_resources_come_with_the_simulator_and_change_no_manifest(
+    tmp_path: Path,
+) -> None:
+    text = (EXAMPLES / "cartpole.toml").read_text()
+    declared = 'benchmark_id = "cartpole"\nray_resources = { CPU = 0.5, GPU = 1 }\n'
+    (tmp_path / "cartpole.toml").write_text(declared + text)
+    benchmark_registry.add(f"{EXAMPLES}/cartpole.toml", print)
+    without = benchmark_registry.resolve("cartpole")
+    del benchmark_registry._BENCHMARKS["cartpole"]
+    benchmark_registry.add(f"{tmp_path}/cartpole.toml", print)
+    having = benchmark_registry.resolve("cartpole")
+    assert digest(having.manifest) == digest(without.manifest)
+    assert without.world.ray_resources == {}
+    assert having.world.ray_resources == {"CPU": 0.5, "GPU": 1}
+    assert benchmark_registry.ray_resources("cartpole") == {"CPU": 0.5, "GPU": 1}
 
 
 def test_missing_meta_world_is_reported_with_the_command_to_install_it() -> None:

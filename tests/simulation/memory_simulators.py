@@ -111,13 +111,15 @@ class MemoryPool:
         self._world, self._life, self._size_max = world, life, size_max
         self.busy = 0
 
-    @property
-    def is_full(self) -> bool:
+    def is_full_for(self, _config: object) -> bool:
         return self.busy >= self._size_max
 
-    async def acquire(self, _config: object) -> MemorySimulator:
+    def makes_room(self, _lent: object, _config: object) -> bool:
+        return True
+
+    async def acquire(self, config: object) -> MemorySimulator:
         world = self._world
-        if self.is_full or world.happens(world.chances.no_capacity):
+        if self.is_full_for(config) or world.happens(world.chances.no_capacity):
             raise NoCapacity("all simulators are in use")
         self.busy += 1
         simulator = MemorySimulator(self, world, self._life)

@@ -21,8 +21,10 @@ from reference_sim.process.ray.launcher_messages import (
     ActorReady,
     Connect,
     Connected,
+    FindRoom,
     KillActor,
     Rejected,
+    Room,
     StartActor,
     ToLauncher,
     frame,
@@ -39,6 +41,8 @@ from reference_sim.process.simulator_process import (
 _MODULE = "reference_sim.process.ray.launcher"
 _CONNECT_TIMEOUT_S = 10.0
 _JOIN_TIMEOUT_S = 150.0  # Ray itself gives up earlier
+_ANSWER_TIMEOUT_S = 5.0
+ROOM_UNKNOWN = Room(0, {}, is_free=False)
 _log = logging.getLogger(__name__)
 
 
@@ -64,20 +68,21 @@ class LauncherClient:
         self._reading: asyncio.Task[None] | None = None
         self._process: subprocess.Popen[bytes] | None = None
         self._actors: dict[int, _Actor] = {}
+        self._questions: dict[int, asyncio.Future[Room]] = {}
         self._last_number = 0
 
     @property
     def is_open(self) -> bool:
         return self._writer is not None
 
-    async def open(self) -> int:
-        """Join the cluster: takes seconds. Returns how many machines could simulate.
+    async def open(self) -> list[int]:
+        """Join the cluster: takes seconds. Returns what `Connected` says of machines.
 
         Raises CannotUseRay.
         """
         async with self._opening:
             if self._writer is not None:
-                return 0
+                return []
             await self._end_process()
             ours, theirs = socket.socketpair()
             with theirs:
@@ -102,16 +107,19 @@ class LauncherClient:
             self._reading = asyncio.create_task(self._read(reader, writer))
             return answer.machines
 
-    async def start_actor(self, on_end: Callable[[], None]) -> tuple[int, ActorReady]:
+    async def start_actor(
+        self, resources: dict[str, float], on_end: Callable[[], None]
+    ) -> tuple[int, ActorReady]:
         """Waits as long as the cluster has no room; the caller may cancel that.
 
-        on_end: is called when it ended later. Raises ResourceShortage.
+        resources: what it takes of its machine. on_end: is called when it ended later.
+        Raises ResourceShortage.
         """
         await self.open()
         self._last_number += 1
         number, loop = self._last_number, asyncio.get_running_loop()
         actor = self._actors[number] = _Actor(loop.create_future())
-        self._send(StartActor(number))
+        self._send(StartActor(number, resources))
         try:
             ready = await actor.ready
         except BaseException:
@@ -124,6 +132,23 @@ class LauncherClient:
         """Harmless if it has ended."""
         if self._actors.pop(number, None) is not None:
             self._send(KillActor(number))
+
+    async def find_room(self, resources: dict[str, float]) -> Room:
+        """For a simulator with these resources; `ROOM_UNKNOWN` if that is not known."""
+        if self._writer is None:
+            return ROOM_UNKNOWN
+        self._last_number += 1
+        number, loop = self._last_number, asyncio.get_running_loop()
+        answer: asyncio.Future[Room] = loop.create_future()
+        self._questions[number] = answer
+        self._send(FindRoom(number, resources))
+        try:
+            async with asyncio.timeout(_ANSWER_TIMEOUT_S):
+                return await answer
+        except TimeoutError:
+            return ROOM_UNKNOWN
+        finally:
+            del self._questions[number]
 
     async def close(self) -> None:
         """Returns when the launcher has ended, and every actor was killed."""
@@ -157,6 +182,8 @@ class LauncherClient:
                             actor.ready.set_result(message)
                     case ActorEnded(number, reason):
                         self._end_actor(number, reason)
+                    case Room(number):
+                        self._answer(number, message)
                     case _:
                         break
             _log.warning("the connection to the Ray cluster was lost")
@@ -165,6 +192,13 @@ class LauncherClient:
             writer.close()
             for number in list(self._actors):
                 self._end_actor(number, "the connection to the Ray cluster was lost")
+            for number in self._questions:
+                self._answer(number, ROOM_UNKNOWN)
+
+    def _answer(self, number: int, room: Room) -> None:
+        answer = self._questions.get(number)
+        if answer is not None and not answer.done():
+            answer.set_result(room)
 
     def _end_actor(self, number: int, reason: str) -> None:
         actor = self._actors.pop(number, None)
@@ -178,21 +212,22 @@ class LauncherClient:
 
 
 class ActorProcess(SimulatorProcess):
-    """One actor."""
+    """One actor. resources: what it takes of its machine."""
 
     def __init__(
         self,
         launcher: LauncherClient,
+        resources: dict[str, float],
         timeout_s: float,
         on_end: Callable[[SimulatorProcess], None],
     ) -> None:
         super().__init__(timeout_s, on_end)
-        self._launcher = launcher
+        self._launcher, self._resources = launcher, resources
         self._number: int | None = None
 
     async def _connect(self) -> socket.socket:
         self._number, ready = await self._launcher.start_actor(
-            lambda: self.end("died with its machine")
+            self._resources, lambda: self.end("died with its machine")
         )
         family = socket.AF_INET6 if ":" in ready.host else socket.AF_INET
         ours = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)

@@ -32,9 +32,11 @@ from reference_sim.process.ray.launcher_messages import (
     ActorReady,
     Connect,
     Connected,
+    FindRoom,
     FromLauncher,
     KillActor,
     Rejected,
+    Room,
     StartActor,
     frame,
     read_message,
@@ -72,6 +74,20 @@ def has_room(machine: dict[str, Any], resources: dict[str, float]) -> bool:
     return bool(machine["Alive"]) and enough
 
 
+def find_lacking(
+    machines: list[dict[str, Any]], resources: dict[str, float]
+) -> dict[str, float]:
+    """Of these resources those that no machine has; all, if none has them together."""
+    if any(has_room(machine, resources) for machine in machines):
+        return {}
+    alone = {
+        name: amount
+        for name, amount in resources.items()
+        if not any(has_room(machine, {name: amount}) for machine in machines)
+    }
+    return alone or resources
+
+
 class Launcher:
     """Actors of one server, by number."""
 
@@ -81,6 +97,7 @@ class Launcher:
         self._reader, self._writer = reader, writer
         self._tasks: dict[int, asyncio.Task[None]] = {}
         self._actors: dict[int, Any] = {}
+        self._answering: set[asyncio.Task[None]] = set()
 
     async def run(self) -> None:
         """Returns when the parent has ended."""
@@ -97,9 +114,13 @@ class Launcher:
         while (command := await read_message(self._reader, TO_LAUNCHER)) is not None:
             match command:
                 case StartActor(number):
-                    self._tasks[number] = asyncio.create_task(self._run_actor(number))
+                    self._tasks[number] = asyncio.create_task(self._run_actor(command))
                 case KillActor(number):
                     self._kill(number)
+                case FindRoom():
+                    task = asyncio.create_task(self._answer(command))
+                    self._answering.add(task)
+                    task.add_done_callback(self._answering.discard)
                 case _:
                     return
 
@@ -136,21 +157,33 @@ class Launcher:
         except Exception as error:
             text = f"no Ray cluster at {address} ({_first_line(error)}); {how}"
             raise CannotUse(text) from error
-        options = actor_options(connect.resources)
-        self._actor_class = ray.remote(**options)(SimulatorActor)
+        self._actor_class = ray.remote(SimulatorActor)
         self._machine = connect.machine
 
-    async def _check_machines(self, connect: Connect) -> int:
-        """How many machines could hold a simulator. Raises CannotUse.
+    async def _answer(self, question: FindRoom) -> None:
+        lacking: dict[str, float] = {}
+        is_free = False
+        try:
+            nodes = await asyncio.to_thread(self._ray.nodes)
+            lacking = find_lacking(nodes, question.resources)
+            free = await asyncio.to_thread(self._ray.available_resources)
+            is_free = all(free.get(n, 0) >= x for n, x in question.resources.items())
+        except Exception as error:  # noqa: BLE001 - Ray raises what it likes
+            _log.warning("the machines cannot be listed: %s", _first_line(error))
+        self._send(Room(question.number, lacking, is_free))
+
+    async def _check_machines(self, connect: Connect) -> list[int]:
+        """How many could hold a simulator, for each kind. Raises CannotUse.
 
         One that does not answer is left out: its end may not have been noticed yet.
         """
         from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
 
+        kinds = connect.simulators
+        if not kinds:
+            return []
         nodes = await asyncio.to_thread(self._ray.nodes)
-        machines = [one for one in nodes if has_room(one, connect.resources)]
-        if not connect.checks_machines:
-            return len(machines)
+        machines = [one for one in nodes if any(has_room(one, kind) for kind in kinds)]
         remote = self._ray.remote(num_cpus=0, max_retries=0)(mismatch)
 
         async def check(machine: dict[str, Any]) -> bool:
@@ -168,15 +201,17 @@ class Launcher:
                 raise CannotUse(f"machine {address} of the Ray cluster {why}")
             return True
 
-        return sum(await asyncio.gather(*map(check, machines)))
+        checked = await asyncio.gather(*map(check, machines))
+        fit = [one for one, is_fit in zip(machines, checked, strict=True) if is_fit]
+        return [sum(has_room(one, kind) for one in fit) for kind in kinds]
 
     # One actor
 
-    async def _run_actor(self, number: int) -> None:
+    async def _run_actor(self, start: StartActor) -> None:
         """Start it, and report its end, whatever ends it."""
-        reason = "was killed"
+        number, reason = start.number, "was killed"
         try:
-            reason = await self._start_and_watch(number)
+            reason = await self._start_and_watch(start)
         except asyncio.CancelledError:
             raise
         except Exception as error:  # noqa: BLE001 - Ray raises what it likes
@@ -186,15 +221,16 @@ class Launcher:
             self._forget(number)
             self._send(ActorEnded(number, reason))
 
-    async def _start_and_watch(self, number: int) -> str:
+    async def _start_and_watch(self, start: StartActor) -> str:
         """Returns why it did not start; raises when it has ended."""
-        actor = self._actors[number] = self._actor_class.remote(self._machine)
+        placed = self._actor_class.options(**actor_options(start.resources))
+        actor = self._actors[start.number] = placed.remote(self._machine)
         host, port, why = await actor.open.remote()
         if not port:
             return f"machine {host} of the Ray cluster {why}"
         secret = secrets.token_bytes(SECRET_BYTES)
         ended = actor.serve.remote(secret)
-        self._send(ActorReady(number, host, port, secret))
+        self._send(ActorReady(start.number, host, port, secret))
         await ended
         return "ended"
 

@@ -31,33 +31,40 @@ class MachineCheck(msgspec.Struct, frozen=True):
 class Connect(msgspec.Struct, tag="connect", frozen=True):
     """Join the cluster; the first message.
 
-    resources: of one simulator, by Ray's names. checks_machines: look at every machine
-    that has room for a simulator before the answer.
+    simulators: what one takes of a machine, by Ray's names, for each kind. Every
+    machine that has room for one of any kind is looked at before the answer.
     """
 
     address: str
-    resources: dict[str, float]
     machine: MachineCheck
-    checks_machines: bool
+    simulators: list[dict[str, float]] = []
 
 
 class StartActor(msgspec.Struct, tag="start", frozen=True):
-    """number: names the actor in all later messages."""
+    """number: names the actor in all later messages. resources: what it takes."""
 
     number: int
+    resources: dict[str, float]
 
 
 class KillActor(msgspec.Struct, tag="kill", frozen=True):
     number: int
 
 
+class FindRoom(msgspec.Struct, tag="find_room", frozen=True):
+    """number: names the question in its answer."""
+
+    number: int
+    resources: dict[str, float]
+
+
 # From the launcher
 
 
 class Connected(msgspec.Struct, tag="connected", frozen=True):
-    """machines: those that could hold a simulator."""
+    """machines: how many could hold a simulator, for each of `Connect.simulators`."""
 
-    machines: int
+    machines: list[int]
 
 
 class Rejected(msgspec.Struct, tag="rejected", frozen=True):
@@ -82,8 +89,20 @@ class ActorEnded(msgspec.Struct, tag="ended", frozen=True):
     reason: str
 
 
-ToLauncher = Connect | StartActor | KillActor
-FromLauncher = Connected | Rejected | ActorReady | ActorEnded
+class Room(msgspec.Struct, tag="room", frozen=True):
+    """lacking: what no machine has, in use or not; empty if one has all of it.
+
+    is_free: nothing uses it, as far as Ray reports: of the cluster as a whole, whose
+    machines may have a part of it each.
+    """
+
+    number: int
+    lacking: dict[str, float]
+    is_free: bool
+
+
+ToLauncher = Connect | StartActor | KillActor | FindRoom
+FromLauncher = Connected | Rejected | ActorReady | ActorEnded | Room
 MessageT = TypeVar("MessageT")
 
 _encoder = msgspec.msgpack.Encoder()

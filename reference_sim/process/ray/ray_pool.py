@@ -1,16 +1,15 @@
 """A pool of simulators on a Ray cluster, with the interface of the local one.
 
-What the cluster has no room for stays requested: Ray's autoscaler sees it. A caller
-waits for it for a while, then gets NoCapacity; what is then placed serves the next one.
-What is idle is soon given back, because others may use the cluster, too.
+A simulator is placed by the resources that its benchmark declares, and serves only
+benchmarks that declare the same; placement_queue.py has those who wait. What is idle is
+soon given back, because others may use the cluster, too.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
-import logging
-from collections import deque
+from collections.abc import Sequence
 from pathlib import Path
 
 from reference_sim.benchmark_registry import SimulatorConfig
@@ -22,46 +21,27 @@ from reference_sim.process.ray.actor_process import (
 )
 from reference_sim.process.ray.launcher_messages import Connect, MachineCheck
 from reference_sim.process.ray.machine_check import make_check, remove_marker
+from reference_sim.process.ray.placement_queue import PlacementQueue
 from reference_sim.process.simulator_process import (
     ResourceShortage,
     SimulatorFault,
     SimulatorProcess,
 )
+from reference_sim.ray_resources import parse_resources
 
 PLACE_S = 15.0  # for a machine that starts a simulator slowly
-PLACE_IN_FULL_CLUSTER_S = 1.0
-REQUEST_S = 120.0  # how long a request outlives the last caller that waited for it
 IDLE_S = 10.0  # less than another server waits for room
-START_TRIES, START_AGAIN_S = 4, 1.0
-_log = logging.getLogger(__name__)
+IDLE_WHILE_NEEDED_S = 1.0  # while simulators with other resources need room
 
 
-def parse_resources(text: str) -> dict[str, float]:
-    """`CPU=0.5,GPU=1` as amounts by name. Raises ValueError."""
-    amounts: dict[str, float] = {}
-    for part in filter(None, map(str.strip, text.split(","))):
-        name, _, written = map(str.strip, part.partition("="))
-        amount = float(written)
-        if not (name and 0 < amount < float("inf")):
-            raise ValueError(f"{part!r} is not NAME=AMOUNT with an amount above 0")
-        if amount > 1 and amount != int(amount):
-            raise ValueError(f"{part}: above 1 Ray takes whole numbers only")
-        amounts[name] = amount
-    if not amounts:
-        raise ValueError("a simulator needs at least one resource, such as CPU=1")
-    return amounts
+async def check_cluster(
+    address: str, simulators: Sequence[dict[str, float]], recordings: Path | None
+) -> list[int]:
+    """How many machines could hold a simulator, for each of these resources.
 
-
-def _connect(
-    address: str, resources: str, recordings: Path | None, *, checks_machines: bool
-) -> Connect:
-    machine = make_check(recordings)
-    return Connect(address, parse_resources(resources), machine, checks_machines)
-
-
-async def check_cluster(address: str, resources: str, recordings: Path | None) -> int:
-    """How many machines could simulate; each was looked at. Raises CannotUseRay."""
-    found = _connect(address, resources, recordings, checks_machines=True)
+    Every machine that could hold any was looked at. Raises CannotUseRay.
+    """
+    found = Connect(address, make_check(recordings), list(simulators))
     launcher = LauncherClient(found)
     try:
         return await launcher.open()
@@ -74,8 +54,9 @@ class RayPool(SimulatorPool):
     """Lends at most `size_max` simulators, as far as the cluster has room.
 
     address: `ray`, or `ray://HOST:PORT` of Ray's own server for clients. resources: of
-    one simulator. recordings: the folder that they are written to, if they are.
-    place_s: how long a caller waits while the cluster places none.
+    one simulator of a benchmark that declares none; spares have these. recordings: the
+    folder that they are written to, if they are. place_s: how long a caller waits while
+    the cluster places none.
     """
 
     def __init__(
@@ -91,26 +72,20 @@ class RayPool(SimulatorPool):
         idle_s: float = IDLE_S,
     ) -> None:
         super().__init__(size_max, spares, turn_timeout_s)
-        self._plan = address, resources, recordings
+        self._address, self._recordings = address, recordings
         self._place_s, self._idle_s = place_s, idle_s
         self._launcher: LauncherClient | None = None
         self._machine: MachineCheck | None = None
-        self._starting: dict[asyncio.Task[None], None] = {}  # oldest first
+        self._queues: list[PlacementQueue] = []  # the first one is the default
+        self._placed_by: dict[SimulatorProcess, PlacementQueue] = {}
         self._idle_since: dict[SimulatorProcess, float] = {}
-        self._waiting: deque[asyncio.Future[SimulatorProcess]] = deque()
-        self._cluster_is_full = False
-        self._waited_at = self._placed_at = 0.0
         self._tidying: asyncio.Task[None] | None = None
         self._joining: asyncio.Task[None] | None = None
-
-    @property
-    def is_full(self) -> bool:
-        return super().is_full or (self._cluster_is_full and not self._idle)
+        self._add_queue(parse_resources(resources))
 
     async def start(self) -> None:
         """Join the cluster. Raises SimulatorFault."""
-        address, resources, recordings = self._plan
-        connect = _connect(address, resources, recordings, checks_machines=False)
+        connect = Connect(self._address, make_check(self._recordings))
         self._machine = connect.machine
         await self.start_with(LauncherClient(connect))
 
@@ -123,14 +98,13 @@ class RayPool(SimulatorPool):
 
     async def close(self) -> None:
         self._closed = True
-        tasks = (self._tidying, self._joining, *self._starting)
-        for task in [one for one in tasks if one is not None]:
-            task.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await task
-        while self._waiting:
-            closed = SimulatorFault("the pool of simulators is closed")
-            self._waiting.popleft().set_exception(closed)
+        for task in (self._tidying, self._joining):
+            if task is not None:
+                task.cancel()
+                with contextlib.suppress(asyncio.CancelledError):
+                    await task
+        for queue in self._queues:
+            await queue.close()
         await super().close()
         if self._launcher is not None:
             await self._launcher.close()
@@ -139,133 +113,122 @@ class RayPool(SimulatorPool):
 
     async def check_start(self) -> None:
         """Raises SimulatorFault while there is no cluster, which is joined again."""
-        if self._closed or self._launcher is None:
-            raise SimulatorFault("the pool of simulators is closed")
-        if not self._launcher.is_open:
+        launcher = self._joined_launcher()
+        if not launcher.is_open:
             if self._joining is None or self._joining.done():
-                self._joining = asyncio.create_task(self._join_again(self._launcher))
+                self._joining = asyncio.create_task(self._join_again(launcher))
             raise CannotUseRay("the Ray cluster cannot be reached")
 
     async def _join_again(self, launcher: LauncherClient) -> None:
         with contextlib.suppress(CannotUseRay):
             await launcher.open()
 
+    def _joined_launcher(self) -> LauncherClient:
+        if self._closed or self._launcher is None:
+            raise SimulatorFault("the pool of simulators is closed")
+        return self._launcher
+
+    # Lending
+
+    def is_full_for(self, world: SimulatorConfig) -> bool:
+        queue = self._queue_for(world)
+        if queue.lacking:
+            return False  # whatever others give back
+        return self._is_at_limit(queue) or (queue.is_full and not self._idle_for(world))
+
+    def makes_room(self, lent: SimulatorConfig, world: SimulatorConfig) -> bool:
+        queue, freed = self._queue_for(world), self._queue_for(lent).resources
+        enough = all(freed.get(name, 0) >= n for name, n in queue.resources.items())
+        return enough or self._is_at_limit(queue)
+
     async def acquire(self, world: SimulatorConfig) -> SimulatorHandle:
         """Raises NoCapacity, or SimulatorFault if the simulator cannot be built."""
-        if self.busy >= self.size_max:
-            raise NoCapacity(f"all {self.size_max} simulators are in use")
+        if self._is_at_limit(self._queue_for(world)):
+            raise NoCapacity(self._limit_text)
         return await self._lend(world)
 
-    def _new_process(self) -> SimulatorProcess:
-        if self._launcher is None:
-            raise SimulatorFault("the pool of simulators was not started")
-        return ActorProcess(self._launcher, self._turn_timeout_s, self._forget)
+    def _is_at_limit(self, queue: PlacementQueue) -> bool:
+        """Who waits for other resources may never get them, and takes no place here."""
+        elsewhere = sum(one.waiting for one in self._queues if one is not queue)
+        return self.busy - elsewhere >= self.size_max
 
-    # Requests: callers wait in a row for whichever simulator is free or placed first
+    @property
+    def _limit_text(self) -> str:
+        return f"all {self.size_max} simulators are in use"
 
-    async def _obtain_process(self) -> SimulatorProcess:
+    async def _obtain_process(self, world: SimulatorConfig) -> SimulatorProcess:
         """Raises ResourceShortage if the cluster has no room for too long."""
-        loop = asyncio.get_running_loop()
-        mine: asyncio.Future[SimulatorProcess] = loop.create_future()
-        self._waiting.append(mine)
-        self._request_missing()
-        try:
-            return await self._wait_for(mine)
-        except BaseException:
-            self._withdraw(mine)
-            raise
-        finally:
-            self._waited_at = loop.time()
+        queue = self._queue_for(world)
+        process = await queue.wait()
+        if self.busy - sum(one.waiting for one in self._queues) > self.size_max:
+            # Others were lent meanwhile, with other resources.
+            queue.hand_out(process)
+            raise ResourceShortage(self._limit_text)
+        return process
 
-    async def _wait_for(
-        self, mine: asyncio.Future[SimulatorProcess]
-    ) -> SimulatorProcess:
-        loop = asyncio.get_running_loop()
-        wait_s, waited_from = self._place_s, loop.time()
-        if self._cluster_is_full:
-            wait_s = min(wait_s, PLACE_IN_FULL_CLUSTER_S)
-        while not mine.done():
-            # Many at once start slowly: as long as one after the other is placed, the
-            # cluster has room.
-            left_s = max(waited_from, self._placed_at) + wait_s - loop.time()
-            if left_s <= 0:
-                self._cluster_is_full = True
-                text = "the Ray cluster has no room for another simulator now"
-                raise ResourceShortage(text)
-            await asyncio.wait([mine], timeout=left_s)
-        return mine.result()
+    def _idle_for(self, world: SimulatorConfig) -> Sequence[SimulatorProcess]:
+        return self._idle_of(self._queue_for(world))
 
-    def _withdraw(self, mine: asyncio.Future[SimulatorProcess]) -> None:
-        """What this caller got in the last moment is for the next one."""
-        if mine in self._waiting:
-            self._waiting.remove(mine)
-        elif mine.exception() is None:
-            self._hand_out(mine.result())
-
-    def _request_missing(self) -> None:
-        """One request for each caller that waits, and each spare that is missing."""
-        spares = sum(one.world is None for one in self._idle)
-        wanted = len(self._waiting) + max(0, self._spares - spares)
-        while len(self._starting) < wanted and not self._closed:
-            task = asyncio.create_task(self._place())
-            self._starting[task] = None
-            task.add_done_callback(self._count_out)
-
-    def _count_out(self, task: asyncio.Task[None] | None) -> None:
-        if task is not None:
-            self._starting.pop(task, None)
-
-    async def _place(self) -> None:
-        """Start one simulator, for the caller that has waited longest."""
-        try:
-            process = await self._start_somewhere()
-        except SimulatorFault as fault:
-            # Before the caller runs, which may ask for another one at once.
-            self._count_out(asyncio.current_task())
-            _log.warning("no simulator on the Ray cluster: %s", fault)
-            if self._waiting:
-                self._waiting.popleft().set_exception(fault)
-            return
-        self._count_out(asyncio.current_task())
-        self._cluster_is_full = False
-        self._placed_at = asyncio.get_running_loop().time()
-        self._hand_out(process)
-
-    async def _start_somewhere(self) -> SimulatorProcess:
-        """Again when a machine fails meanwhile, or is not fit to simulate."""
-        for _ in range(START_TRIES - 1):
-            try:
-                return await self._start_process()
-            except CannotUseRay:
-                raise
-            except ResourceShortage as shortage:
-                _log.warning("a simulator is started elsewhere: %s", shortage)
-                await asyncio.sleep(START_AGAIN_S)
-        return await self._start_process()
-
-    def _hand_out(self, process: SimulatorProcess) -> None:
-        while self._waiting:
-            first = self._waiting.popleft()
-            if not first.done():
-                first.set_result(process)
-                return
-        self._idle.append(process)
-        self._idle_since[process] = asyncio.get_running_loop().time()
+    def _idle_of(self, queue: PlacementQueue) -> list[SimulatorProcess]:
+        return [one for one in self._idle if self._placed_by[one] is queue]
 
     def _take_back(self, process: SimulatorProcess) -> None:
         super()._take_back(process)
         if process in self._idle:
             self._idle.remove(process)
-            self._hand_out(process)
+            self._placed_by[process].hand_out(process)
 
     def _forget(self, process: SimulatorProcess) -> None:
         super()._forget(process)
         self._idle_since.pop(process, None)
-        # What it took of the cluster is free, unless its machine is gone.
-        self._cluster_is_full = False
+        self._placed_by.pop(process, None)
+        for queue in self._queues:
+            queue.note_room()
+
+    # Placing, by resources
+
+    def _queue_for(self, world: SimulatorConfig) -> PlacementQueue:
+        resources = dict(world.ray_resources)
+        for queue in self._queues:
+            if not resources or queue.resources == resources:
+                return queue
+        return self._add_queue(resources)
+
+    def _add_queue(self, resources: dict[str, float]) -> PlacementQueue:
+        queue = PlacementQueue(
+            resources,
+            self._place_s,
+            missing_spares=lambda: self._missing_spares(queue),
+            start=self._start_for,
+            find_room=lambda names: self._joined_launcher().find_room(names),
+            keep=self._keep,
+        )
+        self._queues.append(queue)
+        return queue
+
+    async def _start_for(self, queue: PlacementQueue) -> SimulatorProcess:
+        process = ActorProcess(
+            self._joined_launcher(),
+            queue.resources,
+            self._turn_timeout_s,
+            self._forget,
+        )
+        self._placed_by[process] = queue
+        return await self._start_process(process)
+
+    def _keep(self, process: SimulatorProcess) -> None:
+        if process.alive:
+            self._idle.append(process)
+            self._idle_since[process] = asyncio.get_running_loop().time()
+
+    def _missing_spares(self, queue: PlacementQueue) -> int:
+        if queue is not self._queues[0]:
+            return 0
+        spares = sum(one.world is None for one in self._idle_of(queue))
+        return max(0, self._spares - spares)
 
     def _fill_spares(self) -> None:
-        self._request_missing()
+        self._queues[0].request_missing()
 
     async def _tidy(self) -> None:
         """Give back what was not used for a while, and requests without a caller."""
@@ -273,9 +236,16 @@ class RayPool(SimulatorPool):
         while True:
             await asyncio.sleep(min(1.0, self._idle_s / 2))
             now = loop.time()
-            for process in self._idle[: max(0, len(self._idle) - self._spares)]:
-                if now - self._idle_since.get(process, now) > self._idle_s:
-                    process.end("was idle")
-            if not self._waiting and now - self._waited_at > REQUEST_S:
-                for task in list(self._starting)[self._spares :]:
-                    task.cancel()
+            for queue in self._queues:
+                self._end_idle(queue, now)
+                queue.drop_requests(now)
+
+    def _end_idle(self, queue: PlacementQueue, now: float) -> None:
+        idle, idle_s = self._idle_of(queue), self._idle_s
+        if queue is self._queues[0]:
+            idle = idle[: max(0, len(idle) - self._spares)]
+        if any(one.needs_room for one in self._queues if one is not queue):
+            idle_s = min(idle_s, IDLE_WHILE_NEEDED_S)
+        for process in idle:
+            if now - self._idle_since.get(process, now) > idle_s:
+                process.end("was idle")

@@ -7,6 +7,7 @@ needs no cluster is in tests/sim/process/test_ray_pool.py.
 from __future__ import annotations
 
 import asyncio
+import dataclasses
 import os
 import signal
 import sys
@@ -20,7 +21,7 @@ import pytest
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import Attach
 from reference_sim import benchmark_registry
-from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.pool import NoCapacity, SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool, check_cluster
 from tests.support.processes import process_commands
 from tests.support.server.server_parts import (
@@ -40,6 +41,7 @@ pytestmark = pytest.mark.slow("starts a Ray cluster")
 
 DEADLINE_S = 60.0
 WORLD = benchmark_registry.resolve("calibration").world
+WITH_ARM = dataclasses.replace(WORLD, ray_resources={"CPU": 0.5, "arm": 1})
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +75,6 @@ def with_parts(
     tmp_path: Path,
     scenario: Callable[[ServerParts], Awaitable[None]],
     folder: Path | None = None,
-    place_s: float = DEADLINE_S,
 ) -> None:
     """A story with a server whose simulators are on the cluster.
 
@@ -81,7 +82,7 @@ def with_parts(
     """
 
     async def run() -> None:
-        pool = RayPool("ray", "CPU=1", recordings=folder, place_s=place_s)
+        pool = RayPool("ray", "CPU=1", recordings=folder, place_s=DEADLINE_S)
         await pool.start()
         recordings = None if folder is None else Recordings(folder)
         if recordings is not None:
@@ -111,7 +112,8 @@ async def episode(pool: SimulatorPool) -> list[bytes]:
 
 def test_an_episode_is_that_of_a_local_process(cluster: RayCluster) -> None:
     async def play() -> tuple[list[bytes], list[bytes]]:
-        assert await check_cluster("ray", "CPU=1", None) == len(cluster.machines)
+        kinds = {"CPU": 1.0}, {"CPU": 1.0, "arm": 1.0}
+        assert await check_cluster("ray", kinds, None) == [len(cluster.machines), 0]
         pools = RayPool("ray", "CPU=1"), SimulatorPool(spares=0)
         for pool in pools:
             await pool.start()
@@ -153,6 +155,8 @@ def test_a_full_cluster_refuses_and_is_asked_for_more(
         for worker in ("a", "b"):
             await parts.executor.attach(run, Attach(worker, "key"))
         run = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
+        assert isinstance(parts.pool, RayPool)
+        parts.pool._queues[0]._place_s = 1.0
         with expect_refusal("no_capacity"):
             await parts.executor.attach(run, Attach("c", "key"))
         await until(lambda: cluster.requested() == 1)
@@ -160,7 +164,34 @@ def test_a_full_cluster_refuses_and_is_asked_for_more(
         await until(lambda: parts.pool.idle == 1)
         await parts.executor.attach(run, Attach("c", "key"))
 
-    with_parts(tmp_path, scenario, place_s=4.0)
+    with_parts(tmp_path, scenario)
+
+
+def test_a_simulator_is_placed_where_what_its_benchmark_declares_is(
+    cluster: RayCluster,
+) -> None:
+    async def play() -> None:
+        pool = RayPool("ray", "CPU=1")
+        await pool.start()
+        try:
+            pool._queue_for(WITH_ARM)._place_s = 1.0
+            with pytest.raises(NoCapacity, match=r"no machine of the .* has arm=1 "):
+                await pool.acquire(WITH_ARM)
+            await (await pool.acquire(WORLD)).release()
+            machine = cluster.add_machine({"arm": 1})
+            cluster.machines.append(machine)
+            await until(lambda: len(pool._idle_for(WITH_ARM)) == 1)
+            lent = await pool.acquire(WITH_ARM)
+            (where,) = [
+                one["Address"]["NodeID"]
+                for one in cluster.actors().values()
+                if one["Pid"] == lent.pid
+            ]
+            assert where == machine.node_id
+        finally:
+            await pool.close()
+
+    asyncio.run(play())
 
 
 def test_recordings_are_in_the_folder_that_machines_share(tmp_path: Path) -> None:

@@ -240,6 +240,26 @@ def test_an_account_takes_no_simulator_of_its_own(tmp_path: Path) -> None:
     run_scenarios(tmp_path, scenario)
 
 
+def test_no_session_ends_whose_simulator_would_not_serve(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On Ray, where what it took may not be what another benchmark declares."""
+
+    async def scenario(parts: ServerParts) -> None:
+        runs = await hold_all_simulators(parts, "alice")
+        parts.executor._resources._unused_s = 0.0
+        waiting = await submit(parts, "bob", "bob")
+        with monkeypatch.context() as patch:
+            patch.setattr(parts.pool, "makes_room", lambda _lent, _world: False)
+            with expect_refusal("no_capacity"):
+                await parts.executor.attach(waiting, Attach("w", "key"))
+        assert [len(run.live_sessions) for run in runs] == [1, 1, 1, 1]
+        await parts.executor.attach(waiting, Attach("w", "key"))
+        assert [len(run.live_sessions) for run in runs] == [0, 1, 1, 1]
+
+    run_scenarios(tmp_path, scenario)
+
+
 @pytest.mark.parametrize("how", ["heartbeat", "attach", "predict"])
 def test_a_session_without_a_turn_ends(tmp_path: Path, how: str) -> None:
     """LIM-006: heartbeats and repeats extend its lease for a time only."""

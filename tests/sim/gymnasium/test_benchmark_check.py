@@ -108,6 +108,44 @@ def test_an_environment_that_leaks_state_can_be_rebuilt_for_every_episode() -> N
     assert look("Leaks", rebuild_every_episode=True)["faults"] == []
 
 
+# --- resources on Ray ---
+
+
+@pytest.mark.parametrize(
+    ("world", "members", "declared"),
+    [
+        ("ValidEnv", {}, {}),
+        ("ValidEnv", {"ray_resources": {"CPU": 1}}, {"CPU": 1}),
+        ("TakesAGpu", {}, {"CPU": 0.5, "GPU": 0.25}),
+        ("TakesAGpu", {"ray_resources": {"CPU": 1}}, {"CPU": 1}),
+    ],
+)
+def test_a_file_or_its_class_declares_resources(
+    world: str, members: Json, declared: Json
+) -> None:
+    found = look(world, **members)
+    assert found["faults"] == []
+    assert found["ray_resources"] == declared
+    assert registration._definition(found).ray_resources == declared
+
+
+def test_resources_are_no_part_of_the_manifest() -> None:
+    """Nor of what a simulator is built from: they decide where, and not what."""
+    without, having = (
+        registration._definition(look("ValidEnv", ray_resources=declared))
+        for declared in (None, {"GPU": 1})
+    )
+    assert without.describe({}, 8) == having.describe({}, 8)
+    assert without.settings({}) == having.settings({})
+
+
+def test_bad_resources_of_a_class_are_a_fault() -> None:
+    (line,) = look("TakesNothing")["faults"]
+    assert line == (
+        "ray_resources: CPU: the amount has to be a number from 0.0001 to 2^50"
+    )
+
+
 # --- success and score ---
 
 

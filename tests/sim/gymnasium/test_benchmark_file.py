@@ -119,6 +119,18 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "environment = 'X'\n[[image_sizes]]\nwidth = 0\nheight = 5",
             "image_sizes[0].w",
         ),
+        (
+            "environment = 'X'\nray_resources = {}",
+            "ray_resources: a simulator needs at",
+        ),
+        (
+            "environment = 'X'\nray_resources = { CPU = 0.5, GPU = inf }",
+            "ray_resources: GPU: the amount has to be a number from 0.0001 to 2^50",
+        ),
+        (
+            "environment = 'X'\nray_resources = 'CPU=1'",
+            "ray_resources: a simulator needs at least one resource",
+        ),
     ],
 )
 def test_a_fault_of_a_file_is_one_line_with_its_place(

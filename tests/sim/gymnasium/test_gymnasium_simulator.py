@@ -38,7 +38,7 @@ def settings_of(world: str, **members: Any) -> dict[str, Any]:
     benchmark = Benchmark.model_validate(content)
     found = BenchmarkCheck(benchmark, ROOT / "tests" / "support" / "sim", print).run()
     assert found["faults"] == []
-    definition = registration._definition(found["plan"], found["manifest"])
+    definition = registration._definition(found)
     manifest = definition.describe({}, 8)
     return definition.settings({"codec": "raw", **manifest["image_sizes"][-1]})
 
@@ -224,7 +224,7 @@ def test_two_processes_play_the_same_episode(
     monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", {})
     content = {"benchmark_id": "mine", "environment": name, "camera": False}
     found = BenchmarkCheck(Benchmark.model_validate(content), ROOT, print).run()
-    definition = registration._definition(found["plan"], found["manifest"])
+    definition = registration._definition(found)
     images = {"codec": "raw", "width": 64, "height": 64}
     world = SimulatorConfig("mine", definition.settings(images))
 

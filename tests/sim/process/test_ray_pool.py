@@ -6,6 +6,7 @@ What needs a cluster is in tests/cluster/on_ray/ray_checks.py.
 from __future__ import annotations
 
 import asyncio
+import dataclasses
 import os
 import signal
 import socket
@@ -18,6 +19,7 @@ import msgspec
 import pytest
 
 from reference_sim import benchmark_registry
+from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process import simulator_main
 from reference_sim.process.pool import (
     NoCapacity,
@@ -25,14 +27,15 @@ from reference_sim.process.pool import (
     SimulatorHandle,
     SimulatorPool,
 )
-from reference_sim.process.ray import ray_pool
+from reference_sim.process.ray import placement_queue
 from reference_sim.process.ray.actor_process import CannotUseRay, LauncherClient
+from reference_sim.process.ray.launcher import actor_options, find_lacking
 from reference_sim.process.ray.machine_check import (
     make_check,
     mismatch,
     remove_marker,
 )
-from reference_sim.process.ray.ray_pool import RayPool, check_cluster, parse_resources
+from reference_sim.process.ray.ray_pool import RayPool, check_cluster
 from reference_sim.process.ray.simulator_actor import SimulatorActor
 from tests.support.sim.actors_without_ray import LauncherWithoutRay
 from tests.support.sim.calibration_action import calibration_action as action
@@ -40,6 +43,10 @@ from tests.support.waiting import wait_in_loop
 
 DEADLINE_S = 60.0
 WORLD = benchmark_registry.resolve("calibration").world
+SMALL, ON_GPU, OF_MORE = (
+    dataclasses.replace(WORLD, ray_resources=resources)
+    for resources in ({"CPU": 0.5}, {"CPU": 1, "GPU": 0.25}, {"CPU": 2, "GPU": 1})
+)
 Scenario = Callable[[RayPool, LauncherWithoutRay], Coroutine[Any, Any, None]]
 
 
@@ -48,7 +55,8 @@ def with_pool(scenario: Scenario, room: int, **settings: Any) -> None:
 
     async def run() -> None:
         launcher = LauncherWithoutRay(room)
-        pool = RayPool("ray", "CPU=1", **{"place_s": DEADLINE_S, **settings})
+        waits = {"place_s": DEADLINE_S, "idle_s": DEADLINE_S}
+        pool = RayPool("ray", "CPU=1", **{**waits, **settings})
         await pool.start_with(cast("LauncherClient", launcher))
         try:
             await asyncio.wait_for(scenario(pool, launcher), DEADLINE_S)
@@ -92,16 +100,16 @@ def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
 def test_a_full_cluster_refuses_and_the_request_stays() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         first = await pool.acquire(WORLD)
-        pool._place_s = 0.5
-        fullness = [pool.is_full]
+        pool._queues[0]._place_s = 0.5
+        fullness = [pool.is_full_for(WORLD)]
         for _ in range(3):  # a caller that repeats asks for no more
             with pytest.raises(NoCapacity, match="no room"):
                 await pool.acquire(WORLD)
             assert launcher.requested == 1
-        fullness.append(pool.is_full)
+        fullness.append(pool.is_full_for(WORLD))
         launcher.add_room()
         await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
-        fullness.append(pool.is_full)
+        fullness.append(pool.is_full_for(WORLD))
         assert fullness == [False, True, False]
         second = await pool.acquire(WORLD)
         assert first.pid != second.pid
@@ -114,12 +122,43 @@ def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         waiting = asyncio.create_task(pool.acquire(WORLD))
         await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
-        pool._placed_at = asyncio.get_running_loop().time() + DEADLINE_S
+        pool._queues[0]._placed_at = asyncio.get_running_loop().time() + DEADLINE_S
         assert not (await asyncio.wait([waiting], timeout=0.5))[0]
         launcher.add_room()
         await waiting
 
     with_pool(scenario, room=0, place_s=0.2)
+
+
+def test_a_cluster_that_starts_slowly_is_not_full() -> None:
+    """Until it says that it has no more room."""
+
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        launcher.is_slow = True
+        waiting = [asyncio.create_task(pool.acquire(WORLD)) for _ in range(2)]
+        await wait_in_loop(lambda: launcher.requested == 2, DEADLINE_S)
+        assert not (await asyncio.wait(waiting, timeout=0.5))[0]
+        assert not pool.is_full_for(WORLD)
+        launcher.add_room()
+        await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)
+        launcher.is_slow = False
+        done, refused = sorted(waiting, key=lambda task: not task.done())
+        assert (await done).pid
+        with pytest.raises(NoCapacity, match="no room"):
+            await refused
+
+    with_pool(scenario, room=0, place_s=0.2)
+
+
+def test_a_slow_start_is_awaited_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(placement_queue, "START_S_MAX", 0.3)
+
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        launcher.is_slow = True
+        with pytest.raises(NoCapacity):
+            await pool.acquire(WORLD)
+
+    with_pool(scenario, room=0, place_s=0.1)
 
 
 def test_who_waits_gets_what_is_returned() -> None:
@@ -152,6 +191,24 @@ def test_who_stops_waiting_leaves_nothing_lent(leaves_first: bool) -> None:
     with_pool(scenario, room=1)
 
 
+def test_what_has_ended_is_not_free() -> None:
+    """Nor if it ends in the moment in which who was handed it stops waiting."""
+
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        first = await pool.acquire(WORLD)
+        waiting = asyncio.create_task(pool.acquire(WORLD))
+        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+        await first.release()
+        first._process.end("died")
+        waiting.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await waiting
+        assert first._process not in pool._idle
+        assert (await pool.acquire(WORLD)).pid != first.pid
+
+    with_pool(scenario, room=1)
+
+
 def test_no_more_are_lent_than_the_setting_allows() -> None:
     async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
         await pool.acquire(WORLD)
@@ -176,7 +233,7 @@ def test_idle_simulators_are_given_back_but_for_the_spares() -> None:
 
 
 def test_a_request_without_a_caller_ends(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ray_pool, "REQUEST_S", 0.1)
+    monkeypatch.setattr(placement_queue, "REQUEST_S", 0.1)
 
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         with pytest.raises(NoCapacity):
@@ -244,7 +301,7 @@ def test_a_lost_cluster_is_no_fault() -> None:
 def test_a_machine_that_fails_in_a_start_is_not_the_last_one(
     monkeypatch: pytest.MonkeyPatch, bad: int, starts: bool
 ) -> None:
-    monkeypatch.setattr(ray_pool, "START_AGAIN_S", 0.01)
+    monkeypatch.setattr(placement_queue, "START_AGAIN_S", 0.01)
 
     async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
         launcher.bad_starts = bad
@@ -267,6 +324,198 @@ def test_memory_of_another_machine_is_not_mapped() -> None:
         assert not process.alive
 
     with_pool(scenario, room=1)
+
+
+# --- resources that a benchmark declares ---
+
+
+def test_a_simulator_is_placed_by_what_its_benchmark_declares() -> None:
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        same = dataclasses.replace(WORLD, ray_resources={"CPU": 1.0})
+        for world in (WORLD, SMALL, same):
+            await pool.acquire(world)
+        assert launcher.started == [{"CPU": 1}, {"CPU": 0.5}, {"CPU": 1}]
+        assert len(pool._queues) == 2
+
+    with_pool(scenario, room=3)
+
+
+def test_a_local_simulator_needs_no_resources() -> None:
+    async def run() -> None:
+        pool = SimulatorPool(spares=0)
+        try:
+            first = await pool.acquire(WORLD)
+            await first.release()
+            assert (await pool.acquire(ON_GPU)).pid == first.pid
+        finally:
+            await pool.close()
+
+    asyncio.run(run())
+
+
+def test_a_free_simulator_serves_only_what_declares_the_same() -> None:
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        first = await pool.acquire(SMALL)
+        await first.release()
+        other = await pool.acquire(WORLD)
+        assert other.pid != first.pid
+        assert (await pool.acquire(SMALL)).pid == first.pid
+        assert launcher.started == [{"CPU": 0.5}, {"CPU": 1}]
+
+    with_pool(scenario, room=9)
+
+
+def test_what_is_returned_goes_to_who_waits_for_the_same() -> None:
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        first = await pool.acquire(SMALL)
+        waiting = []
+        for world in (WORLD, SMALL):
+            waiting.append(asyncio.create_task(pool.acquire(world)))
+            await wait_in_loop(lambda: launcher.requested == len(waiting), DEADLINE_S)
+        await first.release()
+        assert (await waiting[1]).pid == first.pid
+        assert not waiting[0].done()
+        launcher.add_room()
+        await waiting[0]
+
+    with_pool(scenario, room=1)
+
+
+def test_what_no_machine_has_is_named_and_holds_up_no_other() -> None:
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        pool._queue_for(ON_GPU)._place_s = 0.5
+        refused = [asyncio.create_task(pool.acquire(ON_GPU)) for _ in range(2)]
+        await wait_in_loop(lambda: launcher.requested == 2, DEADLINE_S)
+        fits = await pool.acquire(WORLD)  # though two simulators are all that may be
+        for one in refused:
+            with pytest.raises(NoCapacity, match=r"no machine of the .* has GPU=0.25 "):
+                await one
+        assert (await pool.acquire(WORLD)).pid != fits.pid
+        assert launcher.requested == 2  # they stay, for a machine that joins
+        fits.discard()
+        assert not pool.is_full_for(ON_GPU)  # nothing given back would serve it
+        pool._queue_for(ON_GPU)._place_s = DEADLINE_S
+        with pytest.raises(NoCapacity):  # soon: what has ended made no room for it
+            await pool.acquire(ON_GPU)
+        launcher.add_resource("GPU")
+        await wait_in_loop(lambda: pool.idle == 2, DEADLINE_S)
+        await pool.acquire(ON_GPU)
+        assert pool.is_full_for(ON_GPU)
+        assert pool.starts == 4
+
+    with_pool(scenario, room=9, size_max=2)
+
+
+def test_no_more_are_lent_than_the_setting_allows_when_a_place_comes_late() -> None:
+    """Others were lent what is allowed while this one waited for what it declares."""
+
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        late = asyncio.create_task(pool.acquire(ON_GPU))
+        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+        first = await pool.acquire(WORLD)
+        launcher.add_resource("GPU")
+        with pytest.raises(NoCapacity, match="all 1 simulators are in use"):
+            await late
+        assert (pool.busy, pool.idle) == (1, 1)
+        await first.release()
+        await pool.acquire(ON_GPU)
+        assert launcher.started == [{"CPU": 1}, {"CPU": 1, "GPU": 0.25}]
+
+    with_pool(scenario, room=9, size_max=1)
+
+
+def test_a_cluster_may_be_full_for_one_benchmark_alone() -> None:
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        lent = await pool.acquire(SMALL)
+        pool._queue_for(WORLD)._place_s = 0.2
+        with pytest.raises(NoCapacity, match=r"no room now .* with CPU=1"):
+            await pool.acquire(WORLD)
+        assert pool.is_full_for(WORLD)
+        assert not pool.is_full_for(SMALL)
+        await lent.release()
+        # Longer than it is kept else: its room is needed, and no caller is there now.
+        await wait_in_loop(lambda: pool.starts == 2 and pool.idle == 1, DEADLINE_S)
+        assert launcher.started == [{"CPU": 0.5}, {"CPU": 1}]
+        assert not pool.is_full_for(WORLD)
+
+    with_pool(scenario, room=1)
+
+
+def test_a_machine_that_joins_is_known_to_the_next_caller() -> None:
+    """Though it has no room either: what others give back would serve it now."""
+
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        with pytest.raises(NoCapacity, match="no machine"):
+            await pool.acquire(ON_GPU)
+        launcher.add_resource("GPU")
+        with pytest.raises(NoCapacity, match=r"no room now .* with CPU=1,GPU=0.25"):
+            await pool.acquire(ON_GPU)
+        assert pool.is_full_for(ON_GPU)
+
+    with_pool(scenario, room=0, place_s=0.1)
+
+
+@pytest.mark.parametrize(
+    ("lent", "size_max", "makes_room"),
+    [
+        (ON_GPU, 2, True),
+        (OF_MORE, 2, True),  # enough, and on one machine
+        (WORLD, 2, False),  # which has no GPU
+        (WORLD, 1, True),  # but is all that may be lent
+    ],
+)
+def test_a_session_ends_for_another_only_if_what_it_took_is_enough(
+    lent: SimulatorConfig, size_max: int, makes_room: bool
+) -> None:
+    async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
+        await pool.acquire(WORLD)
+        assert pool.makes_room(lent, ON_GPU) is makes_room
+
+    with_pool(scenario, room=1, size_max=size_max)
+
+
+def test_spares_take_what_the_setting_says() -> None:
+    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+        await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
+        await (await pool.acquire(SMALL)).release()
+        await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
+        assert launcher.started == [{"CPU": 1}, {"CPU": 0.5}]
+        (spare,) = pool._idle
+        assert spare.world is None
+
+    with_pool(scenario, room=4, spares=1, idle_s=0.2)
+
+
+# --- what the launcher knows of machines ---
+
+MACHINES: list[dict[str, Any]] = [
+    {"Alive": True, "Resources": {"CPU": 4.0, "memory": 2.0**30}},
+    {"Alive": True, "Resources": {"CPU": 1.0, "GPU": 1.0}},
+    {"Alive": False, "Resources": {"CPU": 4.0, "GPU": 4.0, "arm": 1.0}},
+]
+
+
+@pytest.mark.parametrize(
+    ("resources", "lacking"),
+    [
+        ({"CPU": 4}, {}),
+        ({"CPU": 1, "GPU": 0.25}, {}),
+        ({"CPU": 1, "arm": 1}, {"arm": 1}),
+        ({"CPU": 5, "GPU": 2, "memory": 1}, {"CPU": 5, "GPU": 2}),
+        ({"CPU": 4, "GPU": 1}, {"CPU": 4, "GPU": 1}),  # each, but none has both
+    ],
+)
+def test_what_no_machine_has_is_found(
+    resources: dict[str, float], lacking: dict[str, float]
+) -> None:
+    assert find_lacking(MACHINES, resources) == lacking
+
+
+def test_resources_are_options_of_an_actor() -> None:
+    options = actor_options({"GPU": 0.25, "memory": 2.0**30, "arm": 1})
+    wanted = {"num_cpus": 0, "num_gpus": 0.25, "memory": 2**30, "max_restarts": 0}
+    assert wanted.items() <= options.items()
+    assert options["resources"] == {"arm": 1}
 
 
 # --- one actor ---
@@ -317,8 +566,4 @@ def test_a_machine_without_the_folder_of_recordings_is_refused(tmp_path: Path) -
 
 def test_without_ray_one_sentence_says_what_to_install() -> None:
     with pytest.raises(CannotUseRay, match=r"not installed here: pip install"):
-        asyncio.run(check_cluster("ray", "CPU=1", None))
-
-
-def test_resources_are_rays() -> None:
-    assert parse_resources("CPU=0.5, GPU=1,arm=1") == {"CPU": 0.5, "GPU": 1, "arm": 1}
+        asyncio.run(check_cluster("ray", [{"CPU": 1}], None))

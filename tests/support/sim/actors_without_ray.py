@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable
 
 from reference_sim.process.ray.actor_process import CannotUseRay
-from reference_sim.process.ray.launcher_messages import ActorReady
+from reference_sim.process.ray.launcher_messages import ActorReady, Room
 from reference_sim.process.ray.simulator_actor import SECRET_BYTES
 from reference_sim.process.simulator_process import ResourceShortage
 from tests.support.paths import ROOT
@@ -28,12 +28,18 @@ actor.serve(bytes.fromhex(sys.stdin.readline()))
 class LauncherWithoutRay:
     """What a LauncherClient does. room: how many more actors the cluster can hold.
 
-    is_joined: whether there is a cluster. requested: how many actors wait for room.
-    bad_starts: how many of the next ones end before they are ready.
+    names: the resources that its machines have. is_joined: whether there is a cluster.
+    is_slow: it has room, as it says, for what it does not start. requested: how many
+    actors wait for room.
+    bad_starts: how many of the next ones end before they are ready. started: what the
+    actors took, in the order of their start.
     """
 
     def __init__(self, room: int) -> None:
         self.room, self.requested = room, 0
+        self.names = {"CPU"}
+        self.is_slow = False
+        self.started: list[dict[str, float]] = []
         self.actors: dict[int, subprocess.Popen[str]] = {}
         self.is_joined, self.is_open, self.bad_starts = True, True, 0
         self._more_room = asyncio.Event()
@@ -43,17 +49,27 @@ class LauncherWithoutRay:
         self.room += more
         self._more_room.set()
 
-    async def open(self) -> int:
+    def add_resource(self, name: str) -> None:
+        self.names.add(name)
+        self._more_room.set()
+
+    async def open(self) -> list[int]:
         self.is_open = self.is_joined
         if not self.is_joined:
             raise CannotUseRay("there is no cluster")
-        return 1
+        return []
 
-    async def start_actor(self, on_end: Callable[[], None]) -> tuple[int, ActorReady]:
+    async def find_room(self, resources: dict[str, float]) -> Room:
+        lacking = {n: x for n, x in resources.items() if n not in self.names}
+        return Room(0, lacking, is_free=self.is_slow and not lacking)
+
+    async def start_actor(
+        self, resources: dict[str, float], on_end: Callable[[], None]
+    ) -> tuple[int, ActorReady]:
         await self.open()
         self.requested += 1
         try:
-            while self.room < 1:
+            while self.room < 1 or not resources.keys() <= self.names:
                 self._more_room.clear()
                 await self._more_room.wait()
         finally:
@@ -63,6 +79,7 @@ class LauncherWithoutRay:
             self.bad_starts -= 1
             self.room += 1
             raise ResourceShortage("its machine is gone")
+        self.started.append(resources)
         self._last_number += 1
         number = self._last_number
         actor = subprocess.Popen(  # noqa: ASYNC220 - a millisecond

@@ -8,7 +8,7 @@ import os
 import random
 import signal
 import time
-from typing import Any
+from typing import Any, ClassVar
 
 import gymnasium
 import numpy as np
@@ -67,6 +67,18 @@ class ValidEnv(gymnasium.Env[Any, Any]):
         # A ramp, so that turning it by half a turn shows.
         ramp = np.arange(6 * 8 * 3, dtype=np.uint8).reshape(6, 8, 3)
         return ramp if self.render_mode == "rgb_array" else None
+
+
+class TakesAGpu(ValidEnv):
+    """Declares what one simulator takes of a machine of a Ray cluster."""
+
+    ray_resources: ClassVar = {"CPU": 0.5, "GPU": 0.25}
+
+
+class TakesNothing(ValidEnv):
+    """Declares an amount that Ray cannot place."""
+
+    ray_resources: ClassVar = {"CPU": 0}
 
 
 class IgnoresSeed(ValidEnv):

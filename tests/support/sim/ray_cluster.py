@@ -41,9 +41,10 @@ class RayCluster:
         # For its state; it starts nothing.
         ray.init(self._cluster.address, log_to_driver=False, configure_logging=False)
 
-    def add_machine(self) -> Any:
-        """One with room for a simulator."""
-        settings = {"num_cpus": 1, "object_store_memory": MEMORY_BYTES}
+    def add_machine(self, resources: dict[str, float] | None = None) -> Any:
+        """One with room for a simulator, and these besides."""
+        settings: dict[str, Any] = {"num_cpus": 1, "object_store_memory": MEMORY_BYTES}
+        settings["resources"] = resources or {}
         return start_again(lambda: self._cluster.add_node(**settings))
 
     def remove_machine_of(self, pid: int) -> None:
