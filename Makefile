@@ -51,7 +51,7 @@ serve: $(serving)/ready ## Run the reference server
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
 	@exec $(serving)/bin/python -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
-cluster: setup; @exec $(python) -m tools.local_cluster $(ARGS) ## Run several servers on one database
+cluster: .venv-cluster/ready; @exec .venv-cluster/bin/python -m tools.local_cluster --nodes 3 --database postgresql --simulators ray $(ARGS) ## Run PostgreSQL, Ray and three servers behind a balancer; ARGS='--nodes 5'
 add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart

