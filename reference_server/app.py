@@ -64,7 +64,11 @@ from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.board_service import BoardService
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.service import RunService, no_views_elsewhere
+from reference_server.runs.service import (
+    RunService,
+    no_command_elsewhere,
+    no_views_elsewhere,
+)
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.board_store import BoardStore
@@ -466,6 +470,7 @@ def _service_of(
         deletes_played=settings.delete_played_runs == "on",
         is_kept=is_kept,
         views_elsewhere=no_views_elsewhere if node is None else node.views.fetch,
+        command_elsewhere=no_command_elsewhere if node is None else node.commands.apply,
     )
 
 

@@ -12,10 +12,11 @@ from reference_server.cluster.forwarding import PageForwarding, RunForwarding
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_headers import has_secret_of
+from reference_server.cluster.owner_commands import OwnerCommands
 from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.cluster.views_elsewhere import ViewsElsewhere
 from reference_server.rules.run_owner import NodeRefused
-from reference_server.runs.service import RunService
+from reference_server.runs.service import RunCommand, RunService
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.store import StoreFailed
 
@@ -56,6 +57,7 @@ class ServerNode:
         )
         self._connections = NodeConnections(self.membership)
         self.views = ViewsElsewhere(self._connections, self._view_run)
+        self.commands = OwnerCommands(self._connections, self._command_run)
         self.queue = SharedQueue(nodes, self._connections, lambda: service().registry)
 
     def routed(self, endpoints: Mapping[str, ASGIApp]) -> dict[str, ASGIApp]:
@@ -65,7 +67,11 @@ class ServerNode:
             path: RunForwarding(endpoint, self._connections, has_run)
             for path, endpoint in endpoints.items()
         }
-        for requests in (self.views.requests, self.queue.requests):
+        for requests in (
+            self.views.requests,
+            self.commands.requests,
+            self.queue.requests,
+        ):
             routed[requests.path] = requests
         return routed
 
@@ -92,6 +98,11 @@ class ServerNode:
 
     async def _view_run(self, run_id: str, endpoint: str) -> dict[str, Any]:
         return await self._service().view_run(None, run_id, endpoint)
+
+    async def _command_run(
+        self, command: RunCommand, account: str, run_id: str
+    ) -> None:
+        await self._service().command_run_here(command, account, run_id)
 
     async def _check_again(self) -> None:
         """Nodes that started meanwhile may have agreed on something else."""

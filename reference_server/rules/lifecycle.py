@@ -232,7 +232,7 @@ def decide(run: Run, command: Command, now: float) -> Verdict:
     return Accept()
 
 
-def availability(run: Run) -> Availability:
+def availability(run: RunHead) -> Availability:
     """Whether workers may attach: now, with capacity, never again, after a resume."""
     if run.state in PLAYABLE_STATES:
         return "open"

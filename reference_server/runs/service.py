@@ -43,6 +43,7 @@ from reference_server.rules.lifecycle import (
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, PublicKey, Run, RunHead, index_of
+from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.rules.submission import (
     KeyUse,
     SubmissionLimits,
@@ -63,6 +64,10 @@ SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
 
 ViewsElsewhere = Callable[[Sequence[RunHead], str], Awaitable[Mapping[str, Json]]]
 
+RunCommand = Literal["stop", "resume"]
+# (command, account, run id); raises Refused.
+CommandElsewhere = Callable[[RunCommand, str, str], Awaitable[None]]
+
 DAY_S = 86_400.0
 
 
@@ -71,6 +76,11 @@ async def no_views_elsewhere(
 ) -> Mapping[str, Json]:
     """Without a cluster every run is here."""
     return {}
+
+
+async def no_command_elsewhere(_command: RunCommand, _account: str, _id: str) -> None:
+    """Without a cluster no other node has a run."""
+    raise AssertionError("every run is here")
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +103,8 @@ class RunService:
     scores: ScoreCache = field(default_factory=ScoreCache)
     # In a cluster: runs of other nodes by id, as these show them under an endpoint.
     views_elsewhere: ViewsElsewhere = no_views_elsewhere
+    # And what carries out a command for a run of another node.
+    command_elsewhere: CommandElsewhere = no_command_elsewhere
 
     # --- control plane ---
 
@@ -177,6 +189,20 @@ class RunService:
             await self.registry.commit_opened(run)
         return run
 
+    async def command_run(self, command: RunCommand, account: str, run_id: str) -> None:
+        """Stop a run (abort) or resume it, whichever node of a cluster has it."""
+        try:
+            await self.command_run_here(command, account, run_id)
+        except OwnedElsewhere:
+            await self.command_elsewhere(command, account, run_id)
+
+    async def command_run_here(
+        self, command: RunCommand, account: str, run_id: str
+    ) -> None:
+        """Stop a run (abort) or resume it. Raises OwnedElsewhere in a cluster."""
+        commands = {"stop": self.stop_run, "resume": self.resume_run}
+        await commands[command](account, run_id)
+
     async def delete_run(self, account: str, run_id: str) -> None:
         """Delete a run that is not in play, and all that was recorded of it."""
         command = Delete(may_be_played=self.deletes_played)
@@ -260,13 +286,21 @@ class RunService:
         self.executor.sweep(run)
         return run
 
+    async def find_run(self, account: str, run_id: str) -> RunHead:
+        """As `get_run`; in a cluster that of another node as it is stored."""
+        try:
+            return await self.get_run(account, run_id)
+        except OwnedElsewhere:
+            return await self.registry.read_view(
+                run_id, account, lambda run, _episodes: run
+            )
+
     async def get_availability(
         self, account: str, run_id: str
-    ) -> tuple[Run, Availability]:
+    ) -> tuple[RunHead, Availability]:
         """The run as it is stored, and whether workers may attach to it."""
-        run = await self.registry.get(run_id, account)
-        return await self.registry.render_when_stored(
-            run, lambda run: (run, availability(run))
+        return await self.registry.read_view(
+            run_id, account, lambda run, _episodes: (run, availability(run))
         )
 
     async def view_run(self, account: str | None, run_id: str, endpoint: str) -> Json:

@@ -6,7 +6,8 @@ given one URL and cannot kill anything itself, so rows about a crash are not jud
 
 A killed node ends the sessions of its runs, as the text allows, and a row that is
 judged at that moment does not expect it. So with --kill rows that were not found obeyed
-are judged again, while the kills go on: what was found obeyed once was disturbed, what
+are judged again, while the kills go on, each time half as often, for some rows take
+longer than what lies between two kills: what was found obeyed once was disturbed, what
 never was is an alarm. Prints a line for each time; exit code 1 after an alarm.
 """
 
@@ -19,6 +20,7 @@ import signal
 import sys
 import tempfile
 import threading
+import time
 from pathlib import Path
 
 from tests.attack.attacked_server import ATTACKER, WATCHER, WATCHER_READS
@@ -32,8 +34,11 @@ TOKENS = {
     "PROCTOR_TOKEN_READ": WATCHER_READS,
 }
 FIRST_SEED = 2000
-# A node that was started again is left alone for so long, more than its lease.
+# A node that was started again is left alone for so long, more than its lease; twice as
+# long each time that rows are judged again.
 BETWEEN_KILLS_S = 8.0
+# Seconds between two looks at the clock, and at whether the kills are over.
+LOOK_S = 0.5
 # How often rows are judged that may have met a kill.
 TRIES_MAX = 6
 
@@ -41,7 +46,8 @@ TRIES_MAX = 6
 class Kills:
     """Kills one node after another while it is entered. count: so far.
 
-    What has ended the kills before is raised at the end.
+    between_s: seconds from a node that was started again to the next kill. What has
+    ended the kills before is raised at the end.
     """
 
     def __init__(self, cluster: ChaosCluster) -> None:
@@ -49,7 +55,7 @@ class Kills:
         self._is_over = threading.Event()
         self._failed: Exception | None = None
         self._thread = threading.Thread(target=self._run, name="kills")
-        self.count = 0
+        self.count, self.between_s = 0, BETWEEN_KILLS_S
 
     def __enter__(self) -> None:
         self._thread.start()
@@ -63,8 +69,10 @@ class Kills:
     def _run(self) -> None:
         try:
             for node in itertools.cycle(self._cluster.nodes):
-                if self._is_over.wait(BETWEEN_KILLS_S):
-                    return
+                started = time.monotonic()
+                while time.monotonic() - started < self.between_s:  # it may change
+                    if self._is_over.wait(LOOK_S):
+                        return
                 node.end(signal.SIGKILL)
                 self.count += 1
                 node.start()
@@ -82,11 +90,14 @@ class KitRuns:
 
     def is_conformant(self, seed: int) -> bool:
         """After one whole run, and with kills after what has to be judged again."""
+        if self._kills is not None:
+            self._kills.between_s = BETWEEN_KILLS_S
         wrong = self._judge(seed, [])
         for _ in range(TRIES_MAX - 1):
             # The report as a whole (`-`) is no row: nothing says what to judge again.
             if not wrong or self._kills is None or "-" in wrong:
                 break
+            self._kills.between_s *= 2
             wrong = self._judge(seed, ["--only", ",".join(wrong)])
         return not wrong
 

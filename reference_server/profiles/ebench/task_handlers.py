@@ -53,7 +53,7 @@ from reference_server.profiles.ebench.task_responses import (
 )
 from reference_server.rules.lifecycle import Attach, Detach, Predict, Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session
+from reference_server.rules.run import Run, RunHead, Session
 from reference_server.runs.service import RunService
 from reference_server.views import run_views
 
@@ -148,13 +148,13 @@ class EbenchHandlers:
         """
         requested: CreateTask = call.body
         if requested.task_id:
-            old = await self.service.get_run(call.account, requested.task_id)
+            old = await self.service.find_run(call.account, requested.task_id)
             if old.state == "completed" and not old.is_push:
                 again = requested.repeat_submission(old)
                 run = await self.service.submit_run(call.account, again)
-            else:
-                run = await self.service.resume_run(call.account, old.run_id)
-            return envelope({"task_id": run.run_id})
+                return envelope({"task_id": run.run_id})
+            await self.service.command_run("resume", call.account, old.run_id)
+            return envelope({"task_id": old.run_id})
         wanted = requested.benchmark_set or "ebench_generalist"
         submission = {
             "benchmark_id": BENCHMARK_SETS.get(wanted, wanted),
@@ -191,14 +191,16 @@ class EbenchHandlers:
 
     async def docs(self, call: OperationCall) -> Response:
         """EBE-005: EBench's client calls it to see whether the endpoint answers."""
-        run = await self._run(call)
+        run = await self._find_run(call)
         return HTMLResponse(
             f"<p>EBench API of run {run.run_id}.</p>", headers=PAGE_HEADERS
         )
 
     async def status(self, call: OperationCall) -> Response:
-        run = await self._run(call)
-        stored = await self.service.registry.render_when_stored(run, status_of)
+        run = await self._find_run(call)
+        stored = await self.service.registry.read_view(
+            run.run_id, call.account, status_of, end=None
+        )
         settings = self.handlers.settings
         announced = {
             "max_attempts": settings.ebench_max_attempts or None,  # EBE-030
@@ -411,9 +413,16 @@ class EbenchHandlers:
     async def _run(self, call: OperationCall) -> Run:
         """The run of the endpoint, if it is the account's (EBE-021)."""
         run = await self.service.get_run(call.account, _run_id(call))
-        if run.manifest["benchmark_id"] != call.path["benchmark_id"]:
-            raise Refused("not_found", "The run does not belong to this endpoint.")
+        _check_endpoint(call, run)
         self.owed_results.notice(run)
+        return run
+
+    async def _find_run(self, call: OperationCall) -> RunHead:
+        """The same to be read: that of another node as it is stored."""
+        run = await self.service.find_run(call.account, _run_id(call))
+        _check_endpoint(call, run)
+        if isinstance(run, Run):
+            self.owed_results.notice(run)
         return run
 
     async def _pickle(self, call: OperationCall) -> Any:
@@ -434,7 +443,9 @@ class EbenchHandlers:
         """What each worker sees; current: for that generation of the client."""
         scores: TaskScores = {}
         if any(turn["done"] or "episode_result" in turn for turn in turns.values()):
-            scores = await self.service.registry.render_when_stored(run, task_scores)
+            scores = await self.service.registry.render_when_stored(
+                run, lambda run: task_scores(run, run.episodes)
+            )
         return {
             worker: worker_view(run, turn, scores, current=current)
             for worker, turn in turns.items()
@@ -464,6 +475,11 @@ def _run_id(call: OperationCall) -> str:
                 "not_found", f"The run {named} does not belong to this endpoint."
             )
     return run_id
+
+
+def _check_endpoint(call: OperationCall, run: RunHead) -> None:
+    if run.manifest["benchmark_id"] != call.path["benchmark_id"]:
+        raise Refused("not_found", "The run does not belong to this endpoint.")
 
 
 @contextlib.contextmanager

@@ -18,7 +18,7 @@ from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.profiles.ebench import pickle_writer
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Run, RunHead
 
 STEPS_MAX = 4096  # of all workers; no setting allows a longer chunk
 
@@ -44,7 +44,7 @@ class CreateTask(BaseModel):
             policy["homepage"] = self.submitter_homepage
         return policy
 
-    def repeat_submission(self, old: Run) -> dict[str, Any]:
+    def repeat_submission(self, old: RunHead) -> dict[str, Any]:
         """Schema SubmitRun: the run `old` again, and its id in the policy (EBE-027)."""
         policy = self.policy() if self.model_name else dict(old.submission["policy"])
         policy["version"] = f"re-execution of {old.run_id}"

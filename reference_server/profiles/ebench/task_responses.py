@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import secrets
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -21,7 +21,7 @@ from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
 from reference_server.profiles.ebench import message_conversion, pickle_writer
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.views import run_views
 
 PICKLE = "application/octet-stream"
@@ -135,11 +135,11 @@ def run_metric(scores: TaskScores, *, current: bool) -> dict[str, Any]:
     }
 
 
-def task_scores(run: Run) -> dict[str, TaskScore]:
-    """Each task that has a scored episode."""
-    by_task = run_views.score_view(run, run.episodes)["by_task"]
+def task_scores(run: RunHead, episodes: Sequence[Episode]) -> dict[str, TaskScore]:
+    """Each task that has a scored episode. episodes: all of the run."""
+    by_task = run_views.score_view(run, episodes)["by_task"]
     full: Counter[str] = Counter()
-    for episode in run.episodes:
+    for episode in episodes:
         if episode.result is not None:
             full[episode.task] += int(
                 message_conversion.success_rate(episode.result.score)
@@ -153,8 +153,8 @@ def task_scores(run: Run) -> dict[str, TaskScore]:
     return found
 
 
-def status_of(run: Run) -> dict[str, Any]:
-    """EBE-019."""
+def status_of(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
+    """EBE-019. episodes: all of the run."""
     live_sessions = [session.worker_id for session in run.live_sessions]
     status = "idle"
     if run.state == "completed":
@@ -167,10 +167,10 @@ def status_of(run: Run) -> dict[str, Any]:
         "status": status,
         "benchmark_id": run.manifest["benchmark_id"],
         "run_id": run.run_id,
-        "total_episodes": len(run.episodes),
+        "total_episodes": len(episodes),
         "completed_episodes": run.scored,
         "in_progress_episodes": sum(s.episode is not None for s in run.live_sessions),
         "active_workers": sorted(live_sessions),
-        "repeated_attempts": sum(e.attempt - 1 for e in run.episodes),  # EBE-030
-        "results": {task: s.score for task, s in task_scores(run).items()},
+        "repeated_attempts": sum(e.attempt - 1 for e in episodes),  # EBE-030
+        "results": {t: s.score for t, s in task_scores(run, episodes).items()},
     }

@@ -9,7 +9,7 @@ and docs/evaluate/flageval.md.
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeVar
@@ -42,7 +42,7 @@ from reference_server.profiles.flageval.evaluation_responses import (
 from reference_server.push.chat_calls import is_playable_by_chat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
-from reference_server.runs.service import RunService
+from reference_server.runs.service import RunCommand, RunService
 
 Body = TypeVar("Body", bound=BaseModel)
 _NAME_IS_USED = "must be unique in the account"
@@ -135,12 +135,12 @@ class FlagevalHandlers:
 
     async def stop(self, call: OperationCall) -> Response:
         """FLE-012."""
-        await self._apply_to_each(call, self.service.stop_run)
+        await self._apply_to_each(call, "stop")
         return success_response()
 
     async def resume(self, call: OperationCall) -> Response:
         """FLE-013."""
-        await self._apply_to_each(call, self.service.resume_run)
+        await self._apply_to_each(call, "resume")
         return success_response()
 
     async def progress(self, call: OperationCall) -> Response:
@@ -236,17 +236,15 @@ class FlagevalHandlers:
             for run_id in request_id.split(".")
         ]
 
-    async def _apply_to_each(
-        self, call: OperationCall, act: Callable[[str, str], Awaitable[Run]]
-    ) -> None:
-        """`act` on each run of the request that allows it; refused if none does."""
+    async def _apply_to_each(self, call: OperationCall, command: RunCommand) -> None:
+        """To each run of the request that allows it; refused if none does."""
         ids = call.body.request_id.split(".")
         for run_id in ids:  # before any is changed: does each exist?
-            await self.service.get_run(call.account, run_id)
+            await self.service.find_run(call.account, run_id)
         refusals: list[Refused] = []
         for run_id in ids:
             try:
-                await act(call.account, run_id)
+                await self.service.command_run(command, call.account, run_id)
             except Refused as refused:
                 if refused.code != "illegal_transition":
                     raise

@@ -108,7 +108,7 @@ def test_simulators_are_started_again_by_the_check(
             with monkeypatch.context() as patch:
                 patch.setattr(type(pool._starter), "start", fail)
                 with pytest.raises(SimulatorFault):
-                    await pool._start_process()
+                    await pool._start_process(pool._new_process())
                 with pytest.raises(SimulatorFault):
                     await pool.check_start()
             await pool.check_start()

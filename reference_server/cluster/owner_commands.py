@@ -1,0 +1,123 @@
+"""A command for a run, carried out by the node that has it.
+
+A request that names one run in its path is passed on as it is (`forwarding.py`). Those
+of a profile may name several runs, or name them in their body: the node that got one
+asks the owner of each. Both commands may be repeated: a run that was stopped, or goes
+on, stays as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+import msgspec
+
+from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.node_requests import NodeRequests
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.runs.service import RunCommand
+from reference_server.storage.node_store import Node
+from reference_server.storage.store import StoreFailed
+
+PATH = "/node/commands"
+# A command waits for one write to the database.
+TIMEOUT_S = 10.0
+# How often a run is followed that moves meanwhile.
+MOVES_MAX = 3
+
+# (command, account, run id): at this node; raises Refused and StoreFailed.
+CarryOut = Callable[[RunCommand, str, str], Awaitable[None]]
+
+
+class _Asked(msgspec.Struct):
+    """What one node asks another to do, for an account."""
+
+    command: RunCommand
+    account: str
+    run_id: str
+
+
+class _Outcome(msgspec.Struct):
+    """What came of it. code: of a refusal, with its members; None without one.
+
+    has_moved: another node has the run by now, and nothing was done.
+    """
+
+    code: str | None = None
+    detail: str = ""
+    errors: list[tuple[str, str]] = []
+    requirement: str | None = None
+    members: dict[str, Any] = {}
+    has_moved: bool = False
+
+
+class OwnerCommands:
+    """Carries out commands for others at this node, and gives them its own.
+
+    carry_out: what a command does here.
+    """
+
+    def __init__(self, connections: NodeConnections, carry_out: CarryOut) -> None:
+        self._membership, self._carry_out = connections.membership, carry_out
+        self.requests = NodeRequests(
+            connections,
+            PATH,
+            question_type=_Asked,
+            answer_type=_Outcome,
+            answer=self._answer,
+            timeout_s=TIMEOUT_S,
+        )
+
+    async def apply(self, command: RunCommand, account: str, run_id: str) -> None:
+        """At the node that has the run. Raises Refused and StoreFailed."""
+        asked = _Asked(command, account, run_id)
+        for _ in range(MOVES_MAX):
+            node = await self._membership.find_other(run_id, only_reads=False)
+            if node is None:  # this node has it by now, or there is no run
+                outcome = await self._answer(asked)
+            else:
+                outcome = await self._ask(node, asked)
+            if not outcome.has_moved:
+                _raise_refusal(outcome)
+                return
+            self._membership.note_moved(run_id)
+        raise OwnedElsewhere(run_id)
+
+    async def _ask(self, node: Node, asked: _Asked) -> _Outcome:
+        outcome = await self.requests.ask(node, asked)
+        if outcome is None:
+            await self._membership.forget_owner(asked.run_id)
+            raise Refused("unavailable", "The node that has the run does not answer.")
+        return outcome
+
+    async def _answer(self, asked: _Asked) -> _Outcome:
+        """What this node makes of it."""
+        try:
+            await self._membership.ensure_lease()
+            await self._carry_out(asked.command, asked.account, asked.run_id)
+        except OwnedElsewhere:
+            return _Outcome(has_moved=True)
+        except Refused as refused:
+            return _Outcome(
+                refused.code,
+                refused.detail,
+                list(refused.errors),
+                refused.requirement,
+                refused.members,
+            )
+        except StoreFailed:
+            return _Outcome("unavailable", "The database is not available.")
+        return _Outcome()
+
+
+def _raise_refusal(outcome: _Outcome) -> None:
+    if outcome.code is not None:
+        raise Refused(
+            outcome.code,
+            outcome.detail,
+            errors=outcome.errors,
+            requirement=outcome.requirement,
+            members=outcome.members,
+        )
