@@ -217,7 +217,7 @@ class WorkerClient:
         self,
         *actions: Mapping[str, Any],
         seq: int | None = None,
-        session_id: str | None = None,
+        session_id: str | bytes | None = None,
         observe: str | None = None,
         msgpack: bool = False,
         **how: Any,

@@ -60,7 +60,6 @@ function answer(session, began, played) {
 
 export async function attach(run, worker, body) {
   const began = performance.now();
-  checkAssumptions(body.assumes);
   let current;
   for (;;) {
     current = run.workers.get(worker);
@@ -68,6 +67,7 @@ export async function attach(run, worker, body) {
     // A lost answer is repeated in every state of the run; anything else is a new attachment.
     if (current?.key !== body.attach_key) {
       run.permit('attach_worker');
+      checkAssumptions(body.assumes);
       if (current && !current.done && !body.takeover) throw new Problem('worker_busy');
     }
     if (!current?.inflight) break;

@@ -5,12 +5,17 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from conformance.checks.support.given_states import make_run_in_state
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import NotApplicable, SetUpFailed
+from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
 
+_FAULTS = 6
+_FAULT_EVERY_S = 0.32
+_QUEUE_S = 1.0
 _CHANGE_AFTER_S = 0.4
 _LATE_S = 1.0
 # Timers of the server and of this machine may disagree by so much.
@@ -59,6 +64,17 @@ def wait_header(context: CheckContext, wait_s: int) -> dict[str, str]:
     return {"Prefer": f"wait={wait_s}"}
 
 
+def wait_for_end_of_queue(
+    run: RunClient, known: dict[str, str], wait: dict[str, str], until: float
+) -> Answer:
+    """Give the answer that ended the last wait; positions in the queue may change."""
+    while True:
+        answer = run.call("get_run", headers=known | wait)
+        if expect.ok(answer)["state"] != "queued" or answer.ended_at > until:
+            return answer
+        known = {"If-None-Match": answer.headers["etag"]}
+
+
 def change_later(change: Callable[[], Any]) -> float:
     """Make a change after a delay, and give its time."""
     time.sleep(_CHANGE_AFTER_S)
@@ -69,12 +85,27 @@ def change_later(change: Callable[[], Any]) -> float:
 @background
 @requirement("RUN-012")
 def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> None:
-    """Two long-polls wait while a run gets a worker, gets a result, loses its worker,
-    and another is stopped.
+    """Two long-polls wait, one of them for longer than the server lets it, while a run
+    gets a worker, gets a result, loses its worker, and another is stopped. One waits
+    for the end of the queue, which its run has entered again.
 
     Expect each to return at once with the new state.
     """
     wait = wait_header(context, 5)
+    longest = {"Prefer": f"wait={min(9999, context.limits['wait_s_max'] + 1)}"}
+    requeued = context.submit(queue_s=_QUEUE_S)
+    requeued.stop()
+    before = time.monotonic()
+    requeued.resume()
+    resumed_at = time.monotonic()
+    queued = etag_of(requeued)
+    if time.monotonic() > before + _QUEUE_S / 2:
+        raise Inconclusive("the kit began to wait too late for the end of the queue")
+    limit_s = _QUEUE_S + _LATE_S + context.tolerance_s
+    answer = wait_for_end_of_queue(requeued, queued, wait, resumed_at + limit_s)
+    expect.equal(answer.json["state"], "ready", "state after the queue")
+    took_s = answer.ended_at - resumed_at
+    expect.in_time(took_s, limit_s, "the answer to the end of the queue")
     attached, stopped = context.submit("score", "score"), context.submit()
     worker = attached.worker()
     changes: list[tuple[RunClient, str, Callable[[], Any]]] = [
@@ -84,10 +115,12 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
         (stopped, "stopped", stopped.stop),
     ]
     for run, state, change in changes:
-        headers = etag_of(run) | wait
-        poll = partial(run.call, "get_run", headers=headers)
+        known = etag_of(run)
+        polls = [
+            partial(run.call, "get_run", headers=known | w) for w in (wait, longest)
+        ]
         *answers, changed_at = context.call_concurrently(
-            poll, poll, partial(change_later, change)
+            *polls, partial(change_later, change)
         )
         limit_s = _LATE_S + context.tolerance_s
         for polled in answers:
@@ -99,19 +132,52 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
 @background
 @requirement("RUN-013")
 def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
-    """The run does not change for no, one and two seconds.
+    """The run does not change for no, one and two seconds; also with `*`, in states
+    that end it, and while the simulator of a worker fails again and again.
 
-    Expect 304 then, and not before.
+    Expect 304 then, and not before; beside faults also the run, if it shows them.
     """
     wait_header(context, 2)
     run = context.submit()
-    for wait_s in (0, 1, 2):
-        wait = wait_header(context, wait_s)
-        answer = run.call("get_run", headers=etag_of(run) | wait)
+    for wait_s, known in (
+        *((0, etag_of(run)), (1, etag_of(run)), (2, etag_of(run))),
+        (1, {"If-None-Match": "*"}),
+    ):
+        answer = run.call("get_run", headers=known | wait_header(context, wait_s))
         expect.ok(answer, 304)
-        took, due = f"after {answer.elapsed_s:.2f} s", f"304 after {wait_s} s"
-        expect.true(answer.elapsed_s >= wait_s - _EARLY_S, f"{due}, not before", took)
-        expect.in_time(answer.elapsed_s, wait_s + _LATE_S + context.tolerance_s, due)
+        expect_end_of_wait(context, answer, wait_s)
+    for state in ("completed", "stopped", "failed"):
+        ended = make_run_in_state(context, state)
+        known = etag_of(ended)
+        answer = ended.call("get_run", headers=known | wait_header(context, 1))
+        expect.ok(answer, 304)
+        expect_end_of_wait(context, answer, 1)
+    worker = context.submit("fault", max_faults=10).worker()
+    worker.attach()
+    known = etag_of(worker.run)
+
+    def fail_again_and_again() -> None:
+        began_at = time.monotonic()
+        for number in range(1, _FAULTS + 1):
+            worker.predict(context.action(fault=1))
+            due_at = began_at + number * _FAULT_EVERY_S
+            time.sleep(max(0.0, due_at - time.monotonic()))
+
+    poll = partial(worker.run.call, "get_run", headers=known | wait_header(context, 2))
+    answer, _ = context.call_concurrently(poll, fail_again_and_again)
+    if answer.status == 304:
+        expect_end_of_wait(context, answer, 2)
+    else:
+        expect.ok(answer)
+        etag = answer.headers.get("etag")
+        expect.true(etag != known["If-None-Match"], "another ETag beside a 200", etag)
+
+
+def expect_end_of_wait(context: CheckContext, answer: Answer, wait_s: int) -> None:
+    """Expect that a wait without a change lasted as long as it was to."""
+    took, due = f"after {answer.elapsed_s:.2f} s", f"304 after {wait_s} s"
+    expect.true(answer.elapsed_s >= wait_s - _EARLY_S, f"{due}, not before", took)
+    expect.in_time(answer.elapsed_s, wait_s + _LATE_S + context.tolerance_s, due)
 
 
 @requirement("RUN-030")

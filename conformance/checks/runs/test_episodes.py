@@ -138,6 +138,7 @@ def resume_unless_completed(run: RunClient) -> None:
         run.until("ready")
 
 
+MANY_ATTEMPTS = 10  # the most that a run may have
 CLOSES: list[Callable[[WorkerClient], None]] = [
     close_by_detach,
     close_by_stop,
@@ -148,7 +149,8 @@ CLOSES: list[Callable[[WorkerClient], None]] = [
 
 @requirement("EPI-003")
 def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) -> None:
-    """Attempts with one action are closed: by a detach and a stop, also in a drain.
+    """Attempts with one action are closed: by a detach and a stop, also in a drain. One
+    of an episode that then faults is, too, and its run is stopped and resumed.
 
     Expect the episode pending and unscored at the next attempt, starting at step 0.
     """
@@ -165,15 +167,23 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
         expect.equal(count(turn), [0], "count in the turn")
     result = worker.play()["episode_result"]
     expect.equal(result["attempt"], attempt, "attempt of the result")
+    faulty = submit_and_attach(context, "fault", max_attempts=10)
+    faulty.predict(context.action())
+    faulty.detach()
+    faulty.attach()
+    faulty.predict(context.action(fault=1))
+    close_by_stop(faulty)
+    episode = read_closed_episode(faulty.run)
+    expect.equal(episode["attempt"], 2, "attempt after a fault and a resume")
 
 
 @requirement("EPI-004")
 def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None:
     """`max_attempts` is 2; both attempts are closed after an action with score 0.9.
-    Then it is 1, and attempts are closed in each way.
+    Then it is 1, and attempts are closed in each way. At last it is ten.
 
-    Expect no result after the first of two; after the last, `abandoned` with score 0,
-    and the next episode to be the next.
+    Expect no result after the first of two and nine of ten; after the last,
+    `abandoned` with score 0, and the next episode to be the next.
     """
     worker = submit_and_attach(context, "score", "score", max_attempts=2)
     first = index_of(worker)
@@ -202,6 +212,17 @@ def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None
         expected = ["abandoned" if i in abandoned else None for i in range(5)]
         expect.equal(outcomes, expected, f"outcomes after {close.__name__}")
         worker.attach()
+    worker = submit_and_attach(context, "score", max_attempts=MANY_ATTEMPTS)
+    for attempt in range(1, MANY_ATTEMPTS + 1):
+        expect.equal(worker.turn["episode"]["attempt"], attempt, "attempt of the turn")
+        worker.predict(context.action())
+        worker.detach()
+        if attempt < MANY_ATTEMPTS:
+            status = read_closed_episode(worker.run)["status"]
+            expect.equal(status, "pending", f"status after attempt {attempt}")
+            worker.attach()
+    result = read_closed_episode(worker.run).get("result", {})
+    expect.equal(result.get("outcome"), "abandoned", "outcome of the tenth attempt")
 
 
 def play_all(worker: WorkerClient, received: list[dict[str, Any]]) -> None:
@@ -240,11 +261,12 @@ def test_epi_005_scores_every_episode_once(context: CheckContext) -> None:
     expect.equal(listed, received, "results listed")
 
 
-def pages(run: RunClient, limit: int) -> list[list[dict[str, Any]]]:
-    """Read all pages of the episodes with a limit."""
+def pages(run: RunClient, *limits: int) -> list[list[dict[str, Any]]]:
+    """Read all pages of the episodes, with each limit in its turn."""
     read: list[list[dict[str, Any]]] = []
-    params: dict[str, Any] = {"limit": limit}
+    params: dict[str, Any] = {}
     while "cursor" not in params or params["cursor"] is not None:
+        params["limit"] = limits[len(read) % len(limits)]
         page = expect.ok(run.call("list_episodes", params=params))
         read.append(page["episodes"])
         params["cursor"] = page["next_cursor"]
@@ -256,7 +278,7 @@ def pages(run: RunClient, limit: int) -> list[list[dict[str, Any]]]:
 @requirement("EPI-006")
 def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
     """Seven episodes, some scored, and a hundred and eighty are read in pages of
-    several sizes.
+    several sizes, also of one after another.
 
     Expect no page longer than its limit, and each episode once, in order.
     """
@@ -268,6 +290,10 @@ def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
         expect.true(max(lengths) <= limit, f"at most {limit} on a page", lengths)
         indices = [episode["index"] for page in read for episode in page]
         expect.equal(indices, list(range(7)), f"episodes in pages of {limit}")
+    mixed = [
+        episode["index"] for page in pages(worker.run, 2, 3, 1) for episode in page
+    ]
+    expect.equal(mixed, list(range(7)), "episodes in pages of 2, 3 and 1")
     for limit in (11, 45, 90, 99, 100, 101, 179, 180, 181, 1000):
         read = pages(long_run(context).run, limit)
         indices = [episode["index"] for page in read for episode in page]

@@ -1,11 +1,14 @@
 """Repeated submits: Idempotency-Keys and equal bodies (RUN)."""
 
 import json
+import math
 import uuid
 from collections.abc import Iterator
 from typing import Any
 
+from conformance.checks.support.given_states import fail_run
 from conformance.checks.support.submissions import (
+    NAMES_OF_LANGUAGES,
     adopt_answer,
     runs_of,
     submit,
@@ -19,6 +22,9 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 LONGEST_KEY = 128
+# More than a cache of the last hundred holds.
+MANY_KEYS, FEW_KEYS = 104, 4
+_ONE_FAULT = {"options": {"tasks": ["fault"]}}
 _ONE_EPISODE = {"options": {"tasks": ["score"]}}
 ONES = ("1.0", "1e0", "10E-1", "0.1e+1")
 
@@ -33,7 +39,8 @@ def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> N
     """The response was lost: the same key and body again, also concurrently.
 
     Expect the first run and its Location each time, and no other run; the same when the
-    run has been stopped, and when another one is completed.
+    run has been stopped, when another one is completed, after many more keys, and when
+    one has failed.
     """
     body, key = uniquely_named_body(context), new_key()
     first = context.call("submit_run", json=body, headers=key)
@@ -47,6 +54,7 @@ def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> N
         location = answer.headers.get("location")
         expect.equal(location, first.headers.get("location"), "Location")
     expect.equal(runs_of(context, body), [run.id], "the runs made of it")
+    expect.equal(run.get()["state"], "stopped", "state after a repeated submit")
     body, key = uniquely_named_body(context) | _ONE_EPISODE, new_key()
     played = context.adopt(expect.ok(submit(context, body, headers=key), 201))
     played.until("ready")
@@ -54,26 +62,55 @@ def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> N
     worker.attach()
     worker.play()
     played.until("completed")
+    for _ in range(FEW_KEYS if context.shared.settings.quick else MANY_KEYS):
+        answer = submit(context, context.submit_body(), headers=new_key())
+        context.adopt(expect.require(answer, 201, "submit_run")).stop()
     again = expect.ok(submit(context, body, headers=key), 201)
     expect.equal(again["run_id"], played.id, "run_id when it is completed")
-    race, new = uniquely_named_body(context), new_key()
+    body, key = uniquely_named_body(context) | _ONE_FAULT, new_key()
+    broken = context.adopt(expect.ok(submit(context, body, headers=key), 201))
+    broken.until("ready")
+    fail_run(broken, fault=2)
+    again = expect.ok(submit(context, body, headers=key), 201)
+    expect.equal(again["run_id"], broken.id, "run_id when it has failed")
+    expect_no_fresh_start(context)
+    expect_one_run_of_a_race(context)
+
+
+def expect_one_run_of_a_race(context: CheckContext) -> None:
+    """Expect submits with a new key at the same time to make one run."""
+    body, key = uniquely_named_body(context), new_key()
     answers = context.call_concurrently(
-        *[lambda: submit(context, race, headers=new)] * 4
+        *[lambda: submit(context, body, headers=key)] * 4
     )
     ids = {expect.ok(answer, 201)["run_id"] for answer in answers}
     expect.equal(len(ids), 1, "runs returned to four submits at the same time")
-    expect.equal(len(runs_of(context, race)), 1, "runs made of them")
+    expect.equal(len(runs_of(context, body)), 1, "runs made of them")
+
+
+def expect_no_fresh_start(context: CheckContext) -> None:
+    """Expect a repeated submit to change nothing of a run that is played."""
+    body, key = uniquely_named_body(context), new_key()
+    body |= {"options": {"tasks": ["fault"], "max_faults": 2}}
+    worker = context.adopt(expect.ok(submit(context, body, headers=key), 201)).worker()
+    worker.run.until("ready")
+    worker.attach()
+    worker.predict(context.action(fault=1))
+    expect.ok(submit(context, body, headers=key), 201)
+    worker.try_predict(context.action(fault=1))
+    expect.equal(worker.run.get()["state"], "failed", "state after the second fault")
 
 
 def other_bodies(context: CheckContext, body: dict[str, Any]) -> Iterator[Any]:
     """Give bodies that differ from a whole submission in one value each."""
-    options, low = body["options"], context.limits["idle_timeout_s_min"]
+    options, lease_s = body["options"], body["idle_timeout_s"]
     for name, value in body["policy"].items():
         yield body | {"policy": body["policy"] | {name: f"{value}."}}
     yield body | {"policy": {"name": body["policy"]["name"]}}
     tasks = options["tasks"]
     others: dict[str, list[Any]] = {"max_steps": [6], "success_rule": ["any_step"]}
     others |= {"max_attempts": [3], "max_faults": [1], "queue_s": [1.5, 0]}
+    others["queue_s"] += [1.0004, math.nextafter(options["queue_s"], 2)]
     others["tasks"] = [
         tasks[::-1],
         [*tasks, "count"],
@@ -83,8 +120,9 @@ def other_bodies(context: CheckContext, body: dict[str, Any]) -> Iterator[Any]:
     for name, values in others.items():
         for value in values:
             yield body | {"options": options | {name: value}}
-    if body["idle_timeout_s"] > low:
-        yield body | {"idle_timeout_s": low}
+    if context.limits["idle_timeout_s_min"] < lease_s:
+        yield body | {"idle_timeout_s": context.limits["idle_timeout_s_min"]}
+        yield body | {"idle_timeout_s": math.nextafter(lease_s, 0)}
     if context.limits["max_workers"] > 1:
         yield body | {"max_workers": 2}
     for size in context.benchmark["image_sizes"][1:2]:
@@ -99,7 +137,7 @@ def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> Non
     one, and a new key makes a run of another body.
     """
     body, key = whole_submission(context), new_key()
-    body["options"]["tasks"] *= 20
+    body["options"] |= {"tasks": body["options"]["tasks"] * 20, "queue_s": 1.0001}
     first = expect.ok(submit(context, body, headers=key), 201)
     unique = uniquely_named_body(context)
     for other in [unique, *other_bodies(context, body)]:
@@ -136,8 +174,9 @@ def test_run_005_key_of_another_account_has_no_effect(context: CheckContext) -> 
 
 @requirement("RUN-026")
 def test_run_026_keys_differ_in_any_character(context: CheckContext) -> None:
-    """Keys that differ in the case of letters, in one character, or in length; one of a
-    single character, which others may have used before.
+    """Keys that differ in the case of letters, in one character, in length, or by an
+    escape; one of a single character, which others may have used before; and keys that
+    name what objects of a language have, with a body that is always the same.
 
     Expect a run of its own for each, although the bodies differ.
     """
@@ -145,6 +184,8 @@ def test_run_026_keys_differ_in_any_character(context: CheckContext) -> None:
     keys = [key, f"{key}x", f"{key}y", key[:-1], key[1:], key.swapcase()]
     keys += [key.lower(), key[:64], key[:32], f'"{key[:32]}"', f"{key[:32]}=", "%20"]
     keys[-1] += key[:32]
+    keys += [f"{key[:32]},1", f"{key[:32]},2", f"{key[:32]};1", f"{key[:32]};2"]
+    keys += [f"%41{key[:32]}", f"A{key[:32]}", f"a+{key[:32]}", f"a%2B{key[:32]}"]
     ids = set()
     for name in keys:
         headers = {"Idempotency-Key": name}
@@ -157,6 +198,24 @@ def test_run_026_keys_differ_in_any_character(context: CheckContext) -> None:
     shortest = submit(context, uniquely_named_body(context), headers=headers)
     if shortest.code != "idempotency_conflict":
         expect.ok(shortest, 201)
+    expect_keys_of_any_name(context)
+
+
+def expect_keys_of_any_name(context: CheckContext) -> None:
+    """Expect keys that are names of a language to be keys like others.
+
+    A kit may have judged this server before, and so have used them for this body. A run
+    that was deleted since is not made again (DEL-005).
+    """
+    body = {"benchmark_id": "calibration", "policy": {"name": "conformance kit"}}
+    for name in NAMES_OF_LANGUAGES:
+        first, again = (
+            submit(context, body, headers={"Idempotency-Key": name}) for _ in range(2)
+        )
+        if context.offers("deletion") and first.code == "not_found":
+            continue
+        run_id = expect.ok(first, 201)["run_id"]
+        expect.equal(expect.ok(again, 201)["run_id"], run_id, f"run_id for {name}")
 
 
 @requirement("RUN-027")

@@ -263,18 +263,21 @@ def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
 @requirement("LIFE-811")
 @background
 def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> None:
-    """Runs are stopped in the queue, with `abort`, with `drain` and after a resume.
+    """Runs are stopped in the queue, with `abort`, with `drain`, after a resume of a
+    stopped run and after one of a queued run.
 
     Expect them `stopped` when their `queue_s` has passed.
     """
-    runs = [
-        context.submit("score", wait_ready=False, queue_s=0.5)
-        for _ in ("abort", "drain", "abort")
+    aborted, drained, again, resumed = runs = [
+        context.submit("score", wait_ready=False, queue_s=0.5) for _ in range(4)
     ]
-    for run, mode in zip(runs, ("abort", "drain", "abort"), strict=True):
-        run.stop(mode)
-    runs[-1].resume()
-    runs[-1].stop()
+    aborted.stop()
+    drained.stop("drain")
+    again.stop()
+    again.resume()
+    again.stop()
+    resumed.resume()
+    resumed.stop()
     time.sleep(1.0)
     for run in runs:
         expect.equal(run.get()["state"], "stopped", "state after `queue_s`")

@@ -12,11 +12,14 @@ from conformance.checks.support.given_states import expect_pointer
 from conformance.checks.support.long_run import long_run
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
+from conformance.client.http_client import HttpClient
 from conformance.runner.requirement import on_long_run, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 _RUNS_READ = 300
+_LONGEST_PAGE = 1000
+_QUEUE_S = 0.4
 _SAME_TIME = timedelta(seconds=1)
 _DEFAULT_LIMIT = 100
 
@@ -78,14 +81,23 @@ def test_run_007_cannot_set_options_of_another_benchmark(context: CheckContext) 
 
 @requirement("RUN-008")
 def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -> None:
-    """A run waits in the queue, and others are in later states.
+    """A run waits in the queue, another one again, with an episode scored, after a
+    resume, and others are in later states.
 
     Expect a number from 1, then null.
     """
     queued = context.submit(wait_ready=False, queue_s=10)
     if queued.body["state"] != "queued":
         raise SetUpFailed(f"run state is {queued.body['state']} despite queue_s 10")
-    for body in (queued.body, expect.ok(queued.call("get_run"))):
+    again = context.submit("score", "score", queue_s=_QUEUE_S)
+    worker = again.worker()
+    worker.attach()
+    worker.play()
+    again.stop()
+    resumed = expect.ok(again.call("resume_run"))
+    if resumed["state"] != "queued":
+        raise SetUpFailed(f"run state is {resumed['state']} despite its queue_s")
+    for body in (queued.body, expect.ok(queued.call("get_run")), resumed):
         position = body["queue_position"]
         is_from_1 = isinstance(position, int) and position >= 1
         expect.true(is_from_1, "a queue_position from 1", position)
@@ -98,14 +110,36 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
     expect.equal(stopped, None, "queue_position when stopped in the queue")
 
 
+def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> None:
+    """Expect a page that leaves one run of an account to name the next page."""
+    read = partial(context.call, "list_runs", http_client=account)
+    whole = expect.ok(read(params={"limit": _LONGEST_PAGE}))
+    limit = len(whole["runs"]) - 1
+    if whole["next_cursor"] is not None or limit < 1:
+        return
+    params: dict[str, Any] = {"limit": limit}
+    page = expect.ok(read(params=params))
+    expect.true(page["next_cursor"], "another page for the last run", page)
+    rest = expect.ok(read(params=params | {"cursor": page["next_cursor"]}))
+    ids = [run["run_id"] for run in rest["runs"]]
+    expect.true(whole["runs"][-1]["run_id"] in ids, "the last run", ids)
+
+
 @requirement("RUN-009")
 def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) -> None:
-    """Twelve runs are submitted, and some of them stopped; pages of five are read while
-    more runs are submitted and stopped.
+    """Twelve runs are submitted, between the first six others by another account if
+    there is a token of one, and some of them stopped; pages of five are read while more
+    runs are submitted and stopped.
 
     Expect the twelve in reverse order, no run twice, and the newest first everywhere.
     """
-    ids = [context.submit(wait_ready=False).id for _ in range(12)]
+    is_given = context.shared.settings.token_2 is not None
+    other = context.second_account if is_given else None
+    ids = []
+    for number in range(12):
+        ids.append(context.submit(wait_ready=False).id)
+        if other is not None and number < 6:
+            submit(context, context.submit_body(), http_client=other)
     for number in (0, 6):
         context.require(
             partial(context.call, "stop_run", run_id=ids[number], json={}), 200, "stop"
@@ -129,6 +163,7 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
             # Runs that are submitted at the same time may come in either order.
             is_sorted = older - newer <= _SAME_TIME
             expect.true(is_sorted, f"a run not newer than {newer}", f"{older}")
+    expect_last_run_on_a_page(context, other or context.http_client)
 
 
 @on_long_run

@@ -275,9 +275,17 @@ def expect_interval(planned_run: PlannedRun, plan: int, member: str) -> None:
             planned_run.play_next()
 
 
+def expect_interval_of_many(context: CheckContext, member: str) -> None:
+    """Expect the interval of forty-five episodes, where others are close to it."""
+    plan = [*[SUCCESS] * 4, FAILURE, PlannedEpisode("failure", 0.9)] * 7
+    planned_run = PlannedRun(context, [*plan, ABANDONED, SUCCESS, SUCCESS])
+    found = planned_run.play_all()[member]
+    expect_close_interval(found, planned_run.expected()[member], f"{member} of many")
+
+
 @requirement("SCORE-012")
 def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
-    """Six episodes, one after another, and a run of successes only.
+    """Six episodes, one after another, a run of successes only, and one of many.
 
     Expect [0, 1] before the first, and the Wilson interval of the rate after each.
     """
@@ -286,11 +294,13 @@ def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
         [SUCCESS, SUCCESS, SUCCESS],
     ):
         expect_interval(PlannedRun(context, plan), len(plan), "success_interval")
+    if not context.shared.settings.quick:
+        expect_interval_of_many(context, "success_interval")
 
 
 @requirement("SCORE-013")
 def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
-    """Episodes of several scores, one after another, and one with score 1.
+    """Episodes of several scores, one after another, one with score 1, and many.
 
     Expect [0, 1] before the first, and the Wilson interval of the mean after each.
     """
@@ -299,6 +309,8 @@ def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
         [PlannedEpisode("failure", 1.0)],
     ):
         expect_interval(PlannedRun(context, plan), len(plan), "mean_interval")
+    if not context.shared.settings.quick:
+        expect_interval_of_many(context, "mean_interval")
 
 
 @requirement("SCORE-014")

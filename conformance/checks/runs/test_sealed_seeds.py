@@ -10,7 +10,7 @@ from conformance.client.event_reader import follow_run
 from conformance.profiles.record_files import fetched_record
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import NotApplicable
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 TASKS = ("score", "echo", "count", "score")
 
@@ -28,13 +28,23 @@ def results_in(value: Any) -> Iterator[dict[str, Any]]:
 
 
 def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
-    """Play a run with both splits; give all that was answered about it."""
-    worker = submit_and_attach(context, *TASKS, **options)
+    """Play a run with both splits, and abandon one episode of each.
+
+    Gives all that was answered about it.
+    """
+    worker = submit_and_attach(context, *TASKS, max_attempts=1, **options)
     read: list[Any] = [worker.run.body, worker.turn]
-    while not worker.turn["done"]:
+    for is_played in (True, True, False, False):
+        if worker.turn["done"]:
+            raise SetUpFailed("no session for the next episode; see EPI-004")
         read.append(worker.predict(context.action(), observe="all"))
-        read.append(worker.predict(context.action(end=1)))
+        if is_played:
+            read.append(worker.predict(context.action(end=1)))
+        else:
+            worker.detach()
         read += [worker.run.get(), worker.run.episodes()]
+        if not is_played and worker.run.body["state"] != "completed":
+            read.append(worker.attach())
     read.append(worker.run.score())
     if context.offers("events"):
         with follow_run(worker.run) as reader:

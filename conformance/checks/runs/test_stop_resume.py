@@ -1,5 +1,6 @@
 """Stop, drain and resume of a run (STOP, RES)."""
 
+import time
 from typing import Any
 
 from hypothesis import strategies as st
@@ -10,14 +11,17 @@ from conformance.checks.support.given_states import (
     attach_workers,
     index_of,
     results,
+    start_drain,
     submit_and_attach,
     without,
 )
+from conformance.checks.support.long_turns import long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import SetUpFailed
+from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
 
 @requirement("STOP-001")
@@ -97,9 +101,11 @@ def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
 
 @requirement("STOP-004")
 def test_stop_004_draining_worker_is_done(context: CheckContext) -> None:
-    """One episode ends before, and another after, the start of a drain.
+    """One episode ends before, and another after, the start of a drain; one ends in a
+    turn in the middle of which a drain starts.
 
-    Expect `done` in the turn that ends the second, although a third is pending.
+    Expect `done` in the turn that ends the second, although a third is pending, and in
+    the one that the drain met.
     """
     worker = submit_and_attach(context, "score", "score", "score")
     expect.equal(worker.play()["done"], False, "done before the drain")
@@ -108,6 +114,25 @@ def test_stop_004_draining_worker_is_done(context: CheckContext) -> None:
     expect.equal(turn["done"], True, "done")
     for member in ("episode", "observation"):
         expect.true(member not in turn, f"no {member}", turn.get(member))
+    if not context.shared.settings.quick:
+        drain_during_a_turn(context)
+
+
+def drain_during_a_turn(context: CheckContext) -> None:
+    """Expect `done` in the turn in the middle of which a drain starts."""
+    worker = submit_and_attach(context, "delay", "delay")
+    turn_s = long_turn_s(context)
+
+    def drain_later() -> Answer:
+        time.sleep(turn_s / 4)
+        return worker.run.call("stop_run", json={"mode": "drain"})
+
+    last, drain = context.call_concurrently(
+        lambda: worker.try_predict(context.action(delay_s=turn_s, end=1)), drain_later
+    )
+    if expect.require(drain, 200, "a drain")["state"] != "stopping":
+        raise Inconclusive("the drain came after the turn")
+    expect.equal(expect.ok(last)["done"], True, "done in the turn that the drain met")
 
 
 def scored(run: RunClient) -> dict[int, Any]:
@@ -149,17 +174,22 @@ def test_res_001_resume_keeps_results(context: CheckContext) -> None:
 
 @requirement("RES-002")
 def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None:
-    """A run of seven episodes is stopped three times, with one more scored each time,
-    and two in progress.
+    """A run of seven episodes is stopped three times, the last time by a drain, with
+    one more scored each time, and another one begun.
 
     Expect exactly the unscored ones to be assigned after the last resume.
     """
     run = context.submit(*["score"] * 7, max_attempts=10)
-    for _ in range(3):
+    for mode in ("abort", "abort", "drain"):
         workers = attach_workers(run, min(2, context.limits["max_workers"]))
         workers[-1].predict(context.action())
+        if mode == "drain":
+            start_drain(run)
         workers[0].play()
-        run.stop()
+        if mode == "drain":
+            workers[-1].detach()
+        else:
+            run.stop()
         unscored = sorted(set(range(7)) - scored(run).keys())
         run.resume()
         run.until("ready")

@@ -82,6 +82,9 @@ def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
             expect.equal(summary[name], read[name], f"{name} of {benchmark_id}")
 
 
+MANY_TASKS = ["score"] * 1000  # the most that a run may have
+
+
 def digest_of(context: CheckContext, **members: Any) -> str:
     """Submit a run of `calibration` and give the digest of its manifest."""
     body = context.submit_body(**members)
@@ -97,12 +100,13 @@ def sealed_choices(context: CheckContext, tasks: list[str]) -> list[dict[str, An
     options = {"tasks": tasks, "sealed": True}
     first, second = (digest_of(context, options=options) for _ in range(2))
     expect.equal(first, second, "manifest_sha256 of two runs with sealed seeds")
-    return [options]
+    return [options, {"sealed": True}]
 
 
 @requirement("BEN-005")
 def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
-    """Runs whose options differ in one choice, and runs with the same choices.
+    """Runs whose options differ in one choice, also in the last of many episodes and in
+    large numbers, and runs with the same choices.
 
     Expect another hash for each choice of the manifest, and the same one for a default
     that is spelled out and for choices that are the run's own.
@@ -129,7 +133,9 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
         {"tasks": ["score", "echo"]},
         {"tasks": ["score"]},
         {"tasks": [*tasks, "count"]},
-        {"tasks": tasks, "max_steps": 11},
+        {"tasks": MANY_TASKS},
+        {"tasks": [*MANY_TASKS[:-1], "count"]},
+        *({"tasks": tasks, "max_steps": steps} for steps in (11, 9999, 10000)),
         {"tasks": tasks, "success_rule": "last_step"},
         {"tasks": tasks, "max_attempts": 4},
         {"tasks": tasks, "max_faults": 4},

@@ -7,6 +7,7 @@ from typing import Any
 from conformance.checks.support.bodies.invalid_bodies import pad_body
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
+    find_sample,
     operation_samples,
     send,
 )
@@ -66,11 +67,18 @@ def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -
 
 @requirement("SVC-005")
 def test_svc_005_body_may_come_in_chunks(context: CheckContext) -> None:
-    """Every operation with a body gets it in small chunks, without a Content-Length.
+    """Every operation with a body gets it in small chunks, without a Content-Length,
+    and `predict` one that is as large as it may be.
 
     Expect the success that there is with one, and the values that were sent.
     """
     worker = attach_live_worker(context)
+    operation_id, how = find_sample(worker, "predict")
+    largest = list(pad_body(how["json"], context.limits["max_body_bytes"]))
+    how = {name: how[name] for name in how if name != "json"}
+    how |= {"content": largest, "headers": JSON_BODY}
+    expect.ok(send(worker.run, (operation_id, how)))
+    worker.seq += 1
     for operation_id, how in operation_samples(worker):
         if "json" not in how:
             continue

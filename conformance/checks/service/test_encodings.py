@@ -18,6 +18,7 @@ from conformance.client.http_client import NO_ACCEPT
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
+from conformance.specification.document import MSGPACK
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
@@ -28,6 +29,27 @@ ACCEPT_BOTH = (
     "*/*",
     NO_ACCEPT,
 )
+# In a turn; each has another length in MessagePack.
+STEP_LIMITS = (100, 200, 10000)
+LIST_LENGTHS = (15, 16, 17)
+# Around the ends of the integers that encodings write in few bytes.
+_WHOLE = [
+    -1,
+    -32,
+    -33,
+    -127,
+    -128,
+    -129,
+    -200,
+    -256,
+    127,
+    128,
+    255,
+    256,
+    -32768,
+    -32769,
+]
+_WHOLE += [32767, 32768, 65535, 65536, -(2**31), -(2**31) - 1, 2**31, 2**32 - 1, 2**32]
 # dtype → (struct format of one element, six elements), from calibration.md.
 _TINY = {"float16": 2.0**-14, "float32": 2.0**-126, "float64": 2.0**-1022}
 _HUGE = {
@@ -92,7 +114,9 @@ def echo(context: CheckContext, **options: Any) -> WorkerClient:
 
 @requirement("ENC-001")
 def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) -> None:
-    """JSON and MessagePack are equally acceptable, in every order. Expect JSON."""
+    """JSON and MessagePack are equally acceptable, in every order, also to the repeat
+    of a turn for which MessagePack alone was. Expect JSON.
+    """
     worker = echo(context)
     bodies = [False, True] if context.speaks_msgpack else [False]
     for accept in ACCEPT_BOTH:
@@ -105,6 +129,16 @@ def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) ->
             worker.seq += 1
             what = f"the media type for Accept: {accept or 'absent'}"
             expect.equal(answer.media_type, "application/json", what)
+    if context.speaks_msgpack:
+        worker = echo(context)
+        expect.ok(worker.try_predict(context.action(), headers={"Accept": MSGPACK}))
+        worker.seq += 1
+        again = worker.try_predict(
+            context.action(), seq=worker.seq, headers={"Accept": "*/*"}
+        )
+        expect.ok(again)
+        what = "the media type of a turn that was first sent in MessagePack"
+        expect.equal(again.media_type, "application/json", what)
 
 
 def structure(value: Any) -> Any:
@@ -123,18 +157,31 @@ def structure(value: Any) -> Any:
 
 @requirement("ENC-002")
 def test_enc_002_msgpack_has_the_structure_of_json(context: CheckContext) -> None:
-    """One turn is read in both encodings, with images and tensors.
+    """Turns are read in both encodings, with images, tensors, integers of each size
+    that MessagePack has, and lists around the length at which it writes them otherwise.
 
     Expect the same structure, `data` as bin, and no extension types.
     """
-    worker = echo(context)
-    worker.predict(context.action(vector=[0.1] * 8))
+    for max_steps in STEP_LIMITS:
+        worker = echo(context, max_steps=max_steps)
+        worker.predict(context.action(vector=[0.1] * 8))
+        expect_equal_turns(worker)
+    worker = echo(context, max_steps=1000)
+    for length in LIST_LENGTHS:
+        number = min(length, context.limits["max_chunk"])
+        worker.predict(*[context.action(score=0.5)] * number, observe="all")
+        expect_equal_turns(worker)
+
+
+def expect_equal_turns(worker: WorkerClient) -> None:
+    """Expect the latest turn to be the same in JSON and in MessagePack."""
     read = [
         worker.try_attach(attach_key=worker.attach_key, headers={"Accept": media_type})
         for media_type in ("application/json", "application/msgpack")
     ]
     plain, packed = (expect.ok(answer) for answer in read)
     expect.equal(read[1].media_type, "application/msgpack", "the media type")
+    expect.true(packed is not None, "a body that can be read", read[1].body[:99])
     for tensor in packed["observation"]["tensors"].values():
         expect.true(isinstance(tensor["data"], bytes), "data as bin", tensor["data"])
     for image in packed["observation"]["images"].values():
@@ -148,7 +195,8 @@ def doubles(context: CheckContext) -> list[float]:
     """Give doubles that lose bits easily, and random ones."""
     chosen = [0.1, -0.0, 1 / 3, 5e-324, 2.0**-1022, 1.7976931348623157e308]
     chosen += [2.0**53 - 1, -(2.0**63), 1e21, 123456789.123456789, -1e-7, 1.0]
-    while len(chosen) < 64:
+    chosen += map(float, _WHOLE)
+    while len(chosen) < 96:
         (number,) = struct.unpack("<d", context.random.randbytes(8))
         if math.isfinite(number):
             chosen.append(number)
@@ -157,7 +205,8 @@ def doubles(context: CheckContext) -> list[float]:
 
 @requirement("ENC-003")
 def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
-    """Sixty-four doubles, eight in every action: tiny, huge, negative zero, random.
+    """Some hundred doubles, eight in every action: tiny, huge, whole, negative zero,
+    random.
 
     Expect every bit of them in the observation, in every encoding; JSON may also write
     negative zero as `-0`.
@@ -368,7 +417,8 @@ def test_enc_011_cannot_send_a_key_that_is_no_string(context: CheckContext) -> N
 
 @requirement("ENC-012")
 def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> None:
-    """Bodies with short and long forms of lengths and integers, floats of four bytes.
+    """Bodies with short and long forms of lengths and integers, floats of four bytes,
+    the largest and the smallest integer of each form.
 
     Expect the same values to be executed each time.
     """
@@ -380,8 +430,13 @@ def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> N
             turn = expect.ok(send_predict(worker, body, "application/msgpack"))
             expect.equal(turn["observation"]["state"]["vector"], numbers, "vector")
             worker.seq += 1
-    large = [2.0**63, 2.0**64 - 2**11, 2.0**53, 2.0**62] * 2
     worker = echo(context)
-    body = pack(next_body(worker, vector=large), 8, is_signed=False)
-    turn = expect.ok(send_predict(worker, body, "application/msgpack"))
-    expect.equal(turn["observation"]["state"]["vector"], large, "large integers")
+    for width in WIDTHS[1:]:
+        half = 2.0 ** (8 * width - 1)
+        largest = 2 * half - (2**11 if width == WIDTHS[-1] else 1)
+        ends = [largest, half, half / 2, -half, 1 - half / 2, 1.0, -1.0, 0.0]
+        body = pack(next_body(worker, vector=ends), width, is_signed=False)
+        turn = expect.ok(send_predict(worker, body, "application/msgpack"))
+        vector = [float(number) for number in turn["observation"]["state"]["vector"]]
+        expect.equal(vector, ends, f"the ends of integers of {width} bytes")
+        worker.seq += 1

@@ -24,6 +24,7 @@ from conformance.checks.support.operation_samples import (
 )
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.raw_connection import open_raw_connection
 from conformance.client.run_client import WorkerClient
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
@@ -44,6 +45,15 @@ UNACCEPTABLE: tuple[str, ...] = (
 )
 UNACCEPTABLE += ("image/*, */*;q=0",)
 MEGABYTE = 10**6
+READ_TIMEOUT_S = 10.0
+# Percent signs without digits, and bytes that are no UTF-8.
+UNDECODABLE_PATHS: tuple[str, ...] = (
+    "/v1/runs/%zz",
+    "/v1/runs/%",
+    "/v1/runs/%ff%fe",
+    "/v1/runs/%c3%28",
+)
+UNDECODABLE_PATHS += ("/v1/benchmarks/%e0", "/v1/runs?cursor=%ff", "/v1/runs?limit=%zz")
 DEEP = 10**6
 
 
@@ -69,8 +79,9 @@ def test_err_001_refusals_are_problems(context: CheckContext) -> None:
     context.call("submit_run", content=b"{}", headers=text)
     context.call("submit_run", content=b"{")
     context.call("submit_run", json={})
-    worker.try_predict(seq=99)
-    worker.try_attach()
+    for headers in ({}, {"Accept": MSGPACK} if context.speaks_msgpack else {}):
+        worker.try_predict(seq=99, headers=headers)
+        worker.try_attach(headers=headers)
 
 
 @requirement("ERR-002")
@@ -104,7 +115,8 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
     if context.speaks_msgpack:
         samples = {sample[0]: sample[1] for sample in operation_samples(worker)}
         packed = msgspec.msgpack.encode(samples["predict"]["json"])
-        for wrong in (packed[:-1], packed + b"\xc0", b"\xc1", b""):
+        no_text = packed.replace(worker.session_id.encode()[:2], b"\xc3\x28", 1)
+        for wrong in (packed[:-1], packed + b"\xc0", b"\xc1", b"", no_text):
             answer = worker.run.call(
                 "predict",
                 worker_id=worker.id,
@@ -133,6 +145,10 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
         # RFC 6901 writes these two signs otherwise.
         answer = send_body(worker, sample, sample[1]["json"] | {"a/b~c/d~": 1})
         expect.refused(answer, "invalid_request", pointer="/a~1b~0c~1d~0")
+    for nested in ({"surprise": 1}, {"action": {"score": {"surprise": 1}}}):
+        pointer = "/assumes" + ("/action/score" if "action" in nested else "")
+        answer = worker.run.worker("another").try_attach(assumes=nested)
+        expect.refused(answer, "invalid_request", pointer=f"{pointer}/surprise")
     body = context.submit_body(options={"surprise": 1})
     answer = submit(context, body)
     expect.refused(answer, "invalid_request", pointer="/options/surprise")
@@ -141,7 +157,8 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
 
 @requirement("ERR-004")
 def test_err_004_cannot_send_a_member_of_the_wrong_type(context: CheckContext) -> None:
-    """Strings for numbers, null for required values, numbers for lists, and so on.
+    """Strings for numbers, null for required values, numbers for lists, and so on; in
+    MessagePack, bytes for a string.
 
     Expect `invalid_request` pointing at the member, and nothing executed.
     """
@@ -153,6 +170,10 @@ def test_err_004_cannot_send_a_member_of_the_wrong_type(context: CheckContext) -
             body = replace_at(sample[1]["json"], pointer, wrong)
             answer = send_body(worker, sample, body)
             expect.refused(answer, "invalid_request", pointer=pointer)
+    if context.speaks_msgpack:
+        as_bin = worker.session_id.encode()
+        answer = worker.try_predict(context.action(), session_id=as_bin, msgpack=True)
+        expect.refused(answer, "invalid_request", pointer="/session_id")
     expect_nothing_executed(worker)
 
 
@@ -248,7 +269,8 @@ def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
 
 @requirement("ERR-008")
 def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> None:
-    """`Accept` with media types that the operation does not list; then a listed one.
+    """`Accept` with media types that the operation does not list, and with all but
+    those that it lists; then a listed one.
 
     Expect `not_acceptable` and nothing executed, then success; a detach, which has a
     response without a body, is executed, as a deletion would be.
@@ -261,9 +283,12 @@ def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> Non
             answer = worker.run.call(operation_id, headers={"Accept": accept}, **how)
             expect.refused(answer, "not_acceptable")
         if operation_id in READ_OPERATIONS:
-            answer = worker.run.call(operation_id, headers={"Accept": MSGPACK}, **how)
-            expect.refused(answer, "not_acceptable")
             listed = context.spec.operations[operation_id].answer_media_types()
+            excluded = ", ".join(f"{listed_type};q=0" for listed_type in listed)
+            for accept in (MSGPACK, f"{excluded}, */*", f"*/*;q=0.5, {excluded}"):
+                how_read = how | {"headers": {"Accept": accept}}
+                answer = worker.run.call(operation_id, **how_read)
+                expect.refused(answer, "not_acceptable")
             mixed = {"Accept": f"text/html, {listed[0]};q=0.1"}
             expect.ok(worker.run.call(operation_id, headers=mixed, **how))
     expect_nothing_executed(worker)
@@ -349,12 +374,27 @@ def test_err_011_refusals_to_wait_have_retry_after(context: CheckContext) -> Non
         )
 
 
+def expect_no_server_error_for_paths(context: CheckContext) -> None:
+    """Expect paths that cannot be decoded to be refused, or no answer to them."""
+    token = context.shared.settings.token
+    lines = (f"Authorization: Bearer {token}", "Connection: close")
+    for path in UNDECODABLE_PATHS:
+        with open_raw_connection(context.http_client.base_url) as connection:
+            request = connection.head("GET", path, *lines)
+            ending = connection.send_until_end(request + b"\r\n", READ_TIMEOUT_S)
+        status = ending.status or 0
+        is_right = status < 500 or status == 503
+        expect.true(is_right, f"no server error for GET {path}", f"status {status}")
+
+
 @requirement("ERR-012")
 def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None:
-    """Generated requests, valid and invalid, to every operation.
+    """Generated requests, valid and invalid, to every operation; paths and parameters
+    that are no text.
 
     Expect no status of 500 or above except 503, here and in all other checks.
     """
+    expect_no_server_error_for_paths(context)
     worker, other = attach_live_worker(context), context.submit()
     fuzz_operations(worker, other, 3 if context.shared.settings.quick else 12)
     alive = context.call("describe_service")

@@ -12,6 +12,7 @@ from conformance.checks.support.bodies.invalid_bodies import pad_body
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
     samples_with_body,
+    send,
     send_body,
 )
 from conformance.client.check_context import CheckContext
@@ -32,6 +33,7 @@ WAITED_S = 40.0
 OPENED_RUNS = 50
 STORED_BYTES = 100_000
 TASKS_STORED = 300
+AS_JSON = {"Content-Type": "application/json"}
 
 
 def provoked_limit(context: CheckContext, name: str) -> float:
@@ -121,10 +123,11 @@ def attach_with_short_lease(context: CheckContext) -> WorkerClient:
 @background
 @requirement("LIM-006")
 def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
-    """Two workers send heartbeats, of which one also plays a turn now and then.
+    """Two workers send heartbeats, of which one also plays a turn now and then; a third
+    one repeats its turn.
 
-    Expect the session of the other one to end when `limits.heartbeat_s_max` has passed
-    since its turn 0.
+    Expect the sessions of the others to end when `limits.heartbeat_s_max` has passed
+    since their latest turn.
     """
     limit_s = announced_limit(context, "heartbeat_s_max")
     if limit_s > WAITED_S:
@@ -133,12 +136,15 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
         )
     control = attach_with_short_lease(context)
     worker = attach_with_short_lease(context)
+    repeating = attach_with_short_lease(context)
+    repeating.predict(context.action())
     lease_s = worker.turn["lease"]["idle_timeout_s"]
     sent_at = turn_at = time.monotonic()
     until = sent_at + limit_s + lease_s + context.tolerance_s
     while sent_at < until:
         control.try_heartbeat()
         worker.try_heartbeat()
+        repeating.try_predict(context.action(), seq=1)
         if time.monotonic() > turn_at + limit_s / 4:
             control.predict(context.action())
             turn_at = time.monotonic()
@@ -147,12 +153,15 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
         time.sleep(lease_s / 8)
         sent_at = time.monotonic()
     expect.refused(worker.try_heartbeat(), "session_ended")
+    repeated = repeating.try_predict(context.action(), seq=1)
+    expect.refused(repeated, "session_ended")
     expect.ok(control.try_heartbeat())
 
 
 @requirement("LIM-008")
 def test_lim_008_cannot_send_long_control_bodies(context: CheckContext) -> None:
-    """Every request with a body but `predict`, one byte longer than the limit.
+    """Every request with a body but `predict`, one byte longer than the limit, with
+    and without a declared length.
 
     Expect `body_too_large`; success with a body of the limit, and with a `predict` that
     is longer.
@@ -169,6 +178,10 @@ def test_lim_008_cannot_send_long_control_bodies(context: CheckContext) -> None:
         if sample[0] == "predict":
             expect.ok(answer)
         else:
+            expect.refused(answer, "body_too_large")
+            chunked = {"content": [longer[:limit], longer[limit:]], "headers": AS_JSON}
+            how = {name: sample[1][name] for name in sample[1] if name != "json"}
+            answer = send(worker.run, (sample[0], how | chunked))
             expect.refused(answer, "body_too_large")
             status = 201 if sample[0] == "submit_run" else 200
             expect.ok(send_body(worker, sample, at_limit), status)

@@ -6,6 +6,7 @@ from typing import Any
 
 from conformance.checks.support.given_states import count
 from conformance.checks.support.operation_samples import (
+    OperationSample,
     attach_live_worker,
     operation_samples,
 )
@@ -93,9 +94,26 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
     expect.ok(submit(context, context.submit_body(), headers=at_limit), 201)
 
 
+def expect_no_conditional_reads(
+    worker: WorkerClient, samples: list[OperationSample]
+) -> None:
+    """Expect `get_run` alone to answer that nothing has changed."""
+    etag = worker.run.call("get_run").headers.get("etag", "")
+    for operation_id, how in samples:
+        operation = worker.run.context.spec.operations[operation_id]
+        if operation_id == "get_run" or operation.method != "GET":
+            continue
+        for known in (etag, "*"):
+            headers = {"If-None-Match": known}
+            answer = worker.run.call(operation_id, headers=headers, **how)
+            expect.ok(answer, SUCCESSES.get(operation_id, 200))
+
+
 @requirement("ERR-017")
 def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) -> None:
-    """Every operation gets the headers that it does not list, with wrong values.
+    """Every operation gets the headers that it does not list, with wrong values; those
+    that read get the ETag of the run, and any; a run is stopped, resumed and stopped
+    with one Idempotency-Key.
 
     Expect the answers that there are without them.
     """
@@ -109,6 +127,12 @@ def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) 
         if operation_id == "submit_run":
             adopt_answer(context, answer)
         expect.ok(answer, SUCCESSES.get(operation_id, 200))
+    expect_no_conditional_reads(worker, samples)
+    run, key = context.submit("score"), {"Idempotency-Key": uuid.uuid4().hex}
+    for operation_id in ("stop_run", "resume_run", "stop_run"):
+        body: Any = {} if operation_id == "stop_run" else None
+        expect.ok(run.call(operation_id, headers=key, json=body))
+    expect.equal(run.get()["state"], "stopped", "state after the second stop")
     known = worker.run.call("get_run", headers={"If-None-Match": "*"})
     if known.status != 304:
         raise SetUpFailed("`get_run` ignores If-None-Match; see RUN-011")

@@ -2,7 +2,7 @@
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 import hypothesis
@@ -29,13 +29,21 @@ def for_all(
     check_property: Callable[[Example], None],
     times: int,
     shrink_s: float = _SHRINK_S,
+    *,
+    known: Sequence[Example] = (),
 ) -> None:
     """Check a property on examples; raise the violation of the smallest one.
 
-    times: how many examples, a quarter of them with `--quick`.
+    times: how many examples, a quarter of them with `--quick`. known: played before
+    them, with every seed: what found a broken server once finds the next one as well.
     The log then holds the exchanges before the examples, and those of that example.
     The first example that could not be decided ends the search, and is raised.
     """
+    for example in known:
+        try:
+            check_property(example)
+        except Violation as error:
+            raise _with_example(error, example) from error
     ended: list[Exception] = []
     broken: list[tuple[Violation, list[Exchange]]] = []
     shrink_until = math.inf
@@ -52,8 +60,7 @@ def for_all(
         except _NOT_VIOLATIONS as error:
             ended.append(error)
         except Violation as error:
-            text = f"{error.expected}, for the example {example}"
-            smaller = Violation(text, error.observed, error.exchange)
+            smaller = _with_example(error, example)
             broken.append((smaller, list(exchange_log.exchanges)))
             context.tidy_up()  # there may be many examples before the smallest
             shrink_until = min(shrink_until, time.monotonic() + shrink_s)
@@ -76,3 +83,8 @@ def for_all(
         raise violation from None
     if ended:
         raise ended[0]
+
+
+def _with_example(error: Violation, example: object) -> Violation:
+    text = f"{error.expected}, for the example {example}"
+    return Violation(text, error.observed, error.exchange)

@@ -10,6 +10,8 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 _PAGES_MAX = 10
+# What objects and maps of languages have by themselves: ids and keys like any other.
+NAMES_OF_LANGUAGES = ("constructor", "toString", "__proto__", "hasOwnProperty", "null")
 
 
 def submit(context: CheckContext, body: dict[str, Any], **how: Any) -> Answer:

@@ -2,6 +2,7 @@
 
 import time
 from collections import Counter
+from functools import partial
 from typing import Any
 
 from conformance.checks.support.given_states import (
@@ -15,14 +16,16 @@ from conformance.checks.support.given_states import (
     without,
 )
 from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.submissions import NAMES_OF_LANGUAGES
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import SetUpFailed
+from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
 RACES = 5
+MANY_WORKERS = 11
 
 
 def codes(answers: list[Answer]) -> dict[str, int]:
@@ -39,13 +42,14 @@ def expect_turn_0(worker: WorkerClient, answer: Answer) -> dict[str, Any]:
 
 @requirement("ATT-001")
 def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
-    """A worker attaches, plays, detaches, and attaches again.
+    """A worker attaches, plays, detaches, and attaches again; so do others with ids
+    that objects of a language have.
 
-    Expect both sessions to begin at seq 0 and step 0 with nothing executed.
+    Expect all sessions to begin at seq 0 and step 0 with nothing executed.
     """
-    run = context.submit("count")
-    for _ in range(2):
-        worker = run.worker("worker")
+    run = context.submit("count", max_attempts=10)
+    for worker_id in ("worker", "worker", *NAMES_OF_LANGUAGES):
+        worker = run.worker(worker_id)
         turn = worker.attach()
         expect.equal(turn["seq"], 0, "seq")
         expect.equal(turn["executed_steps"], 0, "executed_steps")
@@ -57,13 +61,29 @@ def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
         worker.detach()
 
 
+def expect_one_session_of_a_race(context: CheckContext) -> None:
+    """Expect an attach that is sent several times at once to open one session."""
+    worker = context.submit("count").worker()
+    attach = partial(worker.try_attach, attach_key=worker.id)
+    answers = context.call_concurrently(*[attach] * 4)
+    ids = {expect.ok(answer)["session_id"] for answer in answers}
+    expect.equal(len(ids), 1, "sessions of the same attach, sent four times")
+
+
 @requirement("ATT-002")
 def test_att_002_can_repeat_attach(context: CheckContext) -> None:
-    """The response to an attach was lost, at the beginning and again after a turn.
+    """The response to an attach was lost, at the beginning and again after a turn; or
+    it is sent several times at once.
 
     Expect the same session and its latest turn for the same key, also a turn with a
-    fault, and the session to continue.
+    fault and one whose run got ten other workers since, and the session to continue.
     """
+    many = min(MANY_WORKERS, context.limits["max_workers"])
+    expect_one_session_of_a_race(context)
+    first, *_ = attach_workers(context.submit(*["score"] * many), many)
+    again = expect.ok(first.try_attach(attach_key=first.attach_key))
+    expect.equal(again["session_id"], first.session_id, "the session of the first")
+    first.run.stop()
     worker = context.submit("count").worker()
     worker.attach()
     broken = submit_and_attach(context, "fault")
@@ -153,13 +173,19 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
     """One worker more than `max_workers` attaches, and again when a slot is free; one
     more attaches while the only one executes a turn.
 
-    Expect `worker_limit` where no slot is free.
+    Expect `worker_limit` where no slot is free, and as many as eleven where they are.
     """
+    many = min(MANY_WORKERS, context.limits["max_workers"])
+    run = context.submit(*["score"] * many, max_workers=many)
+    for _ in range(many):
+        expect.ok(require_not_state_refusal(run.worker().try_attach()))
+    run.stop()
     most = min(2, context.limits["max_workers"])
     run = context.submit(*["score"] * 4, max_workers=most)
     attached_workers = attach_workers(run, most)
     late = run.worker("late")
-    expect.refused(late.try_attach(), "worker_limit")
+    for takeover in (False, True):  # of no session
+        expect.refused(late.try_attach(takeover=takeover), "worker_limit")
     attached_workers[0].detach()
     late.attach()
     run = context.submit("delay", "delay", max_workers=1)
@@ -213,6 +239,10 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"control_rate_hz": 20}, "/assumes/control_rate_hz"),
     ({"control_rate_hz": 10.4}, "/assumes/control_rate_hz"),
     ({"control_rate_hz": 9.99}, "/assumes/control_rate_hz"),
+    # Values that some languages take for no value.
+    ({"control_rate_hz": 0}, "/assumes/control_rate_hz"),
+    ({"action": {"score": {"unit": ""}}}, "/assumes/action/score"),
+    ({"state": {"count": {"frame": ""}}}, "/assumes/state/count"),
     # An action that is no state, and a state that is no action.
     ({"state": {"score": {"size": 1}}}, "/assumes/state/score"),
     ({"action": {"count": {"size": 1}}}, "/assumes/action/count"),
@@ -315,7 +345,8 @@ def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> No
 
 @requirement("DET-001")
 def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
-    """`max_workers` is 1; a second worker attaches before and after the first detaches.
+    """`max_workers` is 1; a second worker attaches before and after the first detaches,
+    in another run while the first has a turn.
 
     Expect a refusal, then success at once.
     """
@@ -325,6 +356,28 @@ def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
     expect.require(second.try_attach(), 429, "attaching to a full run")
     expect.ok(first.try_detach(), 204)
     expect.ok(second.try_attach())
+    if not context.shared.settings.quick:
+        detach_during_a_turn(context)
+
+
+def detach_during_a_turn(context: CheckContext) -> None:
+    """Expect the slot of a worker to be free before its last turn has ended."""
+    run = context.submit("delay", "delay", max_workers=1)
+    first, second = run.worker(), run.worker()
+    first.attach()
+    turn_s = long_turn_s(context)
+
+    def detach_and_attach() -> list[Answer]:
+        time.sleep(turn_s / 4)
+        return [first.try_detach(), second.try_attach()]
+
+    turn, (detached, attached) = context.call_concurrently(
+        lambda: first.try_predict(context.action(delay_s=turn_s)), detach_and_attach
+    )
+    if turn.status == 200 and detached.started_at >= turn.ended_at:
+        raise Inconclusive("the detach came after the turn")
+    expect.ok(detached, 204)
+    expect.ok(attached)
 
 
 def end_by_detach(worker: WorkerClient) -> None:

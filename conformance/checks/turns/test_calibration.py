@@ -288,7 +288,14 @@ def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
                 part = slice(first, first + 4)
                 turn = worker.predict(*actions[part], msgpack=is_msgpack)
                 expect.equal(turn["rewards"], SCORES[part], f"rewards in {task}")
-        worker.play()
+        (reward,) = worker.predict(context.action(score=-0.0))["rewards"]
+        sign = math.copysign(1, reward)
+        expect.equal(sign, -1, f"the sign of the reward -0 in {task}")
+        last = worker.predict(context.action(score=0.3, end=1))
+        expect.equal(last["rewards"], [0.3], f"the last reward in {task}")
+    worker = submit_and_attach(context, "score", max_steps=2)
+    turn = worker.predict(*[context.action(score=0.7)] * 2)
+    expect.equal(turn["rewards"], [0.7] * 2, "rewards at the step limit")
 
 
 @requirement("CAL-009")

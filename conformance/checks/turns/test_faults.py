@@ -1,5 +1,6 @@
 """Simulator faults: reported, and without cost for the policy (FAULT)."""
 
+import time
 from typing import Any
 
 from conformance.checks.support.given_states import (
@@ -11,6 +12,7 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
+from conformance.checks.support.long_turns import long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.requirement import requirement
@@ -52,15 +54,19 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
 
 @requirement("FAULT-002")
 def test_fault_002_failed_run_is_retryable(context: CheckContext) -> None:
-    """An episode faults `max_faults` times. Expect a reason, and `retryable` true."""
-    run = context.submit("fault", max_faults=2)
-    worker = run.worker()
-    worker.attach()
-    worker.predict(context.action(fault=1))
-    worker.try_predict(context.action(fault=1))
-    failed = run.until("failed")
-    expect.true(failed["reason"], "a reason", failed["reason"])
-    expect.equal(failed["retryable"], True, "retryable")
+    """An episode faults `max_faults` times; that of another run does so in a drain.
+
+    Expect a reason, and `retryable` true.
+    """
+    for is_draining in (False, True):
+        worker = submit_and_attach(context, "fault", max_faults=2)
+        if is_draining:
+            start_drain(worker.run)
+        worker.predict(context.action(fault=1))
+        worker.try_predict(context.action(fault=1))
+        failed = worker.run.until("failed")
+        expect.true(failed["reason"], "a reason", failed["reason"])
+        expect.equal(failed["retryable"], True, "retryable")
 
 
 @requirement("FAULT-003")
@@ -140,13 +146,38 @@ def attach_beside_a_fault_task(run: RunClient) -> list[WorkerClient]:
     return attach_workers(run, min(2, run.context.limits["max_workers"]))
 
 
+def fail_beside_a_turn(context: CheckContext) -> None:
+    """Expect no attempt counted when a run fails while another worker has a turn."""
+    if context.limits["max_workers"] < 2:
+        return
+    run = context.submit("fault", "delay", max_faults=1, max_attempts=1)
+    unlucky, busy = attach_workers(run, 2)
+    busy.predict(context.action())
+    turn_s = long_turn_s(context)
+
+    def fault_later() -> None:
+        time.sleep(turn_s / 4)
+        unlucky.try_predict(context.action(fault=1))
+
+    context.call_concurrently(
+        lambda: busy.try_predict(context.action(delay_s=turn_s)), fault_later
+    )
+    run.until("failed")
+    for episode in run.episodes():
+        shown = [episode["status"], episode["attempt"]]
+        expect.equal(shown, ["pending", 1], "status and attempt beside a turn")
+
+
 @requirement("FAULT-007")
 def test_fault_007_a_failure_counts_no_attempt(context: CheckContext) -> None:
     """`max_attempts` is 1; two workers (if allowed) have executed actions when the
-    simulator of the first one fails the run, by a fault or as unplayable.
+    simulator of the first one fails the run, by a fault or as unplayable; the other
+    one is in the middle of a turn in a third run.
 
     Expect both episodes pending at attempt 1.
     """
+    if not context.shared.settings.quick:
+        fail_beside_a_turn(context)
     for fault in (1, 2):
         run = context.submit("fault", "score", max_faults=1, max_attempts=1)
         workers = attach_beside_a_fault_task(run)
@@ -228,7 +259,7 @@ def test_fault_010_faults_count_since_the_run_was_queued(
     context: CheckContext,
 ) -> None:
     """`max_faults` is 2. Episodes fault: one once; the next in two attempts; then,
-    after each resume, again.
+    after each resume, again, and in two sessions of which one takes over.
 
     Expect `failed` after two faults of one episode since the run was last queued; a
     resume of a run that is running counts for nothing.
@@ -261,13 +292,18 @@ def test_fault_010_faults_count_since_the_run_was_queued(
         expect_fault("running", "since the stop and the resume")
         run.resume()
         expect_fault("failed", "as the second one")
+    attach_again()
+    expect_fault("running", "since the resume")
+    worker.attach(takeover=True)
+    expect_fault("failed", "after a takeover")
 
 
 @requirement("FAULT-011")
 def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> None:
-    """`max_faults` is 2; the turn that faulted is repeated twice, and the next played.
+    """`max_faults` is 2; the turn that faulted is repeated twice, then with another
+    body, and the next is played.
 
-    Expect the same turn, one fault, and the run to go on.
+    Expect the same turn, `seq_conflict`, one fault, and the run to go on.
     """
     worker = submit_and_attach(context, "fault", max_faults=2)
     chunk = [context.action(), context.action(fault=1)]
@@ -275,6 +311,8 @@ def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> No
     for _ in range(2):
         again = expect.ok(worker.try_predict(*chunk, seq=worker.seq))
         expect.equal(without(again, "lease", "timing"), turn, "the turn")
+    other = worker.try_predict(context.action(), seq=worker.seq)
+    expect.refused(other, "seq_conflict")
     expect.equal(worker.run.episodes()[0]["faults"], 1, "faults")
     expect.equal(expect.ok(worker.try_predict(context.action()))["seq"], 2, "seq")
 

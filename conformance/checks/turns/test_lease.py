@@ -5,6 +5,7 @@ inside or outside a lease, whatever the network delay; if the kit was late, the 
 repeated, at most three times.
 """
 
+import math
 import time
 import uuid
 from collections.abc import Callable
@@ -28,13 +29,17 @@ from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
 CLOCK_ERROR_S = 1.0
 LONG_TURN_S = 3.0
+LONG_LEASE_S = 10.5
 NOTICE_S = 5
 
 
 def lease_of(context: CheckContext) -> float:
-    """Give a short lease, of which a request can surely use nine tenths."""
+    """Give a short lease, of which a request can surely use nine tenths.
+
+    No whole number, so that a server which rounds it up or down is seen.
+    """
     limits = context.limits
-    lease_s: float = max(2.0, limits["idle_timeout_s_min"], 8 * context.tolerance_s)
+    lease_s: float = max(2.4, limits["idle_timeout_s_min"], 8 * context.tolerance_s)
     if lease_s > limits["idle_timeout_s_max"]:
         raise Inconclusive("the network is too slow for the leases of this server")
     return lease_s
@@ -111,15 +116,23 @@ def require_ended_session(worker: WorkerClient) -> None:
 @requirement("LEASE-001")
 @background
 def test_lease_001_session_ends(context: CheckContext) -> None:
-    """A worker plays a turn and then sends nothing for longer than its lease.
+    """A worker plays a turn, another one all there is, and then they send nothing for
+    longer than their lease.
 
-    Expect `session_ended` for its next predict and its next heartbeat.
+    Expect `session_ended` for the next predict and the next heartbeat of the first, and
+    for the repeat of the other's last turn.
     """
+    finished, _ = attach_with_lease(context)
+    end = context.action(end=1)
+    last = finished.try_predict(end)
+    if not expect.require(last, 200, "the last turn")["done"]:
+        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
     worker, _ = attach_with_lease(context)
     turn = play_turn(worker)
     sleep_past(turn, context)
     expect.refused(try_next_predict(worker), "session_ended")
     expect.refused(worker.try_heartbeat(), "session_ended")
+    expect.refused(finished.try_predict(end, seq=1), "session_ended")
 
 
 @requirement("LEASE-002")
@@ -127,10 +140,10 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
 def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
     """A worker sends nothing for nearly its whole lease, and so do one whose run is
     completed and one that took over in the middle of another lease; one more is silent
-    for all of it.
+    for all of it. Then one is silent in a longer lease.
 
-    Expect the turn of the first, the repeat of the second and the turn of the third to
-    be accepted.
+    Expect the turn of the first, the repeat of the second and the turns of the third
+    and the last to be accepted.
     """
     silent, silent_began = attach_with_lease(context)
     finished, _ = attach_with_lease(context)
@@ -150,32 +163,71 @@ def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
     require_ended_session(silent)
     sleep_nearly_through(taken, context)
     expect_inside_lease(try_next_predict(later), taken, context)
+    if not context.shared.settings.quick:
+        expect_long_lease_kept(context)
+
+
+def expect_long_lease_kept(context: CheckContext) -> None:
+    """Expect a turn to be accepted when a longer lease is over but for a fiftieth."""
+    limits, lease_s = context.limits, LONG_LEASE_S
+    if not limits["idle_timeout_s_min"] <= lease_s <= limits["idle_timeout_s_max"]:
+        return
+    worker = context.submit("count", idle_timeout_s=lease_s).worker()
+    began_at = time.monotonic()
+    worker.attach()
+    sleep_until(began_at + 0.98 * lease_s - context.tolerance_s / 2)
+    probe = try_next_predict(worker)
+    if probe.status != 200 and probe.ended_at > began_at + lease_s:
+        raise Inconclusive("a request of the kit came too late to be inside the lease")
+    expect.ok(probe)
+
+
+def extensions_without_turn(context: CheckContext, wanted: int) -> int:
+    """Give how many times a session that plays no turn can have its lease extended.
+
+    LIM-006 ends it when `limits.heartbeat_s_max` has passed, however short that is.
+    """
+    longest_s = context.limits.get("heartbeat_s_max", math.inf) - context.tolerance_s
+    if longest_s < 2 * lease_of(context):
+        raise SetUpFailed("`limits.heartbeat_s_max` is under two leases", allowed=True)
+    return int(min(wanted, longest_s / lease_of(context)))
 
 
 def expect_lease_extension(
-    context: CheckContext, extend: Callable[[WorkerClient], Answer]
+    context: CheckContext, extend: Callable[[WorkerClient], Answer], times: int = 3
 ) -> None:
-    """Expect requests to extend the lease by its full length, and by no more."""
+    """Expect requests to extend the lease by its full length, and by no more.
+
+    The same in a run that is `stopping`.
+    """
     silent, _ = attach_with_lease(context)
-    worker, last = attach_with_lease(context)
-    for _ in range(3):
-        sleep_nearly_through(last, context)
-        answer = extend(worker)
-        expect_inside_lease(answer, last, context)
-        last = answer
-    sleep_past(last, context)
+    workers, answers = zip(*(attach_with_lease(context) for _ in range(2)), strict=True)
+    draining = workers[1].run.stop("drain")
+    if draining["state"] != "stopping":
+        raise SetUpFailed("a run in play is drained at once", breaks="LIFE-303")
+    last = list(answers)
+    for _ in range(times):
+        for number, worker in enumerate(workers):
+            sleep_nearly_through(last[number], context)
+            answer = extend(worker)
+            expect_inside_lease(answer, last[number], context)
+            last[number] = answer
+    sleep_past(last[-1], context)
     require_ended_session(silent)
-    expect.refused(extend(worker), "session_ended")
+    for worker in workers:
+        expect.refused(extend(worker), "session_ended")
 
 
 @requirement("LEASE-003")
 @background
 def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
-    """A worker sends three heartbeats, each when its lease is nearly over.
+    """A worker sends three heartbeats, each when its lease is nearly over; two where
+    `limits.heartbeat_s_max` leaves no time for a third.
 
     Expect them accepted, and the session ended one lease after the last.
     """
-    expect_lease_extension(context, WorkerClient.try_heartbeat)
+    times = extensions_without_turn(context, 3)
+    expect_lease_extension(context, WorkerClient.try_heartbeat, times)
 
 
 @requirement("LEASE-004")
@@ -191,29 +243,35 @@ def test_lease_004_predict_extends(context: CheckContext) -> None:
 @requirement("LEASE-005")
 @background
 def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
-    """A turn takes half a lease longer than the lease; a heartbeat comes when the lease
-    would be over, and the next turn at once.
+    """A turn takes more than two leases; a heartbeat comes in the first, the run is
+    read when that would be over, another heartbeat comes when the second would be, and
+    the next turn at once.
 
-    Expect both to be accepted.
+    Expect turns and heartbeat to be accepted.
     """
     lease_s = lease_of(context)
     worker, _ = attach_with_lease(context, "delay", max_steps=100)
-    steps = int(1.5 * lease_s / 5) + 1
-    long = [context.action(delay_s=1.5 * lease_s / steps)] * steps
+    turn_s = 2.4 * lease_s
+    steps = int(turn_s / 5) + 1
+    long = [context.action(delay_s=turn_s / steps)] * steps
 
     def send_heartbeat() -> Answer:
-        time.sleep(1.25 * lease_s)
+        time.sleep(0.5 * lease_s)
+        worker.try_heartbeat()
+        time.sleep(0.7 * lease_s)
+        worker.run.get()
+        time.sleep(lease_s)
         return worker.try_heartbeat()
 
     turn, heartbeat = context.call_concurrently(
-        lambda: worker.try_predict(*long, timeout_s=30 + 2 * lease_s), send_heartbeat
+        lambda: worker.try_predict(*long, timeout_s=30 + turn_s), send_heartbeat
     )
     expect.ok(turn)
-    require_duration(turn, 1.5 * lease_s)
+    require_duration(turn, turn_s)
     worker.seq += 1
     probe = worker.try_predict(context.action())
     # When the answer to the long turn left the server is not known, but no sooner.
-    surely_until = turn.started_at + 2.5 * lease_s
+    surely_until = turn.started_at + turn_s + lease_s
     late_s = max(probe.ended_at, heartbeat.ended_at) - surely_until
     if late_s > 0 and not probe.status == heartbeat.status == 200:
         raise Inconclusive("the turn after the long one came late")
@@ -347,35 +405,44 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
 @requirement("LEASE-010")
 @background
 def test_lease_010_repeats_extend(context: CheckContext) -> None:
-    """A worker repeats its attach, and another one its turn, twice, each time when the
+    """Two workers repeat their attach, one of them in a run that is `stopping`; another
+    one repeats its turn, and one the turn that was its last; twice, each time when the
     lease of the answer before is nearly over.
 
     Expect the repeats answered, and the sessions ended one lease after the last.
     """
+    times = extensions_without_turn(context, 2)
     silent, _ = attach_with_lease(context)
-    action = context.action()
-    attached, attach = attach_with_lease(context)
-    played, _ = attach_with_lease(context)
-    turn = played.try_predict(action)
-    expect.require(turn, 200, "predict")
-    for _ in range(2):
-        sleep_nearly_through(attach, context)
-        again = attached.try_attach(attach_key=attached.attach_key)
-        expect_inside_lease(again, attach, context)
-        session_id = expect.ok(again)["session_id"]
-        if session_id != attached.session_id:  # right where the lease was over
-            require_inside_lease(again, attach, context)
-        expect.equal(
-            session_id, attached.session_id, "the session of a repeated attach"
-        )
-        sleep_nearly_through(turn, context)
-        repeat = played.try_predict(action, seq=1)
-        expect_inside_lease(repeat, turn, context)
-        attach, turn = again, repeat
-    sleep_past(turn, context)
+    repeats: list[tuple[WorkerClient, partial[Answer]]] = []
+    last: list[Answer] = []
+    for is_draining in (False, True):
+        worker, answer = attach_with_lease(context)
+        if is_draining:
+            worker.run.stop("drain")
+        again = partial(worker.try_attach, attach_key=worker.attach_key)
+        repeats.append((worker, again))
+        last.append(answer)
+    for action in (context.action(), context.action(end=1)):
+        worker, _ = attach_with_lease(context)
+        repeats.append((worker, partial(worker.try_predict, action, seq=1)))
+        last.append(worker.try_predict(action))
+        expect.require(last[-1], 200, "predict")
+    for _ in range(times):
+        for number, (worker, repeat) in enumerate(repeats):
+            sleep_nearly_through(last[number], context)
+            answer = repeat()
+            expect_inside_lease(answer, last[number], context)
+            session_id = expect.ok(answer)["session_id"]
+            if session_id != worker.session_id:  # right where the lease was over
+                require_inside_lease(answer, last[number], context)
+            expect.equal(session_id, worker.session_id, "the session of a repeat")
+            last[number] = answer
+    sleep_past(last[-1], context)
     require_ended_session(silent)
-    expect.refused(attached.try_heartbeat(), "session_ended")
-    expect.refused(played.try_predict(action, seq=1), "session_ended")
+    for worker, repeat in repeats:
+        expect.refused(worker.try_heartbeat(), "session_ended")
+        if repeat.func == worker.try_predict:
+            expect.refused(repeat(), "session_ended")
 
 
 @requirement("LEASE-011")
@@ -407,13 +474,14 @@ def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
     expect.equal(episode["status"], "pending", "status of the episode")
 
 
-# Tasks, max_attempts, played steps, drained → state, status and attempt.
-LEASE_ENDS: list[tuple[int, int, int, bool, str, str, int]] = [
-    (2, 1, 0, False, "ready", "pending", 1),
-    (1, 3, 2, False, "ready", "pending", 2),
-    (2, 1, 1, False, "ready", "scored", 1),
-    (1, 1, 1, False, "completed", "scored", 1),
-    (2, 3, 1, True, "stopped", "pending", 2),
+# Tasks, max_attempts, played steps, what then happens → state, status and attempt.
+LEASE_ENDS: list[tuple[int, int, int, str, str, str, int]] = [
+    (2, 1, 0, "", "ready", "pending", 1),
+    (1, 3, 2, "", "ready", "pending", 2),
+    (2, 1, 1, "", "ready", "scored", 1),
+    (1, 1, 1, "", "completed", "scored", 1),
+    (2, 3, 1, "drain", "stopped", "pending", 2),
+    (2, 3, 1, "takeover", "ready", "pending", 2),
 ]
 
 
@@ -439,20 +507,24 @@ def expect_others_unaffected(context: CheckContext) -> None:
 @requirement("LEASE-012")
 @background
 def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> None:
-    """Five workers fall silent: before the first action, after some, in the last
-    attempt (with and without an episode left), and in a drain.
+    """Six workers fall silent: before the first action, after some, in the last
+    attempt (with and without an episode left), in a drain, and after a takeover.
 
     Expect the attempts closed, `abandoned` after the last, and `lease_ended` named; a
     session that is done ends without a change of its run.
     """
     ended: list[WorkerClient] = []
-    for tasks, max_attempts, steps, is_drained, *_ in LEASE_ENDS:
+    for tasks, max_attempts, steps, then, *_ in LEASE_ENDS:
         options = {"max_attempts": max_attempts}
         worker, last = attach_with_lease(context, *["count"] * tasks, **options)
         for _ in range(steps):
             last = play_turn(worker)
-        if is_drained and worker.run.stop("drain")["state"] != "stopping":
+        if then == "drain" and worker.run.stop("drain")["state"] != "stopping":
             raise Inconclusive("no session was left for the drain to wait for")
+        if then == "takeover":
+            last = worker.try_attach(takeover=True)
+            session = expect.require(last, 200, "a takeover")
+            worker.session_id, worker.seq = session["session_id"], session["seq"]
         ended.append(worker)
     expect_others_unaffected(context)
     sleep_past(last, context)

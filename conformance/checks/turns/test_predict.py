@@ -2,6 +2,7 @@
 
 import base64
 import time
+from functools import partial
 from typing import Any
 
 from hypothesis import strategies as st
@@ -18,9 +19,12 @@ from conformance.checks.support.given_states import (
 )
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
+from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive
+
+SEVERAL_WORKERS = 6
 
 
 @requirement("PRED-001")
@@ -106,16 +110,23 @@ def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
 
 @requirement("PRED-008")
 def test_pred_008_returns_result_and_next_episode(context: CheckContext) -> None:
-    """Two episodes; the first ends with its second action.
+    """Two episodes; the first ends with its second action. So do two more, of which
+    every observation is read.
 
     Expect no result before the end; then the result of that episode, and the first
     observation of the next one.
     """
+    for observe in (None, "all"):
+        expect_result_and_next_episode(context, observe)
+
+
+def expect_result_and_next_episode(context: CheckContext, observe: str | None) -> None:
+    """Expect a turn to end an episode, and to begin the next one."""
     worker = submit_and_attach(context, "count", "count")
     turn = worker.predict(context.action())
     expect.true("episode_result" not in turn, "no result before the end", turn)
-    ended = turn["episode"]
-    turn = expect.ok(worker.try_predict(context.action(end=1, success=1)))
+    ended, last = turn["episode"], context.action(end=1, success=1)
+    turn = expect.ok(worker.try_predict(last, observe=observe))
     result = turn["episode_result"]
     expect.equal(result["episode_id"], ended["episode_id"], "episode of the result")
     expect.equal(result["steps"], 2, "steps of the result")
@@ -235,7 +246,8 @@ def longest_turn_beside(
 @requirement("PRED-022")
 @background
 def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> None:
-    """One worker takes a turn of a second while another takes short ones.
+    """One worker takes a turn of a second while another takes short ones; then several
+    take long ones at once.
 
     Expect each short turn to end long before the long one. As the machine may be slow
     for a moment, there are three tries.
@@ -251,22 +263,56 @@ def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> N
         f"turns of at most {delay_s / 2:g} s beside one of {delay_s:g} s",
         longest_s,
     )
+    if not context.shared.settings.quick:
+        expect_no_wait_beside_many(context, delay_s)
+
+
+def expect_no_wait_beside_many(context: CheckContext, delay_s: float) -> None:
+    """Expect a short turn not to wait for the long ones of several workers."""
+    many = min(SEVERAL_WORKERS, context.limits["max_workers"])
+    run = context.submit(*["delay"] * many, max_steps=1000)
+    *slow, quick = attach_workers(run, many)
+
+    def play_later() -> Answer:
+        time.sleep(delay_s / 4)
+        return try_next(quick)
+
+    took_s: list[float] = []
+    while len(took_s) < 3 and (not took_s or took_s[-1] > delay_s / 2):
+        *turns, answer = context.call_concurrently(
+            *[partial(try_next, worker, delay_s) for worker in slow], play_later
+        )
+        for turn in (*turns, answer):
+            expect.require(turn, 200, "predict")
+        took_s.append(answer.elapsed_s)
+    what = f"a turn of at most {delay_s / 2:g} s beside {len(slow)} of {delay_s:g} s"
+    expect.true(took_s[-1] <= delay_s / 2, what, took_s)
+
+
+def try_next(worker: WorkerClient, delay_s: float = 0) -> Answer:
+    """Play one action under the next seq; the answer is raw."""
+    answer = worker.try_predict(worker.run.context.action(delay_s=delay_s))
+    worker.seq += answer.status == 200
+    return answer
 
 
 @requirement("PRED-023")
 def test_pred_023_timing_adds_up(context: CheckContext) -> None:
-    """Turns with images, with a delay, and with a change of episode.
+    """Turns with images, several in a turn, with a delay, and with a change of episode.
 
     Expect queue, simulate, render and encode never to be more than the total.
     """
     # The last size is the largest, the last codec costs most to encode.
     images = {"codec": context.benchmark["image_codecs"][-1]}
     images |= context.benchmark["image_sizes"][-1]
-    worker = context.submit("echo", "delay", "score", images=images).worker()
+    run = context.submit("echo", "delay", "score", images=images, max_steps=100)
+    worker = run.worker()
     worker.attach()
     parts = ("queue_s", "simulate_s", "render_s", "encode_s")
+    many = min(32, context.limits["max_chunk"])
     for values in ({}, {}, {"end": 1}, {"delay_s": 0.05}, {"end": 1}, {}):
-        turn = expect.ok(worker.try_predict(context.action(**values)))
+        chunk = [context.action(**values)] * (1 if values else many)
+        turn = expect.ok(worker.try_predict(*chunk, observe="all"))
         worker.seq += 1
         timing = turn["timing"]
         total_s = sum(timing[part] for part in parts)

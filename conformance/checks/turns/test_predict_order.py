@@ -13,12 +13,16 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
 )
 from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.submissions import NAMES_OF_LANGUAGES
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
+
+# So that the index of an action has two digits.
+LONG_CHUNK = 12
 
 
 @requirement("PRED-002")
@@ -47,7 +51,7 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
 @requirement("PRED-003")
 def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None:
     """The last seq again with another first or last value, order, length or `observe`,
-    during an episode and after its end.
+    during an episode and after its end; with another value that is clipped to the same.
 
     Expect `seq_conflict` and nothing executed; the original body is accepted again.
     """
@@ -70,7 +74,10 @@ def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None
         expect.refused(answer, "seq_conflict")
         again = worker.try_predict(*chunk, seq=worker.seq)
         expect.require(again, 200, "repeating the true body")
-    expect.equal(count(worker.predict(first)), [1], "count in the next turn")
+    worker.predict(context.action(clipped=[2.0, 0.0]))
+    alike = worker.try_predict(context.action(clipped=[3.0, 0.0]), seq=worker.seq)
+    expect.refused(alike, "seq_conflict")
+    expect.equal(count(worker.predict(first)), [2], "count in the next turn")
 
 
 @requirement("PRED-004")
@@ -176,10 +183,12 @@ def expect_last_invalid(
     worker: WorkerClient, values: dict[str, Any], *pointers: str
 ) -> None:
     """Expect a chunk refused for its last action, with a pointer into that."""
-    good = worker.run.context.action()
-    answer = worker.try_predict(good, good, {"values": values})
+    context = worker.run.context
+    last = min(LONG_CHUNK, context.limits["max_chunk"]) - 1
+    answer = worker.try_predict(*[context.action()] * last, {"values": values})
     problem = expect.refused(require_not_seq_refusal(answer), "invalid_request")
-    expect_pointer(problem, *[f"/actions/2/values{pointer}" for pointer in pointers])
+    at = f"/actions/{last}/values"
+    expect_pointer(problem, *[f"{at}{pointer}" for pointer in pointers])
 
 
 def expect_only_one_executed(
@@ -208,14 +217,17 @@ def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
 
 @requirement("PRED-014")
 def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) -> None:
-    """An unknown name, each name missing, and a misspelt one.
+    """Unknown names, each name missing, and a misspelt one.
 
     Expect `invalid_request` pointing at it, and nothing executed.
     """
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     less = {name: vector for name, vector in good.items() if name != "vector"}
-    expect_invalid_values(worker, good | {"gripper": [0.0]}, "/gripper")
+    # Names that objects of a language have, and one that RFC 6901 writes otherwise.
+    for name in ("gripper", *NAMES_OF_LANGUAGES):
+        expect_invalid_values(worker, good | {name: [0.0]}, f"/{name}")
+    expect_invalid_values(worker, good | {"a/b~": [0.0]}, "/a~1b~0")
     for missing in good:
         others = {name: vector for name, vector in good.items() if name != missing}
         expect_invalid_values(worker, others, "", f"/{missing}")
@@ -360,15 +372,18 @@ def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> Non
 
 @requirement("PRED-024")
 def test_pred_024_refusal_does_not_use_up_seq(context: CheckContext) -> None:
-    """A turn is refused, then sent again with the same seq and its error corrected.
+    """A turn is refused, then the one before is repeated, and it is sent again with the
+    same seq and its error corrected.
 
-    Expect it accepted.
+    Expect both accepted.
     """
     worker = submit_and_attach(context, "count")
     bad = context.action(vector=[0.0] * 7)
     for seq in (1, 2):
         expect.require(worker.try_predict(bad), 422, "a bad action")
         expect.require(worker.try_predict(context.action(), seq=9), 409, "a wrong seq")
+        if seq > 1:
+            expect.ok(worker.try_predict(context.action(), seq=seq - 1))
         turn = expect.ok(worker.try_predict(context.action(), seq=seq))
         worker.seq += 1
         expect.equal(turn["seq"], seq, "seq")

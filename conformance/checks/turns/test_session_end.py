@@ -41,20 +41,21 @@ def play_until_done(worker: WorkerClient) -> None:
 
 @requirement("ATT-014")
 def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
-    """`max_workers` is 2; of two workers one is done when a third attaches, and a
-    fourth when its episode was given back.
+    """`max_workers` is 2; of two workers one is done when two more attach, which are
+    done as well, and another one when the episode in play was given back.
 
-    Expect both to attach.
+    Expect all of them to attach.
     """
     require_worker_limit(context, 2)
     run = context.submit("score", "score", max_workers=2)
     first, second = attach_workers(run, 2)
     play_until_done(first)
-    late = expect.ok(run.worker().try_attach())
-    expect.equal(late["done"], True, "done of the third")
+    for _ in range(2):
+        late = expect.ok(run.worker().try_attach())
+        expect.equal(late["done"], True, "done of a late one")
     second.detach()
     turn = expect.ok(run.worker().try_attach())
-    expect.equal(turn["episode"]["index"], index_of(second), "episode of the fourth")
+    expect.equal(turn["episode"]["index"], index_of(second), "episode of the last")
 
 
 @requirement("ATT-015")
@@ -83,12 +84,23 @@ def expect_another_session(worker: WorkerClient, answer: Answer) -> None:
         expect.true(session_id != worker.session_id, "another session", session_id)
 
 
+def expect_no_joined_names(context: CheckContext) -> None:
+    """Expect a worker and a key to be two names, also where they read like others."""
+    for sign in "-_":
+        first = submit_and_attach(context, "count", "count")
+        joined_key = f"{first.id}{sign}{first.attach_key}"
+        joined = first.run.worker(f"{first.id}{sign}{first.id}")
+        joined.attach(attach_key=first.attach_key)
+        again = first.try_attach(attach_key=joined_key, takeover=True)
+        expect_another_session(joined, again)
+
+
 @requirement("ATT-018")
 def test_att_018_key_names_one_session(context: CheckContext) -> None:
     """The longest key, which ends in a space; keys that differ in the last character,
-    in case, in length, in how a letter is composed; the key under another worker, after
-    a takeover, and after the end of the session; a worker and a key that together read
-    like others.
+    in case, in length, in how a letter is composed; the key under another worker, in
+    another run, after a takeover, and after the end of the session; a worker and a key
+    that together read like others.
 
     Expect `worker_busy` for the different ones and after the takeover, and never the
     same session for the others.
@@ -105,14 +117,9 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
     expect.equal(again["session_id"], worker.session_id, "session_id of the repeat")
     if context.limits["max_workers"] > 1:
         expect_another_session(worker, run.worker("two").try_attach(attach_key=key))
-        for sign in "-_":
-            first = submit_and_attach(context, "count", "count")
-            joined_key = f"{first.id}{sign}{first.attach_key}"
-            joined = first.run.worker(f"{first.id}{sign}{first.id}")
-            joined.attach(attach_key=first.attach_key)
-            expect_another_session(
-                joined, first.try_attach(attach_key=joined_key, takeover=True)
-            )
+        expect_no_joined_names(context)
+    elsewhere = context.submit("count").worker("one")
+    expect_another_session(worker, elsewhere.try_attach(attach_key=key))
     later = run.worker("one")
     later.attach(takeover=True)
     expect.refused(worker.try_attach(attach_key=key), "worker_busy")

@@ -39,7 +39,8 @@ def expect_next_step(worker: WorkerClient, executed: int) -> None:
 
 @requirement("ATT-016")
 def test_att_016_can_repeat_an_attach_at_any_time(context: CheckContext) -> None:
-    """The response to a takeover was lost; it is repeated at once, and in a drain.
+    """The response to a takeover was lost; it is repeated at once, and in a drain, also
+    with an assumption that would have been refused.
 
     Expect the same session each time, and its turn to be the next.
     """
@@ -55,6 +56,11 @@ def test_att_016_can_repeat_an_attach_at_any_time(context: CheckContext) -> None
                 worker.try_attach(takeover=takeover, attach_key=worker.attach_key)
             )
             expect.equal(again["session_id"], session_id, "session_id")
+        assumes = {"control_rate_hz": 20}
+        again = expect.ok(
+            worker.try_attach(attach_key=worker.attach_key, assumes=assumes)
+        )
+        expect.equal(again["session_id"], session_id, f"session_id with {assumes}")
     expect_next_step(worker, 1)
 
 
@@ -136,7 +142,7 @@ def take_over_during_turn(worker: WorkerClient, other: WorkerClient) -> list[Ans
     """Take a worker over in the middle of a turn; give both answers."""
     context = worker.run.context
     turn_s = long_turn_s(context)
-    chunk = [context.action(delay_s=turn_s / 2)] * 2
+    chunk = [context.action(), *[context.action(delay_s=turn_s / 2)] * 2]
 
     def take_over() -> Answer:
         time.sleep(turn_s / 4)
@@ -155,10 +161,10 @@ def take_over_during_turn(worker: WorkerClient, other: WorkerClient) -> list[Ans
 @requirement("ATT-021")
 @background
 def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
-    """A worker is taken over in the middle of a turn of two actions.
+    """A worker is taken over in the middle of a turn of three actions.
 
-    Expect the new session after both if the turn is answered, and before them if it is
-    refused as superseded; its next turn goes on from there.
+    Expect the new session after all if the turn is answered, and before them if it is
+    refused; its next turn goes on from there.
     """
     run = context.submit("delay", "delay", max_steps=100)
     worker, other = run.worker("same"), run.worker("same")
@@ -167,9 +173,8 @@ def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
     turn, attach = take_over_during_turn(worker, other)
     other.turn = opened = expect.ok(require_not_state_refusal(attach))
     other.session_id = opened["session_id"]
-    # What a turn that is refused with `session_ended` had done stays done.
-    allowed = {None: [3], "session_superseded": [1]}.get(turn.code, [1, 2, 3])
+    due = 4 if turn.code is None else 1
     step = opened["episode"]["step"]
-    expect.true(step in allowed, f"episode.step among {allowed}", step)
+    expect.equal(step, due, f"episode.step after a turn answered {turn.status}")
     expect.equal(opened["episode"]["attempt"], 1, "attempt")
     expect_next_step(other, step)

@@ -40,10 +40,11 @@ def refuses_players_that_leave_their_version_out() -> None:
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
         policy, player = run.submission["policy"], command.player
-        if player is None or run.any_policy:
+        is_refused = right(run, command, now) is not None
+        if is_refused or player is None or run.any_policy:
             return right(run, command, now)
         if player.get("version") == policy.get("version"):
-            return right(run, command, now)
+            return None
         errors = (("/player/version", "must be that of the run"),)
         return Refuse("policy_mismatch", "Another version.", "ATR-001", errors)
 

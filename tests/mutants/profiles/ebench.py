@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -24,7 +24,7 @@ from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.service import RunService
 from tests.mutants import mutant, put
 
@@ -133,8 +133,8 @@ def counts_episodes_in_progress_as_completed() -> None:
     """A run seems nearer to its end than it is."""
     right = task_responses.status_of
 
-    def wrong(run: Run) -> dict[str, Any]:
-        status = right(run)
+    def wrong(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
+        status = right(run, episodes)
         status["completed_episodes"] += status["in_progress_episodes"]
         return status
 

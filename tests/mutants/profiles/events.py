@@ -131,7 +131,7 @@ def hides_changes_that_leave_the_state() -> None:
     put(event_streams, "next_batch", wrong)
 
 
-@mutant("EVT-005", "EVT-009")
+@mutant("EVT-004", "EVT-005", "EVT-009")
 @with_short_keepalive
 def restarts_the_stream_on_reconnect() -> None:
     """Each lost connection counts the earlier results again."""

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import asyncio
 import json
+import time
+from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from starlette.responses import Response
 
 from reference_server.http import auth, codec, dispatch, handlers, problems
+from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.rules import effects, scoring
 from reference_server.rules.refusal import Refused
@@ -169,7 +173,7 @@ def returns_a_wrong_location_after_submit() -> None:
     put(Handlers, "submit_run", wrong)
 
 
-@mutant("RUN-002")
+@mutant("RUN-002", "RUN-019")
 def calls_a_new_run_running() -> None:
     """A client believes that a worker is attached."""
     right = Handlers.submit_run
@@ -344,7 +348,7 @@ def repeats_an_episode_between_pages() -> None:
 
     def wrong(cursor: str | None) -> int | None:
         number = right(cursor)
-        return number - 1 if number is not None and number < 1000 else number
+        return number - 1 if number is not None else None
 
     put(handlers, "_number", wrong)
 
@@ -378,7 +382,7 @@ def counts_abandoned_episodes_as_failures() -> None:
     put(run_views, "score_of", wrong)
 
 
-@mutant("RUN-003", "RUN-004", "RUN-019", "RUN-027", "RUN-028")
+@mutant("RUN-003", "RUN-004", "RUN-019", "RUN-026", "RUN-027", "RUN-028")
 def ignores_idempotency_keys() -> None:
     """A repeated submit evaluates everything twice."""
     right = RunRegistry.add
@@ -458,6 +462,35 @@ def answers_long_polls_only_at_their_end() -> None:
     put(RunRegistry, "wait_for_change", wrong)
 
 
+def wait_less(is_meant: Callable[[Handlers, OperationCall], bool]) -> None:
+    """Let the calls of `get_run` that are meant wait for nothing."""
+    right = Handlers.get_run
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        if is_meant(self, call):
+            call = replace(call, headers={**call.headers, "prefer": "wait=0"})
+        return await right(self, call)
+
+    put(Handlers, "get_run", wrong)
+
+
+@mutant("RUN-012")
+def answers_waits_that_are_too_long_at_once() -> None:
+    """A script that asks for a long wait sends as many requests as it can."""
+
+    def is_too_long(self: Handlers, call: OperationCall) -> bool:
+        wait_s = call.headers.get("prefer", "wait=0").removeprefix("wait=")
+        return float(wait_s) > self.settings.wait_s_max
+
+    wait_less(is_too_long)
+
+
+@mutant("RUN-013")
+def does_not_wait_beside_any_etag() -> None:
+    """A script that names no ETag of its own sends as many requests as it can."""
+    wait_less(lambda _self, call: call.headers.get("if-none-match") == "*")
+
+
 @mutant("LIFE-801")
 def forgets_runs_that_were_held_in_the_queue() -> None:
     """A queued run never starts."""
@@ -506,6 +539,27 @@ def starts_a_run_that_was_stopped_in_the_queue() -> None:
         return sessions
 
     put(effects, "stop", wrong)
+
+
+@mutant("LIFE-811")
+def forgets_to_end_the_queue_of_before_a_resume() -> None:
+    """A run that its submitter has resumed and stopped begins."""
+    right = RunService.resume_run
+
+    async def wrong(self: RunService, account: str, run_id: str) -> Run:
+        run = await self.registry.get(run_id, account)
+
+        def start() -> None:
+            if run.state == "stopped":
+                run.state = "ready"
+                self.registry.commit_later(run)
+
+        if run.state == "queued":
+            wait_s = max(0.0, run.queue_until_wall - time.time())
+            asyncio.get_running_loop().call_later(wait_s, start)
+        return await right(self, account, run_id)
+
+    put(RunService, "resume_run", wrong)
 
 
 @mutant("SCORE-007")

@@ -45,7 +45,10 @@ def counts_attempts_that_never_began() -> None:
     put(effects, "_close_attempt", wrong)
 
 
-@mutant("ATR-003", "ATR-004", "DET-003", "EPI-003", "EPI-004", "EPI-009", "LEASE-012")
+@mutant(
+    *("ATR-003", "ATR-004", "DET-003", "EPI-003", "EPI-004", "EPI-009", "LEASE-012"),
+    *("SEAL-001", "SEAL-002"),
+)
 def counts_no_attempt() -> None:
     """A client can repeat an episode until its result is good."""
     right = effects._close_attempt

@@ -54,7 +54,7 @@ def abort_forgets_the_sessions_of_a_draining_run() -> None:
     put(effects, "stop", wrong)
 
 
-@mutant("MODEL-001")
+@mutant("DET-005", "MODEL-001")
 def revives_sessions_on_resume() -> None:
     """A policy from before the stop gets old answers as if it still played."""
     stopped: dict[str, Session] = {}
@@ -89,7 +89,7 @@ def revives_sessions_on_resume() -> None:
     put(SessionExecutor, "predict", wrong_predict)
 
 
-@mutant("MODEL-002", tries=4)
+@mutant("MODEL-002")
 def stop_misses_a_session_that_is_opening() -> None:
     """A worker that attaches during a stop plays on in a stopped run."""
     right, begin = effects.stop, SessionExecutor._begin
@@ -111,7 +111,7 @@ def stop_misses_a_session_that_is_opening() -> None:
     put(SessionExecutor, "_begin", slow_begin)
 
 
-@mutant("MODEL-002", "DET-003", tries=4)
+@mutant("MODEL-002", "DET-001", "DET-003")
 def detach_misses_a_session_in_a_turn() -> None:
     """A worker that is detached during its turn keeps its episode."""
     right, play = SessionExecutor.detach, SessionExecutor._play

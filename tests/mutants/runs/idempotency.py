@@ -6,6 +6,7 @@ import copy
 import hashlib
 from contextvars import ContextVar
 from typing import Any
+from urllib.parse import unquote
 
 from starlette.responses import Response
 
@@ -48,6 +49,25 @@ def change_keys(change: Any) -> None:
     put(Store, "find_key", find_key)
 
 
+@mutant("RUN-026")
+def reads_escapes_in_keys() -> None:
+    """Of two submits whose keys differ by an escape the second makes no run."""
+    change_keys(unquote)
+
+
+@mutant("RUN-003")
+def remembers_the_last_twenty_keys() -> None:
+    """A script that repeats all its submits evaluates the first ones twice."""
+    used: list[str] = []
+
+    def change(key: str) -> str:
+        if key not in used[-20:]:
+            used.append(key)
+        return f"{key}.{len(used) - 1 - used[::-1].index(key)}"
+
+    change_keys(change)
+
+
 @mutant("RUN-004")
 def compares_only_the_policies_of_repeated_submits() -> None:
     """A run with other options is never made, without an error."""
@@ -60,6 +80,20 @@ def ignores_the_order_of_tasks_in_repeated_submits() -> None:
     digest_of_changed(
         lambda submission: submission.get("options", {}).get("tasks", []).sort()
     )
+
+
+def _round_numbers(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: _round_numbers(one) for name, one in value.items()}
+    if isinstance(value, list):
+        return [_round_numbers(one) for one in value]
+    return round(value, 3) if isinstance(value, float) else value
+
+
+@mutant("RUN-004")
+def rounds_the_numbers_of_repeated_submits() -> None:
+    """A run with a slightly longer lease is never made, without an error."""
+    digest_of_changed(lambda submission: submission.update(_round_numbers(submission)))
 
 
 @mutant("RUN-026")

@@ -22,7 +22,7 @@ ALSO: dict[str, set[str]] = {
     "LIFE-202": {"ATR-005", "ERR-017", "SUB-003"},
     "LIFE-301": {"ATR-001"},
     "LIFE-504": {"ATR-005", "ERR-017", "SUB-003"},
-    "LIFE-802": {"ATT-015", "LEASE-011", "LEASE-012"},
+    "LIFE-802": {"ATT-015", "LEASE-011", "LEASE-012", "RUN-012"},
     "LIFE-803": {"ATT-015", "LEASE-012"},
     "LIFE-804": {
         *("AUTH-005", "EPI-009", "ERR-008", "LEASE-012"),

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import json
 import math
 from typing import Any
 
+import msgspec
+from starlette.responses import Response
+
 from reference_server.http import handlers
+from reference_server.http.dispatch import OperationCall
+from reference_server.http.handlers import Handlers
 from reference_server.rules import comparison, scoring
 from reference_server.rules.run import Episode, Run
+from reference_server.runs import benchmarks
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from tests.mutants import mutant, put
@@ -17,6 +24,24 @@ from tests.mutants import mutant, put
 def lists_everything_without_a_limit() -> None:
     """A page that shows the newest runs loads all of them."""
     put(handlers, "PAGE", 1000)
+
+
+@mutant("RUN-009")
+def names_no_page_for_the_last_run() -> None:
+    """The oldest run is missing in every list that is read page by page."""
+    right = Handlers.list_runs
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        response = await right(self, call)
+        page = json.loads(bytes(response.body))
+        if page["next_cursor"] is not None:
+            before = int(page["next_cursor"])
+            rest = await self.service.list_runs(call.reader, before, 2, "")
+            if len(rest) == 1:
+                return call.answer(page | {"next_cursor": None})
+        return response
+
+    put(Handlers, "list_runs", wrong)
 
 
 @mutant("EPI-006")
@@ -58,6 +83,33 @@ def numbers_episodes_with_two_digits() -> None:
 def scores_the_first_page() -> None:
     """The last eighty of a hundred and eighty episodes count for nothing."""
     put(run_views, "score_of", lambda episodes: scoring.score_of(episodes[:100]))
+
+
+@mutant("BEN-005")
+def hashes_the_first_hundred_episodes() -> None:
+    """Runs of different episodes are compared as if they were the same."""
+    right = benchmarks.canonical
+
+    def wrong(manifest: Any) -> bytes:
+        members = msgspec.json.decode(right(manifest))
+        members["episodes"] = members["episodes"][:100], len(members["episodes"])
+        return msgspec.json.encode(members)
+
+    put(benchmarks, "canonical", wrong)
+
+
+@mutant("SCORE-012", "SCORE-013")
+def approximates_intervals_of_many_episodes() -> None:
+    """The interval of a long run is narrower than it may be."""
+    right = scoring.wilson
+
+    def wrong(rate: float | None, n: int) -> dict[str, float]:
+        if rate is None or n <= 30:
+            return right(rate, n)
+        half = 1.96 * math.sqrt(rate * (1 - rate) / n)
+        return {"low": max(0.0, rate - half), "high": min(1.0, rate + half)}
+
+    put(scoring, "wilson", wrong)
 
 
 @mutant("RUN-009")

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from reference_server.rules import effects
 from reference_server.rules.lifecycle import ACTIVE_STATES, STATES_AFTER_RESTART
 from reference_server.rules.run import Run
 from reference_server.runs import registry
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage import database_tables, rows
+from reference_server.system.seed_secret import SeedSecret
 from tests.mutants import mutant, put
 
 
@@ -65,3 +67,24 @@ def forgets_attempts_on_restart() -> None:
         return run
 
     put(rows, "run_of", wrong)
+
+
+@mutant("CRASH-004")
+def stores_no_attempt_that_a_lease_has_ended() -> None:
+    """A policy that disappears when it plays badly gets attempts back by a crash."""
+    right = effects.expire
+
+    def wrong(run: Run, now: float, now_wall: float) -> effects.Expiry:
+        before = set(run.changed)
+        expired = right(run, now, now_wall)
+        is_scored = {i for i in run.changed if run.episodes[i].result is not None}
+        run.changed &= before | is_scored
+        return expired
+
+    put(effects, "expire", wrong)
+
+
+@mutant("CRASH-003")
+def draws_another_secret_of_seeds_on_restart() -> None:
+    """Runs with sealed seeds cannot be compared with those of before a restart."""
+    put(SeedSecret, "open", lambda _: None)

@@ -34,6 +34,20 @@ def shows_a_sealed_seed_in_the_last_turn() -> None:
     put(turn_view, "result_view", wrong)
 
 
+@mutant("SEAL-002")
+def shows_sealed_seeds_of_abandoned_episodes() -> None:
+    """A participant that gives up an episode knows the seed of the test."""
+    right = run_views.result_view
+
+    def wrong(episode: Episode) -> dict[str, Any]:
+        view = right(episode)
+        if view["outcome"] == "abandoned":
+            view["seed"] = episode.seed
+        return view
+
+    put(run_views, "result_view", wrong)
+
+
 @mutant("SEAL-001", "SEAL-002")
 def shows_no_seed_at_all() -> None:
     """No user can replay an episode of a split that is open."""

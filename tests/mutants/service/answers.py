@@ -11,6 +11,7 @@ from starlette.responses import Response
 from reference_server import app
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http import codec, dispatch, problems
+from reference_server.http.handlers import Handlers
 from reference_server.rules import scoring
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -184,13 +185,27 @@ def prefers_messagepack() -> None:
     put(codec, "negotiate_media_type", wrong)
 
 
+@mutant("ENC-001")
+def repeats_a_turn_in_its_first_encoding() -> None:
+    """A client that accepts both is sent a format that it does not expect."""
+    right = Handlers.predict
+    first: dict[tuple[str, int], str] = {}
+
+    async def wrong(self: Handlers, call: Any) -> Response:
+        place = call.body.session_id, call.body.seq
+        call.media_type = first.setdefault(place, call.media_type)
+        return await right(self, call)
+
+    put(Handlers, "predict", wrong)
+
+
 @mutant("CRASH-001", "CRASH-003", "CRASH-004")
 def stores_results_after_sending_them() -> None:
     """A crash loses results that the client has received."""
     right = RunRegistry.commit
 
     async def later(self: RunRegistry, run: Run) -> None:
-        await asyncio.sleep(0.5)
+        await asyncio.sleep(3)
         await right(self, run)
 
     async def wrong(self: RunRegistry, run: Run) -> None:

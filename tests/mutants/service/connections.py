@@ -87,6 +87,21 @@ def reads_long_bodies_of_every_operation() -> None:
     put(app, "perform", wrong)
 
 
+@mutant("LIM-008")
+def reads_long_bodies_without_a_declared_length() -> None:
+    """A heartbeat can have the megabytes of a chunk if it does not say so before."""
+    right = dispatch.perform
+
+    def wrong(
+        request: Request, operation: Operation, *others: Any
+    ) -> Awaitable[Response]:
+        if "content-length" not in request.headers:
+            operation = replace(operation, max_body_bytes=LARGE)
+        return right(request, operation, *others)
+
+    put(app, "perform", wrong)
+
+
 @mutant("LIM-007")
 def opens_any_number_of_runs() -> None:
     """One account fills the database, and the others wait behind its runs."""

@@ -6,6 +6,7 @@ import asyncio
 import json
 import re
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from pydantic import ValidationError
@@ -95,6 +96,20 @@ def reads_the_headers_of_other_operations() -> None:
         return values
 
     put(dispatch, "_headers", wrong)
+
+
+@mutant("ERR-017", "SVC-003")
+def answers_that_no_episode_has_changed() -> None:
+    """A client whose library sends known ETags everywhere gets no episodes."""
+    right = Handlers.list_episodes
+
+    async def wrong(self: Handlers, call: dispatch.OperationCall) -> Response:
+        known = call.request.headers.get("if-none-match", "")
+        of_run = replace(call, headers={"if-none-match": known})
+        shown = await self.get_run(of_run)
+        return shown if shown.status_code == 304 else await right(self, call)
+
+    put(Handlers, "list_episodes", wrong)
 
 
 @mutant("ERR-019")
@@ -272,7 +287,7 @@ def reads_no_body_without_a_length() -> None:
 # --- conditional reads ---
 
 
-@mutant("RUN-011")
+@mutant("RUN-011", "RUN-013")
 def compares_if_none_match_as_a_whole() -> None:
     """A cache that keeps two answers receives the run with every poll."""
     put(handlers, "_matches", lambda wanted, etag: wanted == etag)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
+from urllib.parse import parse_qsl
 
 from pydantic import ValidationError
 from starlette.requests import Request
@@ -30,6 +31,31 @@ def accepts_any_worker_id() -> None:
         "PATH_PATTERNS",
         dispatch.PATH_PATTERNS | {"worker_id": (".+", "")},
     )
+
+
+@mutant("ERR-012")
+def fails_on_broken_percent_encodings() -> None:
+    """A typing error in a path looks like a defect of the server."""
+    right = dispatch._path
+
+    def wrong(request: Request) -> Mapping[str, str]:
+        for part in request.scope["raw_path"].split(b"%")[1:]:
+            bytes.fromhex(part[:2].decode())
+        return right(request)
+
+    put(dispatch, "_path", wrong)
+
+
+@mutant("ERR-012")
+def fails_on_queries_that_are_no_text() -> None:
+    """A damaged cursor looks like a defect of the server."""
+    right = dispatch._query
+
+    def wrong(request: Request, operation: dispatch.Operation) -> Mapping[str, str]:
+        parse_qsl(request.scope["query_string"].decode(), errors="strict")
+        return right(request, operation)
+
+    put(dispatch, "_query", wrong)
 
 
 @mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008")

@@ -5,12 +5,19 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import Command, Predict, Verdict, decide
+from reference_server.rules import effects, lifecycle
+from reference_server.rules.lifecycle import (
+    Attach,
+    Command,
+    Predict,
+    Refuse,
+    Verdict,
+    decide,
+)
 from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 from reference_server.runs import session_executor
 from tests.mutants import mutant, put
-from tests.mutants.turns.predict import change_turn
+from tests.mutants.turns.predict import change_turn, replace_guard
 
 
 @mutant("FAULT-007")
@@ -93,6 +100,21 @@ def forgives_faults_when_a_session_ends() -> None:
     put(effects, "_close_attempt", wrong)
 
 
+@mutant("FAULT-010")
+def forgives_faults_on_takeover() -> None:
+    """An episode that always breaks is played for ever by a client that restarts."""
+    right = effects.open_session
+
+    def wrong(run: Run, command: Attach, session_id: str, now: float) -> Session:
+        is_takeover = command.worker_id in run.workers
+        session = right(run, command, session_id, now)
+        if is_takeover and session.episode is not None:
+            session.episode.faults_forgiven = session.episode.faults
+        return session
+
+    put(effects, "open_session", wrong)
+
+
 @mutant("FAULT-011")
 def executes_a_turn_that_faulted_again() -> None:
     """A lost answer breaks the simulator a second time."""
@@ -109,6 +131,22 @@ def executes_a_turn_that_faulted_again() -> None:
         return decide(run, command, now)
 
     put(session_executor, "decide", wrong)
+
+
+@mutant("FAULT-011")
+def executes_another_body_for_a_turn_that_faulted() -> None:
+    """A client with two requests on their way loses count of its turns at a fault."""
+    right = lifecycle._repeated_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        session = run.workers[command.worker_id]
+        if isinstance(verdict, Refuse) and "fault" in (session.turn or {}):
+            session.seq -= 1
+            return None
+        return verdict
+
+    replace_guard(right, wrong)
 
 
 @mutant("FAULT-012")

@@ -164,16 +164,13 @@ def fills_in_missing_names() -> None:
 
     def wrong(actions: Any, manifest: Mapping[str, Any]) -> SpaceErrors:
         space = manifest["action_space"]
-        zeros = {name: [0.0] * entry["size"] for name, entry in space.items()}
-        return right([{**zeros, **a} for a in actions], manifest)
+        for values in actions:
+            if isinstance(values, dict):
+                for name, entry in space.items():
+                    values.setdefault(name, [0.0] * entry["size"])
+        return right(actions, manifest)
 
     put(action_space, "action_errors", wrong)
-    _before_playing(
-        lambda values, space: {
-            **{name: [0.0] * entry["size"] for name, entry in space.items()},
-            **values,
-        }
-    )
 
 
 @mutant("PRED-015")
@@ -273,6 +270,24 @@ def compares_the_first_action_of_a_repeat() -> None:
         sent = run.workers[command.worker_id].request
         if sent is not None and len(sent[0]) == len(command.actions):
             command = replace(command, actions=[command.actions[0], *sent[0][1:]])
+        return right(run, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("PRED-003")
+def compares_repeats_after_clipping() -> None:
+    """A client does not notice that it sends other numbers than it executed."""
+    right = lifecycle._repeated_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        sent = run.workers[command.worker_id].request
+        if sent is not None and not action_space.action_errors(
+            command.actions, run.manifest
+        ):
+            clipped = action_space.clip_actions(command.actions, run.manifest)
+            if clipped == action_space.clip_actions(sent[0], run.manifest):
+                command = replace(command, actions=sent[0])
         return right(run, command, now)
 
     replace_guard(right, wrong)

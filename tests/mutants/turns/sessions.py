@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 from reference_server.rules import action_space, effects, lifecycle
@@ -44,6 +45,30 @@ from tests.mutants.turns.predict import no_guard, replace_guard
 def opens_a_new_session_for_the_same_key() -> None:
     """After a lost answer to attach, the worker is refused until its lease ends."""
     replace_guard(lifecycle._same_attach_key, no_guard)
+
+
+@mutant("ATT-006")
+def lets_ten_workers_play() -> None:
+    """A run that may have sixteen workers gets ten, and its owner waits longer."""
+    right = lifecycle._below_worker_limit
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        most = min(run.max_workers, 10)
+        seen: Any = SimpleNamespace(workers=run.workers, max_workers=most)
+        return right(seen, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("ATT-006")
+def counts_no_worker_that_attaches_with_takeover() -> None:
+    """A script that always takes over attaches more workers than the machine bears."""
+    right = lifecycle._below_worker_limit
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        return None if command.takeover else right(run, command, now)
+
+    replace_guard(right, wrong)
 
 
 @mutant("ATT-003", "ATT-008", "ATT-018")
@@ -161,6 +186,23 @@ def ignores_assumed_vectors_that_are_absent() -> None:
     put(action_space, "convention_errors", wrong)
 
 
+@mutant("ATT-010")
+def ignores_assumptions_that_are_empty() -> None:
+    """A policy that knows no unit plays on an arm that has one."""
+    right = action_space.convention_errors
+
+    def wrong(assumes: Mapping[str, Any], manifest: Mapping[str, Any]) -> SpaceErrors:
+        assumed = {name: value for name, value in assumes.items() if value}
+        for part in assumed.keys() & {"action", "state"}:
+            assumed[part] = {
+                name: {member: value for member, value in entry.items() if value}
+                for name, entry in assumed[part].items()
+            }
+        return right(assumed, manifest)
+
+    put(action_space, "convention_errors", wrong)
+
+
 @mutant("ATT-011")
 def refuses_all_assumed_conventions() -> None:
     """A client that states its conventions is refused."""
@@ -198,6 +240,24 @@ def never_ends_a_lease() -> None:
     _change_lease_over(lambda _session, _now: False)
 
 
+@mutant("LEASE-001", "LEASE-010")
+def never_ends_a_session_that_is_done() -> None:
+    """Sessions that have played everything are kept for ever."""
+    right = lifecycle.lease_over
+    _change_lease_over(lambda session, now: not session.done and right(session, now))
+
+
+@mutant("LEASE-002", "LEASE-003", "LEASE-004", "LEASE-010")
+def loses_the_fraction_of_a_lease() -> None:
+    """A lease of 2.9 s ends after 2."""
+    right = lifecycle.lease_over
+
+    def wrong(session: Session, now: float) -> bool:
+        return right(session, now + session.idle_timeout_s % 1)
+
+    _change_lease_over(wrong)
+
+
 @mutant("LEASE-002", "LEASE-003", "LEASE-004", "LEASE-010")
 def ends_leases_early() -> None:
     """A policy that thinks for longer than half its lease loses its episode."""
@@ -205,6 +265,17 @@ def ends_leases_early() -> None:
 
     def wrong(session: Session, now: float) -> bool:
         return right(session, now + session.idle_timeout_s / 2)
+
+    _change_lease_over(wrong)
+
+
+@mutant("LEASE-002")
+def ends_leases_by_a_twentieth_early() -> None:
+    """A policy with a long lease loses its episode seconds before that is over."""
+    right = lifecycle.lease_over
+
+    def wrong(session: Session, now: float) -> bool:
+        return right(session, now + session.idle_timeout_s / 20)
 
     _change_lease_over(wrong)
 
@@ -330,18 +401,30 @@ def accepts_heartbeats_of_a_stopped_run() -> None:
     put(SessionExecutor, "heartbeat", wrong)
 
 
-@mutant("ATT-014")
-def counts_done_sessions_as_workers() -> None:
-    """A worker that finished early keeps another machine from helping out."""
+def _count_workers(holds_a_slot: Callable[[Session], bool]) -> None:
+    """Of the sessions of other workers whose lease is not over, count these."""
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
         others = [s for s in run.workers.values() if s.worker_id != command.worker_id]
-        left = sum(not lifecycle.lease_over(session, now) for session in others)
+        counted = [session for session in others if holds_a_slot(session)]
+        left = sum(not lifecycle.lease_over(session, now) for session in counted)
         if left < run.max_workers:
             return None
         return Refuse("worker_limit", "The run has all its workers.")
 
     replace_guard(lifecycle._below_worker_limit, wrong)
+
+
+@mutant("ATT-014")
+def counts_done_sessions_as_workers() -> None:
+    """A worker that finished early keeps another machine from helping out."""
+    _count_workers(lambda _: True)
+
+
+@mutant("ATT-014")
+def counts_sessions_that_began_done_as_workers() -> None:
+    """Workers that came too late keep those out that an episode waits for."""
+    _count_workers(lambda session: not session.done or session.seq == 0)
 
 
 @mutant("ATT-015")
@@ -364,6 +447,16 @@ def refuses_a_repeated_attach_in_a_drain() -> None:
         guards.index, (lifecycle._same_attach_key, lifecycle._event_is_legal)
     )
     guards[first], guards[second] = guards[second], guards[first]
+    GUARDS[Attach] = tuple(guards)
+
+
+@mutant("ATT-016")
+def judges_the_assumptions_of_a_repeated_attach() -> None:
+    """A client that corrects its assumptions while it repeats loses its session."""
+    guards = list(GUARDS[Attach])
+    guards.remove(lifecycle._conventions_agree)
+    place = guards.index(lifecycle._same_attach_key)
+    guards.insert(place, lifecycle._conventions_agree)
     GUARDS[Attach] = tuple(guards)
 
 
@@ -485,6 +578,21 @@ def extends_the_lease_by_less_with_a_heartbeat() -> None:
     put(SessionExecutor, "heartbeat", wrong)
 
 
+@mutant("LEASE-003")
+def extends_no_lease_of_a_drain_with_a_heartbeat() -> None:
+    """A slow policy loses the episode that a drain lets it play to its end."""
+    right = SessionExecutor.heartbeat
+
+    def wrong(self: SessionExecutor, run: Run, command: Heartbeat) -> Session:
+        before = {s: s.expires_at for s in run.workers.values()}
+        session = right(self, run, command)
+        if run.state == "stopping":
+            session.expires_at = before[session]
+        return session
+
+    put(SessionExecutor, "heartbeat", wrong)
+
+
 @mutant("LEASE-008")
 def extends_the_lease_by_requests_of_the_session_before() -> None:
     """A client that was replaced keeps the session of its dead successor alive."""
@@ -521,6 +629,22 @@ def lets_the_lease_run_through_repeats() -> None:
         return session.turn
 
     put(SessionExecutor, "_replay_turn", wrong)
+
+
+@mutant("LEASE-010")
+def extends_no_lease_of_a_drain_with_a_repeated_attach() -> None:
+    """A client that lost its answer to attach is answered, and loses its session."""
+    right = SessionExecutor.attach
+
+    async def wrong(self: SessionExecutor, run: Run, command: Attach) -> dict[str, Any]:
+        session = run.workers.get(command.worker_id)
+        before = 0.0 if session is None else session.expires_at
+        turn = await right(self, run, command)
+        if session is not None and run.state == "stopping":
+            session.expires_at = before
+        return turn
+
+    put(SessionExecutor, "attach", wrong)
 
 
 @mutant("LEASE-011")
