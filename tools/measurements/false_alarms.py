@@ -36,6 +36,8 @@ PAGE = ROOT / "docs" / "contribute" / "false-alarms.md"
 FIRST_SEED = 1000
 QUIET, BUSY = "quiet", "busy"
 RIGHT = ("passed", "not_applicable")
+# Among alarms, in the place of a rule's id: the kit could not judge at all.
+REPORT = "-"
 
 
 def start_commands(directory: Path) -> dict[str, str]:
@@ -103,7 +105,7 @@ def alarms_of(found: dict[str, Any]) -> dict[str, str]:
         if row["outcome"] not in RIGHT and not row["allowed"]
     }
     if found["problem"] is not None:
-        alarms["-"] = found["problem"]
+        alarms[REPORT] = found["problem"]
     return alarms
 
 
