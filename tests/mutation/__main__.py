@@ -10,6 +10,7 @@ import sys
 from tests.mutation.campaign import Campaign, Record, choose, results_of
 from tests.mutation.targets import TARGETS
 from tests.mutation.triage import read_triage
+from tests.mutation.written_bugs import read_bugs, results_of_written
 
 
 def main() -> int:
@@ -26,18 +27,26 @@ def main() -> int:
         help="judge these once more, unless excused",
     )
     arguments.add_argument("--only", default="", metavar="ID,…", help="mutants")
+    arguments.add_argument(
+        "--written", action="store_true", help="the bugs that people wrote instead"
+    )
     options = arguments.parse_args()
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     target = TARGETS[options.server]
-    chosen = choose(target.mutants(), options.sample, options.seed)
+    results = results_of(target)
+    mutants = target.mutants()
+    if options.written:
+        results = results_of_written(target)
+        mutants = [bug.mutant for bug in read_bugs(target)]
+    chosen = choose(mutants, options.sample, options.seed)
     if options.only:
         wanted = set(options.only.split(","))
-        chosen = [mutant for mutant in target.mutants() if mutant.id in wanted]
+        chosen = [mutant for mutant in mutants if mutant.id in wanted]
     again = {word for word in options.again.split(",") if word}
     excused = {id_ for id_, reason in read_triage().items() if reason.is_excused}
     if not options.only:
         chosen = [mutant for mutant in chosen if mutant.id not in excused or not again]
-    campaign = Campaign(target, options.seed, options.jobs, results_of(target))
+    campaign = Campaign(target, options.seed, options.jobs, results)
     with contextlib.suppress(KeyboardInterrupt):
         campaign.run(chosen, again, _print)
     return 0

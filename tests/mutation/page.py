@@ -145,12 +145,12 @@ def _table_of_survivors(
     open_ = Reason("open", "not read yet")
     for one in sorted(records, key=lambda one: (one.file, lines[one.id], one.id)):
         reason = reasons.get(one.id, open_)
-        place = f"`{one.file}:{lines[one.id]}` {_cell(one.function)}"
+        place = f"`{one.file}:{lines[one.id]}` {as_cell(one.function)}"
         change = f"{_code(one.original)} → {_code(one.replacement)}"
         verdict = reason.verdict
         if one.outcome == "undecided":
             verdict += ", undecided"
-        text = _cell(reason.text)
+        text = as_cell(reason.text)
         rows.append(f"| {one.id} | {place} | {change} | {verdict} | {text} |")
     return rows
 
@@ -158,10 +158,11 @@ def _table_of_survivors(
 def _code(source: str) -> str:
     line = " ".join(source.split())
     line = line if len(line) <= 80 else line[:79] + "…"
-    return f"`` {_cell(line)} ``" if line else "nothing"
+    return f"`` {as_cell(line)} ``" if line else "nothing"
 
 
-def _cell(words: str) -> str:
+def as_cell(words: str) -> str:
+    """The words in a cell of a table."""
     return " ".join(words.split()).replace("|", "\\|")
 
 

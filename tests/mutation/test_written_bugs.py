@@ -1,0 +1,79 @@
+"""Bugs that people wrote fit today's servers, and their page says what is known."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from conformance.specification.ledger import load_ledger
+from tests.mutation.syntax import has_same_tree
+from tests.mutation.targets import ROOT, TARGETS
+from tests.mutation.test_mutation import RECORD
+from tests.mutation.triage import Reason, read_triage
+from tests.mutation.written_bugs import (
+    read_all_results,
+    read_bugs,
+    results_of_written,
+)
+from tests.mutation.written_page import (
+    PAGE,
+    section_of_written,
+    write_written_page,
+)
+
+BUG = """
+[[bug]]
+name = "lease"
+rules = ["LEASE-003"]
+seen = "A | b."
+file = "sessions.js"
+original = "{original}"
+replacement = "x"
+"""
+
+
+@pytest.mark.parametrize("server", TARGETS)
+def test_bugs_change_the_server_and_name_rules(server: str) -> None:
+    target = TARGETS[server]
+    bugs = read_bugs(target)
+    for bug in bugs:
+        before = (ROOT / target.folder / bug.mutant.file).read_bytes()
+        after = bug.mutant.apply(before)
+        assert not has_same_tree(target.suffix, before, after), bug.mutant.id
+        assert set(bug.rules) <= load_ledger().keys(), bug.mutant.id
+    assert len({bug.mutant.id for bug in bugs}) == len(bugs)
+
+
+def test_page_is_that_of_the_results() -> None:
+    """`python -m tests.mutation.written_page` writes it. Expect each bug judged."""
+    sections = []
+    for target in TARGETS.values():
+        bugs = read_bugs(target)
+        results = read_all_results(results_of_written(target))
+        assert results.keys() == {bug.mutant.id for bug in bugs}
+        sections.append(section_of_written(target, bugs, results, read_triage()))
+    assert PAGE.read_text() == write_written_page(sections)
+
+
+@pytest.mark.parametrize("original", ["is nowhere", "const "])
+def test_a_bug_that_does_not_fit_is_refused(tmp_path: Path, original: str) -> None:
+    (tmp_path / "js.toml").write_text(BUG.format(original=original))
+    with pytest.raises(ValueError, match="lease"):
+        read_bugs(TARGETS["js"], tmp_path)
+
+
+def test_page_shows_the_first_and_the_last_verdict(tmp_path: Path) -> None:
+    original = "export async function attach(run, worker, body) {"
+    (tmp_path / "js.toml").write_text(BUG.format(original=original))
+    bugs = read_bugs(TARGETS["js"], tmp_path)
+    missed = replace(RECORD, id="lease", outcome="survived")
+    found = replace(RECORD, id="lease", outcome="killed", failed=["LEASE-004"])
+    results = {"lease": [missed, found]}
+    text = section_of_written(TARGETS["js"], bugs, results, {})
+    assert "Unseen, 0 (0 %) were noticed; now 1 (100 %) are." in text
+    assert "| lease | A \\| b. | LEASE-003 | **not noticed** | LEASE-004 |" in text
+    reasons = {"lease": Reason("free", "Either is right.")}
+    text = section_of_written(TARGETS["js"], bugs, results, reasons)
+    assert "| **not noticed** | Either is right. |" in text

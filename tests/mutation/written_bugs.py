@@ -1,0 +1,66 @@
+"""Bugs that people wrote without a look at the kit, and what the kit says of each.
+
+`written/` has a file of bugs for each server: each is one replacement in one file, and
+breaks rules that it names. Beside it stands what the kit said, one line of JSON for
+each time: the first line of a bug is of a kit that had not seen it.
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.mutation.campaign import Record
+from tests.mutation.syntax import Edit, MutantSource
+from tests.mutation.targets import ROOT, Target
+
+FOLDER = Path(__file__).with_name("written")
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenBug:
+    """rules: that it breaks; seen: by a client, and what the client should see."""
+
+    mutant: MutantSource
+    rules: tuple[str, ...]
+    seen: str
+
+
+def results_of_written(target: Target) -> Path:
+    """The file of what the kit said of a server's bugs."""
+    return FOLDER / f"{target.name}.jsonl"
+
+
+def read_bugs(target: Target, folder: Path = FOLDER) -> list[WrittenBug]:
+    """Give the bugs of a server; ValueError if one does not fit the server of today."""
+    written = tomllib.loads((folder / f"{target.name}.toml").read_text())
+    bugs = []
+    for entry in written["bug"]:
+        source = (ROOT / target.folder / entry["file"]).read_text()
+        original = entry["original"]
+        if source.count(original) != 1:
+            raise ValueError(f"{entry['name']}: its original does not stand there once")
+        before = source[: source.index(original)]
+        start = len(before.encode())
+        mutant = MutantSource(
+            id=entry["name"],
+            file=entry["file"],
+            line=before.count("\n") + 1,
+            function="",
+            operator="written",
+            edit=Edit(start, start + len(original.encode()), entry["replacement"]),
+            original=original,
+        )
+        bugs.append(WrittenBug(mutant, tuple(entry["rules"]), entry["seen"].strip()))
+    return bugs
+
+
+def read_all_results(path: Path) -> dict[str, list[Record]]:
+    """The records of each bug, the first one first."""
+    records: dict[str, list[Record]] = {}
+    for line in path.read_text().splitlines():
+        record = Record(**json.loads(line))
+        records.setdefault(record.id, []).append(record)
+    return records
