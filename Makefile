@@ -93,11 +93,10 @@ false-alarms: setup ## Run the kit on right servers again and again
 	@$(python) -m tools.measurements.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
 mutation: setup ## Judge the kit on machine-made changes of a server, rewrite its page
 #                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
-#                   ARGS='--again survived'; goes on where it was ended
-#                   WRITTEN=1: bugs that people wrote instead
+#                   WRITTEN=1 (bugs that people wrote) ARGS='--again survived'
 	@$(python) -m tests.mutation "$${SERVER:-js}" $${WRITTEN:+--written} --sample "$${SAMPLE:-0}" \
 		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
-	@$(python) -m tests.mutation.$${WRITTEN:+written_}page
+	@$(python) -m tests.mutation.$${WRITTEN:+written.unseen_bugs_}page
 attack: setup ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1 ARGS=--write
 	@$(python) -m tests.attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)

@@ -10,7 +10,7 @@ import sys
 from tests.mutation.campaign import Campaign, Record, choose, results_of
 from tests.mutation.targets import TARGETS
 from tests.mutation.triage import read_triage
-from tests.mutation.written_bugs import read_bugs, results_of_written
+from tests.mutation.written.written_bugs import read_bugs, results_of_written
 
 
 def main() -> int:

@@ -16,7 +16,7 @@ from tests.mutation.page import PAGE, score, section, tally, write_page
 from tests.mutation.syntax import has_same_tree
 from tests.mutation.targets import TARGETS
 from tests.mutation.triage import Reason, read_triage
-from tests.mutation.written_bugs import read_bugs
+from tests.mutation.written.written_bugs import read_bugs
 
 RECORD = Record(
     id="a",

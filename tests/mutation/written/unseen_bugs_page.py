@@ -1,4 +1,4 @@
-"""`python -m tests.mutation.written_page`: write docs/contribute/unseen-bugs.md.
+"""`python -m tests.mutation.written.unseen_bugs_page`: write its page.
 
 What the kit noticed of bugs that people wrote when it had not seen them, and what it
 notices today. Judges nothing.
@@ -13,7 +13,7 @@ from tests.mutation.campaign import Record
 from tests.mutation.page import as_cell
 from tests.mutation.targets import ROOT, TARGETS, Target
 from tests.mutation.triage import Reason, read_triage
-from tests.mutation.written_bugs import (
+from tests.mutation.written.written_bugs import (
     WrittenBug,
     read_all_results,
     read_bugs,
@@ -94,7 +94,7 @@ def _is_free(bug: WrittenBug, reasons: Mapping[str, Reason]) -> bool:
 
 
 def _reason(bug: WrittenBug, reasons: Mapping[str, Reason]) -> str:
-    """Why the bug is none, as far as a client can tell."""
+    """Why the bug is none for a client; empty if it is one."""
     return as_cell(reasons[bug.mutant.id].text) if _is_free(bug, reasons) else ""
 
 

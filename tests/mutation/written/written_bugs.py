@@ -1,6 +1,6 @@
 """Bugs that people wrote without a look at the kit, and what the kit says of each.
 
-`written/` has a file of bugs for each server: each is one replacement in one file, and
+There is a file of bugs for each server: each is one replacement in one file, and
 breaks rules that it names. Beside it stands what the kit said, one line of JSON for
 each time: the first line of a bug is of a kit that had not seen it.
 """
@@ -16,7 +16,7 @@ from tests.mutation.campaign import Record
 from tests.mutation.syntax import Edit, MutantSource
 from tests.mutation.targets import ROOT, Target
 
-FOLDER = Path(__file__).with_name("written")
+FOLDER = Path(__file__).parent
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,19 +8,19 @@ from pathlib import Path
 import pytest
 
 from conformance.specification.ledger import load_ledger
+from tests.mutation.campaign import Record
 from tests.mutation.syntax import has_same_tree
 from tests.mutation.targets import ROOT, TARGETS
-from tests.mutation.test_mutation import RECORD
 from tests.mutation.triage import Reason, read_triage
-from tests.mutation.written_bugs import (
-    read_all_results,
-    read_bugs,
-    results_of_written,
-)
-from tests.mutation.written_page import (
+from tests.mutation.written.unseen_bugs_page import (
     PAGE,
     section_of_written,
     write_written_page,
+)
+from tests.mutation.written.written_bugs import (
+    read_all_results,
+    read_bugs,
+    results_of_written,
 )
 
 BUG = """
@@ -47,7 +47,7 @@ def test_bugs_change_the_server_and_name_rules(server: str) -> None:
 
 
 def test_page_is_that_of_the_results() -> None:
-    """`python -m tests.mutation.written_page` writes it. Expect each bug judged."""
+    """`make mutation WRITTEN=1` writes it. Expect each bug judged."""
     sections = []
     for target in TARGETS.values():
         bugs = read_bugs(target)
@@ -68,8 +68,23 @@ def test_page_shows_the_first_and_the_last_verdict(tmp_path: Path) -> None:
     original = "export async function attach(run, worker, body) {"
     (tmp_path / "js.toml").write_text(BUG.format(original=original))
     bugs = read_bugs(TARGETS["js"], tmp_path)
-    missed = replace(RECORD, id="lease", outcome="survived")
-    found = replace(RECORD, id="lease", outcome="killed", failed=["LEASE-004"])
+    missed = Record(
+        id="lease",
+        file="sessions.js",
+        line=1,
+        function="",
+        operator="written",
+        original=original,
+        replacement="x",
+        outcome="survived",
+        failed=[],
+        conclusion="conformant",
+        elapsed_s=1.5,
+        seed=1,
+        kit="abc",
+        date="2026-01-01",
+    )
+    found = replace(missed, outcome="killed", failed=["LEASE-004"])
     results = {"lease": [missed, found]}
     text = section_of_written(TARGETS["js"], bugs, results, {})
     assert "Unseen, 0 (0 %) were noticed; now 1 (100 %) are." in text
