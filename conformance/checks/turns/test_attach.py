@@ -264,6 +264,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     # Vectors that are not there, some named as a member of objects in a language.
     ({"action": {"gripper": {"size": 1}}}, "/assumes/action/gripper"),
     ({"state": {"gripper": {}}}, "/assumes/state/gripper"),
+    ({"state": {"left/arm~1": {}}}, "/assumes/state/left~1arm~01"),
     ({"action": {"constructor": {}}}, "/assumes/action/constructor"),
     ({"state": {"__class__": {}}}, "/assumes/state/__class__"),
 ]
