@@ -506,7 +506,7 @@ def forgets_runs_that_were_held_in_the_queue() -> None:
 # --- the queue ---
 
 
-@mutant("LIFE-504", "LIFE-604", "LIFE-810")
+@mutant("LIFE-504", "LIFE-604", "LIFE-810", "RUN-012")
 def lets_a_resumed_run_out_of_the_queue_at_once() -> None:
     """A run that is resumed overtakes those that wait."""
     right = effects.resume
