@@ -39,14 +39,15 @@ async function getRun(context) {
   const { headers } = context;
   const run = runOf(context);
   if (headers['if-none-match']?.length > 200) throw invalid(['header:If-None-Match', 'is longer than 200 characters']);
-  const known = headers['if-none-match']?.split(',').map((tag) => tag.trim().replace(/^W\//, '')) ?? [];
+  let known = headers['if-none-match']?.split(',').map((tag) => tag.trim().replace(/^W\//, '')) ?? [];
   const [, wait] = /^wait=([0-9]{1,4})$/.exec(headers.prefer ?? 'wait=0') ?? [];
   if (wait === undefined) throw invalid(['header:Prefer', 'is wait=N']);
   const signal = AbortSignal.timeout(Math.min(Number(wait), LIMITS.wait_s_max) * 1000 + 1);
   for (;;) {
     const body = view(run, context);
     const ETag = `"${createHash('sha256').update(write(body)).digest('base64url')}"`;
-    if (!known.includes(ETag) && !known.includes('*')) return { body, headers: { ETag } };
+    if (known.includes('*')) known = [ETag]; // it names the run as it was when the request came
+    if (!known.includes(ETag)) return { body, headers: { ETag } };
     if (Number(wait) === 0 || signal.aborted) return { status: 304, headers: { ETag } };
     await once(registry.changes, 'change', { signal }).catch(() => {});
   }
