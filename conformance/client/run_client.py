@@ -232,6 +232,12 @@ class WorkerClient:
             body["observe"] = observe
         return self._call("predict", json=body, msgpack=msgpack, **how)
 
+    def try_next(self, **values: float) -> Answer:
+        """Play one action under the next seq; the answer is raw."""
+        answer = self.try_predict(self.run.context.action(**values))
+        self.seq += answer.status == 200
+        return answer
+
     def predict(
         self,
         *actions: Mapping[str, Any],

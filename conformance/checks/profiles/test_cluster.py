@@ -35,7 +35,6 @@ from conformance.checks.turns.test_lease import (
     expect_inside_lease,
     sleep_nearly_through,
     sleep_past,
-    try_next_predict,
 )
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import follow_run
@@ -240,7 +239,7 @@ def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
 
     Expect them accepted, and the sessions ended one lease after the last.
     """
-    for extend in (WorkerClient.try_heartbeat, try_next_predict):
+    for extend in (WorkerClient.try_heartbeat, WorkerClient.try_next):
         worker, last = attach_with_lease(context)
         for one in itertools.islice(itertools.cycle(context.clients_by_url), 4):
             sleep_nearly_through(last, context)

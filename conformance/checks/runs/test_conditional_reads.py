@@ -5,9 +5,13 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from conformance.checks.support.given_states import make_run_in_state
+from conformance.checks.support.given_states import (
+    attach_workers,
+    make_run_in_state,
+    submit_and_attach,
+)
 from conformance.client.check_context import CheckContext
-from conformance.client.run_client import RunClient
+from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
@@ -82,12 +86,33 @@ def change_later(change: Callable[[], Any]) -> float:
     return time.monotonic()
 
 
+def changes_of_runs(
+    context: CheckContext,
+) -> list[tuple[RunClient, str, Callable[[], Any]]]:
+    """Give changes to make one after another, each with its run and the state then."""
+    attached, stopped = context.submit("score", "score"), context.submit()
+    worker = attached.worker()
+    failing = submit_and_attach(context, "fault", max_faults=1)
+    changes: list[tuple[RunClient, str, Callable[[], Any]]] = [
+        (attached, "running", worker.attach),
+        (attached, "running", worker.play),
+        (attached, "ready", worker.detach),
+        (stopped, "stopped", stopped.stop),
+        (failing.run, "failed", partial(failing.try_next, fault=1)),
+    ]
+    if context.limits["max_workers"] > 1:
+        _, leaving = attach_workers(context.submit("score", "score"), 2)
+        changes.append((leaving.run, "running", leaving.detach))
+    return changes
+
+
 @background
 @requirement("RUN-012")
 def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> None:
     """Two long-polls wait, one of them for longer than the server lets it, while a run
-    gets a worker, gets a result, loses its worker, and another is stopped. One waits
-    for the end of the queue, which its run has entered again.
+    gets a worker, gets a result, loses its worker, others are stopped, fail, and lose
+    one worker of two. One waits for the end of the queue, which its run has entered
+    again, and one with `*` while its run changes again and again.
 
     Expect each to return at once with the new state.
     """
@@ -106,15 +131,7 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
     expect.equal(answer.json["state"], "ready", "state after the queue")
     took_s = answer.ended_at - resumed_at
     expect.in_time(took_s, limit_s, "the answer to the end of the queue")
-    attached, stopped = context.submit("score", "score"), context.submit()
-    worker = attached.worker()
-    changes: list[tuple[RunClient, str, Callable[[], Any]]] = [
-        (attached, "running", worker.attach),
-        (attached, "running", worker.play),
-        (attached, "ready", worker.detach),
-        (stopped, "stopped", stopped.stop),
-    ]
-    for run, state, change in changes:
+    for run, state, change in changes_of_runs(context):
         known = etag_of(run)
         polls = [
             partial(run.call, "get_run", headers=known | w) for w in (wait, longest)
@@ -127,13 +144,35 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
             expect.equal(expect.ok(polled)["state"], state, "state")
             took_s = polled.ended_at - changed_at
             expect.in_time(took_s, limit_s, "the answer to a change")
+    if not context.shared.settings.quick:
+        wait_for_any_change(context)
+
+
+def attach_and_detach(worker: WorkerClient, until: float) -> None:
+    """Attach a worker and detach it, again and again, up to a time."""
+    while time.monotonic() < until:
+        for change in (worker.attach, worker.detach):
+            change()
+            time.sleep(_CHANGE_AFTER_S)
+
+
+def wait_for_any_change(context: CheckContext) -> None:
+    """Expect a wait with `*` to end, whenever it began, while the run changes."""
+    worker, wait_s = context.submit("score").worker(), 2
+    until = time.monotonic() + wait_s + _LATE_S + context.tolerance_s
+    headers = {"If-None-Match": "*"} | wait_header(context, wait_s)
+    poll = partial(worker.run.call, "get_run", headers=headers)
+    changes = partial(attach_and_detach, worker, until)
+    answer, _ = context.call_concurrently(poll, changes)
+    expect.ok(answer)
 
 
 @background
 @requirement("RUN-013")
 def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
     """The run does not change for no, one and two seconds; also with `*`, in states
-    that end it, and while the simulator of a worker fails again and again.
+    that end it, while the simulator of a worker fails again and again, and while
+    another run changes.
 
     Expect 304 then, and not before; beside faults also the run, if it shows them.
     """
@@ -171,6 +210,22 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
         expect.ok(answer)
         etag = answer.headers.get("etag")
         expect.true(etag != known["If-None-Match"], "another ETag beside a 200", etag)
+    if not context.shared.settings.quick:
+        wait_beside_another_run(context)
+
+
+def wait_beside_another_run(context: CheckContext) -> None:
+    """Expect a wait to end at its time while another run changes again and again."""
+    wait_s, quiet = 1, context.submit()
+    known = etag_of(quiet) | wait_header(context, wait_s)
+    other = context.submit("score").worker()
+    until = time.monotonic() + wait_s + 2 * _LATE_S + context.tolerance_s
+
+    poll = partial(quiet.call, "get_run", headers=known)
+    changes = partial(attach_and_detach, other, until)
+    answer, _ = context.call_concurrently(poll, changes)
+    expect.ok(answer, 304)
+    expect_end_of_wait(context, answer, wait_s)
 
 
 def expect_end_of_wait(context: CheckContext, answer: Answer, wait_s: int) -> None:
@@ -182,7 +237,8 @@ def expect_end_of_wait(context: CheckContext, answer: Answer, wait_s: int) -> No
 
 @requirement("RUN-030")
 def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
-    """A run is read after each request of its life, with all ETags that it had before.
+    """A run is read after each request of its life, with all ETags that it had before;
+    one in the queue, before and after another one leaves it.
 
     Expect another ETag whenever a member of it is another, and the new run.
     """
@@ -204,6 +260,18 @@ def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
         expect.equal(seen.setdefault(etag, body), body, f"the run with the ETag {etag}")
         known = {"If-None-Match": etag}
     expect.true(len(seen) > 3, "ETags of the states of a run", len(seen))
+    expect_etag_of_queue_position(context)
+
+
+def expect_etag_of_queue_position(context: CheckContext) -> None:
+    """Expect another ETag of a run in the queue when another one leaves it."""
+    first, second = (context.submit(wait_ready=False, queue_s=10) for _ in range(2))
+    seen: dict[str, Any] = {}
+    for leave in (second.get, first.stop):
+        leave()
+        answer = second.call("get_run")
+        body, etag = expect.ok(answer), answer.headers.get("etag", "")
+        expect.equal(seen.setdefault(etag, body), body, f"the run with the ETag {etag}")
 
 
 @requirement("RUN-031")

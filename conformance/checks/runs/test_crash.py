@@ -137,7 +137,9 @@ def make_resting_runs(context: CheckContext) -> list[RunClient]:
     completed.play_all()
     lease_s = (context.limits["idle_timeout_s_min"] + 7) / 2
     images = context.benchmark["image_sizes"][-1] | {"codec": "raw"}
-    policy = {"name": "kit", "version": "7", "submitter": "a", "homepage": "b"}
+    # Characters at which some programs end a line, and others a text.
+    policy = {"name": "kit \u2028\x85\x0c\r\n\x1f end", "version": "7"}
+    policy |= {"submitter": "a", "homepage": "b"}
     body = context.submit_body(
         policy=policy,
         max_workers=1,
@@ -331,15 +333,37 @@ def make_counted_runs(context: CheckContext) -> list[tuple[RunClient, str, int, 
     ]
 
 
+def resume_failed_run(context: CheckContext) -> RunClient:
+    """Fail a run by two faults of its episode, and resume it."""
+    worker = submit_and_attach(context, "fault", max_faults=2)
+    worker.predict(context.action(fault=1))
+    worker.try_next(fault=1)
+    worker.run.until("failed")
+    worker.run.resume()
+    return worker.run
+
+
+def expect_no_old_fault_to_count(run: RunClient) -> None:
+    """Expect a run that was resumed after two faults of two to outlive one more."""
+    expect.equal(expect.ok(run.call("get_run"))["retryable"], None, "retryable")
+    if run.get()["state"] == "stopped":
+        run.resume()
+    run.until("ready")
+    worker = run.worker()
+    worker.attach()
+    expect.ok(worker.try_next(fault=1))
+    expect.equal(run.get()["state"], "running", "state after a fault of two")
+
+
 @requirement("CRASH-004")
 def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
     """Runs are draining with an episode in play, resumed, in the queue, and stopped
     again, and an episode is at its second attempt with a fault, when the server is
-    killed, twice; attempts were ended by a detach and by a lease, and a fault was
-    before a resume.
+    killed, twice; attempts were ended by a detach and by a lease, a fault was before a
+    resume, and a run that failed was resumed.
 
-    Expect the first and the stopped one `stopped`, the others to become `ready`, and
-    the attempts and the faults counted.
+    Expect the first and the stopped one `stopped`, the others to become `ready`, the
+    attempts and the faults counted, and no fault of before the resume against the run.
     """
     with open_private_server(context) as server:
         context = server.context
@@ -351,6 +375,7 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         faulty.attach()
         faulty.predict(context.action(fault=1))
         counted = make_counted_runs(context)
+        forgiven = resume_failed_run(context)
         for run in (stopped, resumed, requeued):
             run.stop()
             run.resume()
@@ -367,6 +392,7 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         for run in (submitted, resumed, requeued):
             expect_state_soon(run, "ready")
         expect_attempt_and_fault(faulty)
+        expect_no_old_fault_to_count(forgiven)
         for run, member, number, what in counted:
             expect.ok(run.call("get_run"))
             expect.equal(run.episodes()[0][member], number, f"{member} of {what}")

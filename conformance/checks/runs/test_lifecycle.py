@@ -155,7 +155,8 @@ def test_life_802_running_becomes_ready(context: CheckContext) -> None:
 
 @requirement("LIFE-803")
 def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
-    """The workers of a draining run, two if allowed, detach one after another, twice.
+    """The workers of a draining run, two if allowed, detach one after another, twice;
+    one that is done detaches while the other plays.
 
     Expect `stopping` while one is left, and then `stopped`.
     """
@@ -170,6 +171,20 @@ def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
         expect_state_soon(run, "stopped")
         run.resume()
         run.until("ready")
+    if context.limits["max_workers"] > 1:
+        expect_stopping_beside_a_detach(context)
+
+
+def expect_stopping_beside_a_detach(context: CheckContext) -> None:
+    """Expect a run to wait for its last episode when one that is done leaves."""
+    done, playing = attach_workers(context.submit("count", "count"), 2)
+    if not done.play()["done"]:
+        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+    start_drain(done.run)
+    done.detach()
+    state = done.run.get()["state"]
+    expect.equal(state, "stopping", "state when one that is done has left")
+    expect.ok(playing.try_next())
 
 
 @requirement("LIFE-804")

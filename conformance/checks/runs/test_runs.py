@@ -18,6 +18,8 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 _RUNS_READ = 300
+_PAGES_READ = 300
+_LONG_PAGE = 60
 _LONGEST_PAGE = 1000
 _QUEUE_S = 0.4
 _SAME_TIME = timedelta(seconds=1)
@@ -129,9 +131,10 @@ def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> Non
 def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) -> None:
     """Twelve runs are submitted, between the first six others by another account if
     there is a token of one, and some of them stopped; pages of five are read while more
-    runs are submitted and stopped.
+    runs are submitted and stopped. Then there are many, and two long pages are read.
 
-    Expect the twelve in reverse order, no run twice, and the newest first everywhere.
+    Expect the twelve in reverse order, no run twice or left out, and the newest first
+    everywhere.
     """
     is_given = context.shared.settings.token_2 is not None
     other = context.second_account if is_given else None
@@ -146,7 +149,9 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
         )
     seen: list[dict[str, Any]] = []
     params: dict[str, Any] = {"limit": 5}
-    while not set(ids) <= {run["run_id"] for run in seen}:
+    for _ in range(_PAGES_READ):
+        if set(ids) <= {run["run_id"] for run in seen}:
+            break
         page = expect.ok(context.call("list_runs", params=params))
         seen += page["runs"]
         if page["next_cursor"] is None or len(seen) > _RUNS_READ:
@@ -164,6 +169,27 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
             is_sorted = older - newer <= _SAME_TIME
             expect.true(is_sorted, f"a run not newer than {newer}", f"{older}")
     expect_last_run_on_a_page(context, other or context.http_client)
+    if not context.shared.settings.quick:
+        expect_long_pages_without_a_gap(context)
+
+
+def expect_long_pages_without_a_gap(context: CheckContext) -> None:
+    """Expect two long pages to show all runs between their first and their last."""
+    for _ in range(_LONG_PAGE + 2):
+        context.submit(wait_ready=False).stop()
+    params: dict[str, Any] = {"limit": _LONG_PAGE}
+    page = expect.ok(context.call("list_runs", params=params))
+    shown = [run["run_id"] for run in page["runs"]]
+    params["cursor"] = page["next_cursor"]
+    following = expect.ok(context.call("list_runs", params=params))
+    shown += [run["run_id"] for run in following["runs"]]
+    # Others may submit runs meanwhile, before these, and delete some of them.
+    whole = expect.ok(context.call("list_runs", params={"limit": _LONGEST_PAGE}))
+    listed = [run["run_id"] for run in whole["runs"]]
+    places = [listed.index(id_) for id_ in shown if id_ in listed]
+    between = listed[places[0] : places[-1] + 1]
+    missing = [id_ for id_ in between if id_ not in shown]
+    expect.equal(missing, [], f"runs that pages of {_LONG_PAGE} leave out")
 
 
 @on_long_run

@@ -203,17 +203,18 @@ def test_score_008_counts_every_outcome(context: CheckContext) -> None:
 
 @requirement("SCORE-009")
 def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> None:
-    """Six of eight episodes are played.
+    """Six of eight episodes are played; and one of two, a failure with score 0.
 
     Expect mean and rate null before the first; then those of the scored episodes.
     """
-    plan = [FAILURE, SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE]
-    planned_run = PlannedRun(context, [*plan, UNPLAYED, UNPLAYED])
-    before = planned_run.score()
-    after, expected = planned_run.play_all(), planned_run.expected()
-    for member in ("mean", "success_rate"):
-        expect.equal(before[member], None, f"{member} before the first")
-        expect_close(after[member], expected[member], member)
+    plan = [FAILURE, SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, UNPLAYED]
+    for planned in (plan, [PlannedEpisode("failure", 0.0)]):
+        planned_run = PlannedRun(context, [*planned, UNPLAYED])
+        before = planned_run.score()
+        after, expected = planned_run.play_all(), planned_run.expected()
+        for member in ("mean", "success_rate"):
+            expect.equal(before[member], None, f"{member} before the first")
+            expect_close(after[member], expected[member], member)
 
 
 @requirement("SCORE-010")
@@ -244,8 +245,8 @@ def expect_groups(score: dict[str, Any], expected: dict[str, Any]) -> None:
 @on_long_run
 @requirement("SCORE-011")
 def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
-    """Tasks with thirteen, two and one episode, the last one not played; a run of one
-    episode; and one of a hundred and eighty, of uneven tasks.
+    """Tasks with thirteen, two and one episode, the last one not played; runs of one
+    episode, a success and a failure; and one of a hundred and eighty, of uneven tasks.
 
     Expect each task and each split once, with counts, mean and rate of its episodes.
     """
@@ -258,6 +259,7 @@ def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
     for planned_run in (
         PlannedRun(context, [*plan, PlannedEpisode(None, task="echo")]),
         PlannedRun(context, [SUCCESS]),
+        PlannedRun(context, [PlannedEpisode("failure", 0.0)]),
     ):
         expect_groups(planned_run.play_all(), planned_run.expected())
     long = long_run(context)

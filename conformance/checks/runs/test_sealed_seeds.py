@@ -36,7 +36,7 @@ def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
     read: list[Any] = [worker.run.body, worker.turn]
     for is_played in (True, True, False, False):
         if worker.turn["done"]:
-            raise SetUpFailed("no session for the next episode; see EPI-004")
+            raise SetUpFailed("no session for the next episode", breaks="EPI-004")
         read.append(worker.predict(context.action(), observe="all"))
         if is_played:
             read.append(worker.predict(context.action(end=1)))

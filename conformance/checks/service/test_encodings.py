@@ -30,7 +30,7 @@ ACCEPT_BOTH = (
     NO_ACCEPT,
 )
 # In a turn; each has another length in MessagePack.
-STEP_LIMITS = (100, 200, 10000)
+STEP_LIMITS = (127, 128, 255, 256, 10000)
 LIST_LENGTHS = (15, 16, 17)
 # Around the ends of the integers that encodings write in few bytes.
 _WHOLE = [

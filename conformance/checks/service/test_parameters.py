@@ -1,5 +1,6 @@
 """Parameters of paths and queries, and headers (ERR)."""
 
+import math
 import uuid
 from collections.abc import Iterator
 from typing import Any
@@ -54,6 +55,16 @@ def expect_pages_in_range(run: RunClient) -> None:
             expect.ok(run.call(operation_id, params={"limit": limit}))
 
 
+def expect_tolerance_in_range(run: RunClient) -> None:
+    """Expect a comparison to refuse a tolerance that breaks its schema."""
+    params = {"baseline": run.id, "runs": run.id}
+    for tolerance in ("-1e-9", repr(math.nextafter(1, 2)), "2", "x", ""):
+        answer = run.call("compare_runs", params=params | {"tolerance": tolerance})
+        expect.refused(answer, "invalid_request")
+    for tolerance in ("0", "1"):
+        expect.ok(run.call("compare_runs", params=params | {"tolerance": tolerance}))
+
+
 @requirement("ERR-014")
 def test_err_014_cannot_send_parameters_that_break_their_schema(
     context: CheckContext,
@@ -85,6 +96,8 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
         is_known = answer.code == "unsupported_version"
         code = "unsupported_version" if is_known else "invalid_request"
         expect.refused(answer, code)
+    if context.offers("compare"):
+        expect_tolerance_in_range(run)
     longest = uuid.uuid4().hex * 4
     for key in (f"{longest}x", "two words"):
         wrong_key = {"Idempotency-Key": key}

@@ -70,7 +70,7 @@ def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any
         params["cursor"] = page["next_cursor"]
     missing = ids - set(found)
     if missing:
-        raise SetUpFailed(f"`list_runs` does not show {missing}; see RUN-009")
+        raise SetUpFailed(f"`list_runs` does not show {missing}", breaks="RUN-009")
     return found
 
 

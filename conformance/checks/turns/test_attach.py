@@ -12,6 +12,7 @@ from conformance.checks.support.given_states import (
     expect_pointer,
     require_not_state_refusal,
     require_worker_limit,
+    start_drain,
     submit_and_attach,
     without,
 )
@@ -162,8 +163,8 @@ def test_att_005_cannot_use_a_superseded_session(context: CheckContext) -> None:
     expect.refused(old.try_predict(context.action()), "session_superseded")
     expect.refused(old.try_heartbeat(), "session_superseded")
     expect.refused(old.try_detach(), "session_superseded")
-    new.heartbeat()
-    after = count(new.predict(context.action()))
+    expect.ok(new.try_heartbeat())
+    after = count(expect.ok(new.try_next()))
     expect.equal(after, [before[0] + 1], "count in the new session")
     new.detach()
 
@@ -171,7 +172,7 @@ def test_att_005_cannot_use_a_superseded_session(context: CheckContext) -> None:
 @requirement("ATT-006")
 def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) -> None:
     """One worker more than `max_workers` attaches, and again when a slot is free; one
-    more attaches while the only one executes a turn.
+    more attaches while the only one executes a turn; one returns that was done.
 
     Expect `worker_limit` where no slot is free, and as many as eleven where they are.
     """
@@ -202,6 +203,21 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
     )
     expect.require(turn, 200, "a long turn")
     expect.refused(refused, "worker_limit")
+    expect_no_slot_for_one_that_was_done(context)
+
+
+def expect_no_slot_for_one_that_was_done(context: CheckContext) -> None:
+    """Expect a worker that returns to be one more: its session was done in a drain."""
+    run = context.submit("score", "score", "score", max_workers=1)
+    done = run.worker("done")
+    done.attach()
+    start_drain(run)
+    done.play()
+    run.until("stopped")
+    run.resume()
+    run.until("ready")
+    run.worker("playing").attach()
+    expect.refused(done.try_attach(takeover=True), "worker_limit")
 
 
 @requirement("ATT-007")

@@ -178,12 +178,13 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
 @requirement("CAL-004")
 @background
 def test_cal_004_delay_is_executed(context: CheckContext) -> None:
-    """Two steps of 0.2 s in one turn, then one of 0.3 s.
+    """Two steps of 0.2 s in one turn, one of 0.3 s, and many of 1.9 ms.
 
     Expect the turns to take at least as long.
     """
-    worker = submit_and_attach(context, "delay")
-    for chunk_s in ([0.2, 0.2], [0.3]):
+    worker = submit_and_attach(context, "delay", max_steps=1000)
+    many = min(64, context.limits["max_chunk"])
+    for chunk_s in ([0.2, 0.2], [0.3], [0.0019] * many):
         chunk = [context.action(delay_s=delay_s) for delay_s in chunk_s]
         answer = worker.try_predict(*chunk)
         expect.require(answer, 200, "predict")

@@ -225,7 +225,8 @@ def test_fault_008_what_came_before_a_fault_does_not_count(
 def test_fault_009_faults_are_counted(context: CheckContext) -> None:
     """An episode faults in two attempts, fails the run, and faults after the resume.
 
-    Expect 1, 2 and 3 in the turns and in the list, 3 in the result, 0 for the other.
+    Expect 1, 2 and 3 in the turns and in the list, 3 in the result and in the list
+    then, 0 for the other.
     """
     worker = submit_and_attach(context, "fault", "fault", max_faults=2)
     run, first = worker.run, index_of(worker)
@@ -252,6 +253,8 @@ def test_fault_009_faults_are_counted(context: CheckContext) -> None:
     fault(3)
     expect.equal(worker.play()["episode_result"]["faults"], 3, "faults of the result")
     expect.equal(worker.play()["episode_result"]["faults"], 0, "faults of the other")
+    listed = [run.episodes()[index]["faults"] for index in (first, 1 - first)]
+    expect.equal(listed, [3, 0], "`faults` in `list_episodes` of scored episodes")
 
 
 @requirement("FAULT-010")

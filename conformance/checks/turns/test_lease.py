@@ -32,6 +32,9 @@ LONG_TURN_S = 3.0
 LONG_LEASE_S = 10.5
 NOTICE_S = 5
 
+# A worker and the answer with which its lease began.
+Opened = tuple[WorkerClient, Answer]
+
 
 def lease_of(context: CheckContext) -> float:
     """Give a short lease, of which a request can surely use nine tenths.
@@ -45,9 +48,7 @@ def lease_of(context: CheckContext) -> float:
     return lease_s
 
 
-def attach_with_lease(
-    context: CheckContext, *tasks: str, **options: Any
-) -> tuple[WorkerClient, Answer]:
+def attach_with_lease(context: CheckContext, *tasks: str, **options: Any) -> Opened:
     """Attach a worker with a short lease; give the answer that started it."""
     lease_s = lease_of(context)
     run = context.submit(*(tasks or ("count",)), idle_timeout_s=lease_s, **options)
@@ -59,16 +60,9 @@ def attach_with_lease(
     return worker, answer
 
 
-def try_next_predict(worker: WorkerClient) -> Answer:
-    """Play one action under the next seq; the answer is raw."""
-    answer = worker.try_predict(worker.run.context.action())
-    worker.seq += answer.status == 200
-    return answer
-
-
 def play_turn(worker: WorkerClient) -> Answer:
     """Play one action inside the lease, as set-up."""
-    answer = try_next_predict(worker)
+    answer = worker.try_next()
     if answer.code == "session_ended":
         raise Inconclusive("a turn of the kit came too late to be inside the lease")
     expect.require(answer, 200, "predict")
@@ -122,17 +116,14 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
     Expect `session_ended` for the next predict and the next heartbeat of the first, and
     for the repeat of the other's last turn.
     """
-    finished, _ = attach_with_lease(context)
-    end = context.action(end=1)
-    last = finished.try_predict(end)
-    if not expect.require(last, 200, "the last turn")["done"]:
-        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+    finished, _ = play_until_done(context)
     worker, _ = attach_with_lease(context)
     turn = play_turn(worker)
     sleep_past(turn, context)
-    expect.refused(try_next_predict(worker), "session_ended")
+    expect.refused(worker.try_next(), "session_ended")
     expect.refused(worker.try_heartbeat(), "session_ended")
-    expect.refused(finished.try_predict(end, seq=1), "session_ended")
+    again = finished.try_predict(context.action(end=1), seq=1)
+    expect.refused(again, "session_ended")
 
 
 @requirement("LEASE-002")
@@ -158,11 +149,11 @@ def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
     sleep_nearly_through(last, context)
     expect_inside_lease(finished.try_predict(end, seq=1), last, context)
     sleep_nearly_through(began, context)
-    expect_inside_lease(try_next_predict(worker), began, context)
+    expect_inside_lease(worker.try_next(), began, context)
     sleep_past(silent_began, context)
     require_ended_session(silent)
     sleep_nearly_through(taken, context)
-    expect_inside_lease(try_next_predict(later), taken, context)
+    expect_inside_lease(later.try_next(), taken, context)
     if not context.shared.settings.quick:
         expect_long_lease_kept(context)
 
@@ -176,7 +167,7 @@ def expect_long_lease_kept(context: CheckContext) -> None:
     began_at = time.monotonic()
     worker.attach()
     sleep_until(began_at + 0.98 * lease_s - context.tolerance_s / 2)
-    probe = try_next_predict(worker)
+    probe = worker.try_next()
     if probe.status != 200 and probe.ended_at > began_at + lease_s:
         raise Inconclusive("a request of the kit came too late to be inside the lease")
     expect.ok(probe)
@@ -193,28 +184,42 @@ def extensions_without_turn(context: CheckContext, wanted: int) -> int:
     return int(min(wanted, longest_s / lease_of(context)))
 
 
-def expect_lease_extension(
-    context: CheckContext, extend: Callable[[WorkerClient], Answer], times: int = 3
-) -> None:
-    """Expect requests to extend the lease by its full length, and by no more.
-
-    The same in a run that is `stopping`.
-    """
-    silent, _ = attach_with_lease(context)
-    workers, answers = zip(*(attach_with_lease(context) for _ in range(2)), strict=True)
-    draining = workers[1].run.stop("drain")
+def attach_two_with_lease(context: CheckContext) -> list[Opened]:
+    """Attach two workers with a short lease, the second one in a run that drains."""
+    opened = [attach_with_lease(context) for _ in range(2)]
+    draining = opened[1][0].run.stop("drain")
     if draining["state"] != "stopping":
         raise SetUpFailed("a run in play is drained at once", breaks="LIFE-303")
-    last = list(answers)
+    return opened
+
+
+def play_until_done(context: CheckContext) -> Opened:
+    """Play a run of one episode; give the answer that ended it."""
+    worker, _ = attach_with_lease(context)
+    last = worker.try_predict(context.action(end=1))
+    if not expect.require(last, 200, "the last turn")["done"]:
+        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+    return worker, last
+
+
+def expect_lease_extension(
+    context: CheckContext,
+    extend: Callable[[WorkerClient], Answer],
+    opened: list[Opened],
+    times: int = 3,
+) -> None:
+    """Expect requests to extend the leases by their full length, and by no more."""
+    silent, _ = attach_with_lease(context)
+    last = [answer for _, answer in opened]
     for _ in range(times):
-        for number, worker in enumerate(workers):
+        for number, (worker, _) in enumerate(opened):
             sleep_nearly_through(last[number], context)
             answer = extend(worker)
             expect_inside_lease(answer, last[number], context)
             last[number] = answer
     sleep_past(last[-1], context)
     require_ended_session(silent)
-    for worker in workers:
+    for worker, _ in opened:
         expect.refused(extend(worker), "session_ended")
 
 
@@ -222,22 +227,26 @@ def expect_lease_extension(
 @background
 def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
     """A worker sends three heartbeats, each when its lease is nearly over; two where
-    `limits.heartbeat_s_max` leaves no time for a third.
+    `limits.heartbeat_s_max` leaves no time for a third. So does one whose run is
+    `stopping`, and one that is done.
 
-    Expect them accepted, and the session ended one lease after the last.
+    Expect them accepted, and the sessions ended one lease after the last.
     """
     times = extensions_without_turn(context, 3)
-    expect_lease_extension(context, WorkerClient.try_heartbeat, times)
+    opened = [*attach_two_with_lease(context), play_until_done(context)]
+    expect_lease_extension(context, WorkerClient.try_heartbeat, opened, times)
 
 
 @requirement("LEASE-004")
 @background
 def test_lease_004_predict_extends(context: CheckContext) -> None:
-    """A worker plays three turns, each when its lease is nearly over.
+    """A worker plays three turns, each when its lease is nearly over; so does one whose
+    run is `stopping`.
 
-    Expect them accepted, and the session ended one lease after the last.
+    Expect them accepted, and the sessions ended one lease after the last.
     """
-    expect_lease_extension(context, try_next_predict)
+    opened = attach_two_with_lease(context)
+    expect_lease_extension(context, WorkerClient.try_next, opened)
 
 
 @requirement("LEASE-005")
@@ -500,7 +509,7 @@ def expect_others_unaffected(context: CheckContext) -> None:
     began = play_turn(other)
     sleep_past(last, context)
     run = done.run.get()
-    expect_inside_lease(try_next_predict(other), began, context)
+    expect_inside_lease(other.try_next(), began, context)
     expect.equal(run["state"], "running", "state beside a session that plays")
 
 

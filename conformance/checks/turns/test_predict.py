@@ -275,25 +275,18 @@ def expect_no_wait_beside_many(context: CheckContext, delay_s: float) -> None:
 
     def play_later() -> Answer:
         time.sleep(delay_s / 4)
-        return try_next(quick)
+        return quick.try_next()
 
     took_s: list[float] = []
     while len(took_s) < 3 and (not took_s or took_s[-1] > delay_s / 2):
         *turns, answer = context.call_concurrently(
-            *[partial(try_next, worker, delay_s) for worker in slow], play_later
+            *[partial(worker.try_next, delay_s=delay_s) for worker in slow], play_later
         )
         for turn in (*turns, answer):
             expect.require(turn, 200, "predict")
         took_s.append(answer.elapsed_s)
     what = f"a turn of at most {delay_s / 2:g} s beside {len(slow)} of {delay_s:g} s"
     expect.true(took_s[-1] <= delay_s / 2, what, took_s)
-
-
-def try_next(worker: WorkerClient, delay_s: float = 0) -> Answer:
-    """Play one action under the next seq; the answer is raw."""
-    answer = worker.try_predict(worker.run.context.action(delay_s=delay_s))
-    worker.seq += answer.status == 200
-    return answer
 
 
 @requirement("PRED-023")

@@ -82,7 +82,8 @@ def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None
 
 @requirement("PRED-004")
 def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
-    """A seq too high and, after some turns, too low, also that of an ended episode.
+    """A seq too high and, after some turns, too low, also that of an ended episode; one
+    too high while a turn is executed.
 
     Expect `seq_out_of_order` with the next seq in `expected_seq`, and nothing executed.
     """
@@ -102,6 +103,29 @@ def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
         expect.refused(answer, "seq_out_of_order", expected_seq=worker.seq + 1)
     turn = worker.predict(context.action())
     expect.equal(count(turn), [2], "count in the next episode")
+    if not context.shared.settings.quick:
+        skip_during_a_turn(context)
+
+
+def skip_during_a_turn(context: CheckContext) -> None:
+    """Expect the seq of the turn that is executed, or the next, to be named."""
+    worker = submit_and_attach(context, "delay", max_steps=100)
+    for _ in range(2):
+        worker.predict(context.action())
+    turn_s = long_turn_s(context)
+
+    def skip_later() -> Answer:
+        time.sleep(turn_s / 4)
+        return worker.try_predict(context.action(), seq=9)
+
+    turn, refused = context.call_concurrently(
+        lambda: worker.try_predict(context.action(delay_s=turn_s)), skip_later
+    )
+    if refused.started_at >= turn.ended_at:
+        raise Inconclusive("the wrong seq came after the turn")
+    problem = expect.refused(refused, "seq_out_of_order")
+    expected_seq = problem["expected_seq"]
+    expect.true(expected_seq in (3, 4), "expected_seq 3 or 4", expected_seq)
 
 
 @requirement("PRED-005")

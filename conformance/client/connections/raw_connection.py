@@ -15,6 +15,7 @@ import httpx
 
 _CONNECT_TIMEOUT_S = 10.0
 _STORED_BYTES = 2**16
+_READ_TIMEOUT_S = 10.0
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class RawConnection:
             f"{line}\r\n" for line in (first, f"Host: {self._host}", *lines)
         ).encode()
 
-    def send_until_end(self, data: bytes, timeout_s: float) -> Ending:
+    def send_until_end(self, data: bytes, timeout_s: float = _READ_TIMEOUT_S) -> Ending:
         """Send bytes, and read until the server closes or the time is over."""
         began_at = time.monotonic()
         self._connection.settimeout(timeout_s)

@@ -270,11 +270,15 @@ func getRun(r *request) (*answer, *wire.Problem) {
 	}
 	wait, _ := strconv.Atoi(strings.TrimPrefix(r.values["header:Prefer"], "wait="))
 	timeout := time.After(time.Duration(min(wait, waitMax)) * time.Second)
+	known := r.values["header:If-None-Match"]
 	for {
 		etag, view, changed := found.Etag(), found.View(), found.Changes()
 		found.Leave()
+		if strings.TrimSpace(known) == "*" {
+			known = etag // it names the run as it was when the request came
+		}
 		header := http.Header{"Etag": {etag}}
-		if !names(r.values["header:If-None-Match"], etag) {
+		if !names(known, etag) {
 			return &answer{status: 200, header: header, body: view}, nil
 		}
 		unchanged := &answer{status: 304, header: header}
@@ -293,9 +297,6 @@ var etagPattern = regexp.MustCompile(`^\s*(?:W/)?("[\x21\x23-\x7e\x80-\xff]*")\s
 
 // names reports whether a list of ETags names this one; a text that is no ETag names none.
 func names(tags, etag string) bool {
-	if strings.TrimSpace(tags) == "*" {
-		return true
-	}
 	for {
 		found := etagPattern.FindStringSubmatch(tags)
 		if found == nil {

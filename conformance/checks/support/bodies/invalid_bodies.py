@@ -90,7 +90,7 @@ _NO_DOUBLES += (b"0x1", b"-", b"1_0", b"tru", b"True", b"None", b"undefined", b"
 
 
 def unrepresentable_json(operation_id: str, how: dict[str, Any]) -> Iterator[bytes]:
-    """Give bodies with a text or a number that is wrong in JSON, or impossible."""
+    """Give bodies with a text, a number or a name that is no JSON, or impossible."""
     if operation_id not in _PLACES:
         return
     text, number = _PLACES[operation_id]
@@ -98,3 +98,6 @@ def unrepresentable_json(operation_id: str, how: dict[str, Any]) -> Iterator[byt
         whole = json.dumps(replace_at(how["json"], pointer, "HERE")).encode()
         for wrong in wrongs:
             yield whole.replace(b'"HERE"', wrong)
+    whole = json.dumps(how["json"]).encode()
+    for wrong in _NO_TEXT:
+        yield b"{" + wrong + b": 1, " + whole[1:]
