@@ -19,7 +19,7 @@ from conformance.specification.stages import STAGES
 _NODES_MAX = 9
 # Of a quick run. A check waits for its server or for a moment half of its time: three
 # keep two cores busy, and each more costs more to start than it saves.
-_QUICK_PROCESSES = 3
+_QUICK_PROCESSES = 4
 
 
 class BadArguments(Exception):
