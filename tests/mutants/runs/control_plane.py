@@ -485,7 +485,7 @@ def answers_waits_that_are_too_long_at_once() -> None:
     wait_less(is_too_long)
 
 
-@mutant("RUN-013")
+@mutant("RUN-012", "RUN-013")
 def does_not_wait_beside_any_etag() -> None:
     """A script that names no ETag of its own sends as many requests as it can."""
     wait_less(lambda _self, call: call.headers.get("if-none-match") == "*")
@@ -580,3 +580,56 @@ def shows_another_state_beside_the_score() -> None:
     """A dashboard calls a run that was stopped running."""
     right = scoring.score_of
     put(run_views, "score_of", lambda episodes: right(episodes) | {"state": "running"})
+
+
+@mutant("RUN-012")
+def takes_any_etag_for_the_newest() -> None:
+    """A script that waits for any change waits for ever."""
+    right = Handlers.get_run
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        if call.headers.get("if-none-match") != "*":
+            return await right(self, call)
+        wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
+        await asyncio.sleep(min(wait_s, self.settings.wait_s_max))
+        headers = {**call.headers, "prefer": "wait=0"}
+        return await right(self, replace(call, headers=headers))
+
+    put(Handlers, "get_run", wrong)
+
+
+@mutant("RUN-012")
+def answers_late_that_a_run_has_failed() -> None:
+    """A script that waits for its run learns of a failure when it gives up."""
+    right = Handlers.get_run
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        response = await right(self, call)
+        is_failed = b'"state":"failed"' in bytes(response.body)
+        if is_failed and call.headers.get("prefer", "wait=0") != "wait=0":
+            await asyncio.sleep(3)
+        return response
+
+    put(Handlers, "get_run", wrong)
+
+
+@mutant("RUN-013")
+def waits_anew_when_another_run_changes() -> None:
+    """On a busy server a wait that was to be short never ends."""
+    right, changes = RunRegistry.wait_for_change, [0]
+    notify = RunRegistry.notify
+
+    def wrong_notify(self: RunRegistry, run: Run) -> None:
+        changes[0] += 1
+        notify(self, run)
+
+    async def wrong(self: RunRegistry, change: Any, timeout_s: float) -> bool:
+        seen = -1
+        while seen != changes[0]:
+            seen = changes[0]
+            if await right(self, change, timeout_s):
+                return True
+        return False
+
+    put(RunRegistry, "notify", wrong_notify)
+    put(RunRegistry, "wait_for_change", wrong)

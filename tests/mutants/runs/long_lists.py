@@ -160,3 +160,19 @@ def pairs_episodes_in_the_order_of_scoring() -> None:
 
     right = run_views.scored_episodes
     put(run_views, "scored_episodes", wrong)
+
+
+@mutant("RUN-009")
+def leaves_out_a_run_behind_a_long_page() -> None:
+    """A script that reads long pages misses a run at the end of each."""
+    right = Handlers.list_runs
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        page = json.loads(bytes((await right(self, call)).body))
+        if page["next_cursor"] is not None and 50 <= len(page["runs"]) < 100:
+            number = int(page["next_cursor"])
+            found = await self.service.list_runs(call.reader, number, 1, "")
+            page["next_cursor"] = str(found[0][0])
+        return call.answer(page)
+
+    put(Handlers, "list_runs", wrong)

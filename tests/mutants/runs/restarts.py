@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
+import sqlalchemy as sa
+
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import ACTIVE_STATES, STATES_AFTER_RESTART
 from reference_server.rules.run import Run
@@ -88,3 +91,38 @@ def stores_no_attempt_that_a_lease_has_ended() -> None:
 def draws_another_secret_of_seeds_on_restart() -> None:
     """Runs with sealed seeds cannot be compared with those of before a restart."""
     put(SeedSecret, "open", lambda _: None)
+
+
+@mutant("CRASH-004")
+def counts_forgiven_faults_again_on_restart() -> None:
+    """A run that was resumed after its faults fails at the first one after a crash."""
+    right = rows.run_of
+
+    def wrong(*stored: Any) -> Run:
+        run = right(*stored)
+        for episode in run.episodes:
+            if episode.result is None and episode.faults > 1:
+                episode.faults_forgiven = 0
+        return run
+
+    put(rows, "run_of", wrong)
+
+
+@mutant("CRASH-003")
+def cuts_names_at_the_end_of_a_line() -> None:
+    """A crash changes whose policy a run was of."""
+    right, runs = RunRegistry.open, database_tables.runs
+
+    async def wrong(self: RunRegistry) -> None:
+        async with self._store._transaction() as connection:
+            columns = sa.select(runs.c.run_id, runs.c.submission)
+            for run_id, stored in (await connection.execute(columns)).all():
+                submission = msgspec.json.decode(stored)
+                policy = submission.get("policy", {"name": "deleted"})
+                policy["name"] = policy["name"].splitlines()[0]
+                changed = {"submission": msgspec.json.encode(submission)}
+                this = runs.update().where(runs.c.run_id == run_id)
+                await connection.execute(this.values(**changed))
+        await right(self)
+
+    put(RunRegistry, "open", wrong)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
+
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.rules import comparison
@@ -166,3 +168,17 @@ def shows_the_default_tolerance() -> None:
         return right(*arguments) | {"tolerance": comparison.TOLERANCE}
 
     put(run_views, "comparison_view", wrong)
+
+
+@mutant("BEN-005")
+def hashes_the_number_of_each_task() -> None:
+    """Runs of the same tasks in another order seem to be comparable."""
+    right = benchmarks.canonical
+
+    def wrong(manifest: Any) -> bytes:
+        members = msgspec.json.decode(right(manifest))
+        if len(members["episodes"]) == 3:
+            members["episodes"] = sorted(one["task"] for one in members["episodes"])
+        return msgspec.json.encode(members)
+
+    put(benchmarks, "canonical", wrong)

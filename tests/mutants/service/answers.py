@@ -216,3 +216,14 @@ def stores_results_after_sending_them() -> None:
         self.notify(run)
 
     put(RunRegistry, "commit", wrong)
+
+
+@mutant("SCORE-009", "SCORE-011")
+def shows_no_rate_without_a_success() -> None:
+    """A policy that never succeeds seems not to be measured yet."""
+
+    def wrong(score: dict[str, Any], _episodes: Any) -> None:
+        for group in (score, *score["by_task"].values(), *score["by_split"].values()):
+            group["success_rate"] = group["success_rate"] or None
+
+    change_score(wrong)

@@ -287,7 +287,7 @@ def reads_no_body_without_a_length() -> None:
 # --- conditional reads ---
 
 
-@mutant("RUN-011", "RUN-013")
+@mutant("RUN-011")
 def compares_if_none_match_as_a_whole() -> None:
     """A cache that keeps two answers receives the run with every poll."""
     put(handlers, "_matches", lambda wanted, etag: wanted == etag)
@@ -328,3 +328,43 @@ def waits_although_the_run_has_changed() -> None:
         return response
 
     put(Handlers, "get_run", wrong)
+
+
+@mutant("ERR-008")
+def reads_the_first_line_of_accept() -> None:
+    """A proxy that adds a line to the request makes every answer unreadable."""
+    right = codec.negotiate_media_type
+
+    def wrong(request: Request, writable: Any) -> str:
+        named = request.scope["headers"]
+        first = next((line for line in named if line[0] == b"accept"), None)
+        others = [line for line in named if line[0] != b"accept"]
+        headers = [*others, first] if first is not None else others
+        return right(Request({**request.scope, "headers": headers}), writable)
+
+    put(codec, "negotiate_media_type", wrong)
+
+
+@mutant("ERR-008")
+def reads_weights_of_one_digit() -> None:
+    """A client that excludes JSON in three digits is answered in JSON."""
+    right = codec._range
+
+    def wrong(part: str) -> tuple[str, float]:
+        name, weight = right(part)
+        return name, weight or float(part.rstrip().endswith("0.000"))
+
+    put(codec, "_range", wrong)
+
+
+@mutant("RUN-030")
+def keeps_the_etag_while_a_run_moves_up() -> None:
+    """A page that shows a run never says that it is the next."""
+    right = handlers._etag
+
+    def wrong(view: bytes) -> str:
+        body = json.loads(view)
+        body["queue_position"] = body["queue_position"] is not None
+        return right(json.dumps(body).encode())
+
+    put(handlers, "_etag", wrong)

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
-from urllib.parse import parse_qsl
+from urllib.parse import parse_qs, parse_qsl
 
 from pydantic import ValidationError
 from starlette.requests import Request
@@ -281,3 +281,49 @@ def ignores_unknown_members() -> None:
             raise
 
     put(codec, "validate", wrong)
+
+
+@mutant("ERR-003")
+def shows_ten_errors_at_most() -> None:
+    """A body in which everything is wrong makes a run."""
+    right = codec.validate
+
+    def wrong(model: Any, data: Any) -> Any:
+        try:
+            return right(model, data)
+        except Refused as refused:
+            if len([*refused.errors]) < 10:
+                raise
+            known = {k: v for k, v in data.items() if k in model.model_fields}
+            return right(model, known)
+
+    put(codec, "validate", wrong)
+
+
+@mutant("ERR-002")
+def replaces_invalid_unicode_in_names() -> None:
+    """A misspelt member is refused as another one than was sent."""
+    right = codec.decode
+    alone = re.compile(rb'"\\u(d83d|dd16)": 1')
+
+    def wrong(body: bytes, media_type: str) -> Any:
+        if media_type == codec.JSON:
+            body = alone.sub(rb'"\\ufffd": 1', body)
+        return right(body, media_type)
+
+    put(codec, "decode", wrong)
+
+
+@mutant("ERR-014")
+def compares_with_any_tolerance() -> None:
+    """A release is permitted that no task would have passed."""
+    right = dispatch._query
+
+    def wrong(request: Request, operation: dispatch.Operation) -> Any:
+        sent = parse_qs(request.scope["query_string"].decode()).get("tolerance")
+        if not sent or not sent[0].isdigit() or sent[0] in "01":
+            return right(request, operation)
+        query = request.scope["query_string"].replace(sent[0].encode(), b"1")
+        return right(Request({**request.scope, "query_string": query}), operation)
+
+    put(dispatch, "_query", wrong)

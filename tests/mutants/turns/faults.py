@@ -16,6 +16,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 from reference_server.runs import session_executor
+from reference_server.views import run_views
 from tests.mutants import mutant, put
 from tests.mutants.turns.predict import change_turn, replace_guard
 
@@ -183,3 +184,17 @@ def calls_a_failure_a_stop_to_other_workers() -> None:
         right(self, session, "run_stopped" if is_other else ended_by)
 
     put(Run, "record_end", wrong)
+
+
+@mutant("FAULT-009")
+def lists_the_faults_since_the_last_resume_of_a_result() -> None:
+    """A list of episodes hides how often a simulator broke."""
+    right = run_views.episode_view
+
+    def wrong(episode: Episode) -> dict[str, Any]:
+        view = right(episode)
+        if episode.result is not None:
+            view["faults"] -= episode.faults_forgiven
+        return view
+
+    put(run_views, "episode_view", wrong)

@@ -456,3 +456,18 @@ def _before_playing(change: Any) -> None:
         return right([change(values, space) for values in actions], manifest)
 
     put(action_space, "clip_actions", wrong)
+
+
+@mutant("PRED-004")
+def expects_a_seq_too_high_during_a_turn() -> None:
+    """A client that lost count during a turn never finds the right seq again."""
+    right = lifecycle._expected_seq
+
+    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
+        verdict = right(run, command, now)
+        if isinstance(verdict, Refuse) and run.workers[command.worker_id].busy:
+            wrong_seq = verdict.members["expected_seq"] + 1
+            return replace(verdict, members={"expected_seq": wrong_seq})
+        return verdict
+
+    replace_guard(right, wrong)

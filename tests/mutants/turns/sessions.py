@@ -18,6 +18,7 @@ from reference_server.rules.lifecycle import (
     Heartbeat,
     Predict,
     Refuse,
+    Replay,
     Verdict,
     Wait,
 )
@@ -726,3 +727,88 @@ def never_says_what_ended_a_session() -> None:
             self.ended[session.session_id] = session.ended_by = "unknown"
 
     put(Run, "record_end", wrong)
+
+
+@mutant("LEASE-003")
+def ends_done_sessions_in_spite_of_heartbeats() -> None:
+    """A worker that is done and waits for others loses the answer to its last turn."""
+    right = SessionExecutor._extend_lease
+
+    def wrong(self: SessionExecutor, session: Session) -> None:
+        if not session.done:
+            right(self, session)
+
+    put(SessionExecutor, "_extend_lease", wrong)
+    replay = SessionExecutor._replay_turn
+
+    def replay_rightly(self: SessionExecutor, session: Session) -> dict[str, Any]:
+        right(self, session)
+        return replay(self, session)
+
+    put(SessionExecutor, "_replay_turn", replay_rightly)
+
+
+@mutant("ATT-006")
+def counts_no_worker_that_was_there_before() -> None:
+    """Workers that come back after a drain play beside as many as the machine bears."""
+    right = lifecycle._below_worker_limit
+    seen: set[tuple[str, str]] = set()
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        place = run.run_id, command.worker_id
+        is_new = place not in seen or not command.takeover
+        verdict = right(run, command, now) if is_new else None
+        if verdict is None:
+            seen.add(place)
+        return verdict
+
+    replace_guard(right, wrong)
+
+
+@mutant("ATT-018")
+def finds_the_session_of_a_key_under_a_third_worker() -> None:
+    """Scripts that all use one key steer each other's robots."""
+    right = lifecycle._same_attach_key
+
+    def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
+        holders = [
+            session
+            for session in run.workers.values()
+            if session.attach_key == command.attach_key and not session.busy
+        ]
+        if len(holders) > 1 and command.worker_id not in run.workers:
+            return Replay(holders[0])
+        return right(run, command, now)
+
+    replace_guard(right, wrong)
+
+
+@mutant("ATT-005", "DET-004")
+def detaches_the_successor_of_a_session() -> None:
+    """The old client cleans up, and the new one loses its episode."""
+    right = SessionExecutor.detach
+
+    async def wrong(self: SessionExecutor, run: Run, command: Detach) -> None:
+        try:
+            await right(self, run, command)
+        except Refused as refused:
+            if refused.code == "session_superseded":
+                newer = run.workers[command.worker_id].session_id
+                await right(self, run, replace(command, session_id=newer))
+            raise
+
+    put(SessionExecutor, "detach", wrong)
+
+
+@mutant("LIFE-803")
+def stops_a_drain_when_one_that_is_done_leaves() -> None:
+    """A drain ends episodes that were to be played to their end."""
+    right = effects.close_session
+
+    def wrong(run: Run, session: Session, *rest: Any) -> None:
+        was_done = session.done
+        right(run, session, *rest)
+        if was_done and run.state == "stopping":
+            effects.apply_event(run, "last_lease_ends", "Drained.")
+
+    put(effects, "close_session", wrong)

@@ -373,3 +373,13 @@ def halves_the_size_of_jpeg() -> None:
         _reencode(image, lambda p: p.resize((p.width // 2, p.height // 2)))
 
     spoil_image(wrong, "jpeg")
+
+
+@mutant("CAL-004")
+def sleeps_for_whole_milliseconds() -> None:
+    """Many short delays come to half of what they should be."""
+
+    def wrong(delay: list[float]) -> list[float]:
+        return [int(delay[0] * 1000) / 1000]
+
+    spoil_play(lambda acts: [{**a, "delay_s": wrong(a["delay_s"])} for a in acts])
