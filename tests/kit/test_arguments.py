@@ -91,14 +91,14 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
     ("arguments", "processes"),
     [
         ([], 1),
-        (["--quick"], 3),
+        (["--quick"], 4),
         (["--quick", "-n", "1"], 1),
         (["--quick", "--only", "ATT"], 1),
         (["--quick", "--fail-fast"], 1),
         (["-n", "2"], 2),
     ],
 )
-def test_quick_takes_three_processes(arguments: list[str], processes: int) -> None:
+def test_quick_takes_four_processes(arguments: list[str], processes: int) -> None:
     """One keeps the order of --only, and the place where --fail-fast ends."""
     assert read_processes(build_parser().parse_args(arguments)) == processes
 
