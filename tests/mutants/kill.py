@@ -34,6 +34,7 @@ from conformance.verdicts.universal_rules import UNIVERSAL_RULES
 from reference_sim.mujoco.rendering import RenderingUnavailable, find_backend
 from tests.mutants import Mutant, load
 from tests.mutants.fork_server import PLAIN, Commands, fork_servers
+from tests.mutants.seeded_rows import seeded_rows
 from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).parents[2]
@@ -227,6 +228,11 @@ def matrix(kills: Sequence[Kill], version: str) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _seeds_of(mutant: Mutant, seeds: int) -> range:
+    """The seeds by which its own rows send different requests."""
+    return range(1, (seeds if mutant.kills & seeded_rows() else 1) + 1)
+
+
 def main() -> int:
     """Returns 0 when every mutant is killed exactly."""
     arguments = argparse.ArgumentParser(description=__doc__)
@@ -235,7 +241,11 @@ def main() -> int:
     arguments.add_argument("--rows", choices=["own", "all"], default="all")
     arguments.add_argument("--write", action="store_true", help="rewrite the page")
     arguments.add_argument(
-        "--seeds", type=int, metavar="N", help="each of 1 to N, and no second chance"
+        "--seeds",
+        type=int,
+        metavar="N",
+        help="each of 1 to N, where a row of the mutant draws from the seed; "
+        "no second chance",
     )
     options = arguments.parse_args()
     if options.write and (options.names or options.rows != "all" or options.seeds):
@@ -248,7 +258,7 @@ def main() -> int:
             runs = [
                 executor.submit(run_once, mutant, options.rows, seed, commands)
                 for mutant in chosen
-                for seed in range(1, options.seeds + 1)
+                for seed in _seeds_of(mutant, options.seeds)
             ]
         else:
             runs = [

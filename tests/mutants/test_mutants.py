@@ -11,6 +11,7 @@ import pytest
 from tests.mutants import Mutant, load
 from tests.mutants.fork_server import Commands, fork_servers
 from tests.mutants.kill import PAGE, rows_of_this_commit, run_mutant
+from tests.mutants.seeded_rows import seeded_rows
 
 MUTANTS = load()
 
@@ -59,3 +60,10 @@ def test_matrix_shows_every_mutant() -> None:
         if line.startswith("| `")
     }
     assert rows == {name: set(mutant.kills) for name, mutant in MUTANTS.items()}
+
+
+def test_rows_that_draw_from_the_seed_are_found() -> None:
+    """Those of generated examples, of random bytes, and of a helper's generator."""
+    found = seeded_rows()
+    assert {"PRED-006", "ENC-003", "ERR-012", "MODEL-002"} <= found
+    assert not {"PRED-001", "ENC-004", "ERR-001", "LEASE-003"} & found
