@@ -23,6 +23,9 @@ from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
+# Of a stop behind an attach that is sent at the same time.
+_DELAYS_S = (0.0, 0.001, 0.002, 0.004, 0.008, 0.016)
+
 
 @requirement("STOP-001")
 def test_stop_001_abort_keeps_results(context: CheckContext) -> None:
@@ -51,7 +54,7 @@ def test_stop_001_abort_keeps_results(context: CheckContext) -> None:
 def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     """Two workers continue with predict and heartbeat after the run is aborted, which
     is what a stop without a mode does; another one, whose session is done, with
-    heartbeat.
+    heartbeat; one attaches while the run is stopped, again and again.
 
     Expect `session_ended` for requests that were accepted before.
     """
@@ -71,6 +74,25 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
         done.run.stop()
         if accepted.status == 200:
             expect.refused(done.try_heartbeat(), "session_ended")
+    for delay_s in _DELAYS_S:
+        stop_beside_an_attach(context, delay_s)
+
+
+def stop_beside_an_attach(context: CheckContext, delay_s: float) -> None:
+    """Expect no session in a run that is stopped while a worker attaches."""
+    worker = context.submit("score").worker()
+
+    def stop_later() -> Answer:
+        time.sleep(delay_s)
+        return worker.run.call("stop_run", json={})
+
+    attached, stopped = context.call_concurrently(worker.try_attach, stop_later)
+    expect.ok(stopped)
+    if attached.status != 200:  # it came after the stop, or was ended by it
+        return
+    worker.session_id = attached.json["session_id"]
+    expect.refused(worker.try_heartbeat(), "session_ended")
+    expect.equal(worker.run.get()["live_workers"], 0, "live_workers of a stopped run")
 
 
 @requirement("STOP-003")

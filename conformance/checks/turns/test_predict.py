@@ -62,7 +62,7 @@ def play_in_chunks(
 
 @requirement("PRED-006")
 def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
-    """The same actions, sent one by one and in random chunks.
+    """The same actions, sent one by one, in chunks, and in random chunks.
 
     Expect the same observations and rewards at every cut, and the same result, whether
     the episode ends by itself, at `max_steps`, or not at all.
@@ -82,6 +82,8 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
                 expect.equal(seen, single[cut], f"what was seen after {cut} actions")
 
     longest = min(4, context.limits["max_chunk"])
+    for example in (([longest, longest], 9), ([1, longest], 2)):
+        check_property(example)
     cuts = st.lists(st.integers(1, longest), min_size=1, max_size=4)
     for_all(context, st.tuples(cuts, st.integers(0, 9)), check_property, times=10)
 

@@ -89,7 +89,7 @@ def revives_sessions_on_resume() -> None:
     put(SessionExecutor, "predict", wrong_predict)
 
 
-@mutant("MODEL-002")
+@mutant("MODEL-002", "STOP-002")
 def stop_misses_a_session_that_is_opening() -> None:
     """A worker that attaches during a stop plays on in a stopped run."""
     right, begin = effects.stop, SessionExecutor._begin
