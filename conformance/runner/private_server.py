@@ -54,7 +54,7 @@ class _OwnServer:
 
     def restart(self) -> None:
         try:
-            self._process.start()
+            self._process.start_again()
         except StartFailed as error:
             # The port or the machine may be the reason: the data is when the same
             # command serves without it.

@@ -123,6 +123,14 @@ class ServerProcess:
                 raise StartFailed(f"`{self._command[0]}`: {error}") from error
         self._wait_until_ready(self._process)
 
+    def start_again(self) -> None:
+        """Start it on the port that it had; twice, if that was taken for a moment."""
+        try:
+            self.start()
+        except StartFailed:
+            self.stop()
+            self.start()
+
     def _wait_until_ready(self, process: subprocess.Popen[bytes]) -> None:
         deadline = time.monotonic() + _START_S
         while time.monotonic() < deadline:
@@ -144,7 +152,7 @@ class ServerProcess:
         kept = self._database
         self._database = kept.with_name("empty.sqlite3")
         try:
-            self.start()
+            self.start_again()
         except StartFailed:
             return False
         finally:

@@ -14,16 +14,22 @@ pytestmark = pytest.mark.slow("starts servers")
 
 SERVER = """
 import http.server, os, pathlib, sys
+taken = pathlib.Path("port-is-taken")
+if taken.exists():
+    taken.unlink()
+    sys.exit("the port is taken")
 kept = pathlib.Path({path})
 if kept.exists():
     sys.exit("cannot read " + str(kept))
-kept.write_text("a run")
+if kept.parent.exists():
+    kept.write_text("a run")
 address = os.environ["PROCTOR_HOST"], int(os.environ["PROCTOR_PORT"])
 http.server.ThreadingHTTPServer(address, http.server.SimpleHTTPRequestHandler)\
 .serve_forever()
 """
 DATABASE = "os.environ['PROCTOR_DATABASE']"
 ANYWHERE = "'started-once'"
+NOWHERE = "'no-folder/nothing'"
 
 
 @pytest.fixture
@@ -63,3 +69,13 @@ def test_other_reasons_are_none(start: Callable[..., _OwnServer]) -> None:
     server.kill9()
     with pytest.raises(SetUpFailed, match="cannot read started-once"):
         server.restart()
+
+
+def test_port_that_was_taken_for_a_moment_is_none(
+    start: Callable[..., _OwnServer], tmp_path: Path
+) -> None:
+    server = start(NOWHERE)
+    server.kill9()
+    (tmp_path / "port-is-taken").touch()
+    server.restart()
+    assert not (tmp_path / "port-is-taken").exists()
