@@ -30,7 +30,10 @@ def _tokens() -> str:
 
 
 class AttackedServer(ReferenceServer):
-    """program: module with the `main` of the server. prefix: see `Attack`."""
+    """program: module with the `main` of the server. prefix: see `Attack`.
+
+    python: of the environment that it runs in.
+    """
 
     def __init__(
         self,
@@ -38,9 +41,10 @@ class AttackedServer(ReferenceServer):
         settings: Mapping[str, str],
         prefix: Sequence[str] = (),
         program: str = "reference_server",
+        python: str = sys.executable,
     ) -> None:
         self.directory = directory
-        self.command = (*prefix, sys.executable, "-m", program)
+        self.command = (*prefix, python, "-m", program)
         common = {
             "PROCTOR_TOKENS": _tokens(),
             "PROCTOR_PROFILES": "ebench,flageval",

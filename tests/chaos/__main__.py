@@ -23,8 +23,13 @@ from tools.measurements.git_commit import read_commit
 
 def main() -> int:
     options = _options()
-    names = [n.strip() for n in options.only.split(",") if n.strip()] or list(FAULTS)
-    if unknown := set(names) - set(FAULTS):
+    known = [
+        name
+        for name, fault in FAULTS.items()
+        if options.simulators == "ray" or not fault.needs_ray
+    ]
+    names = [n.strip() for n in options.only.split(",") if n.strip()] or known
+    if unknown := set(names) - set(known):
         raise SystemExit(f"unknown faults: {', '.join(sorted(unknown))}")
     began_at = time.monotonic()
     kept = _kept_rounds(options)
@@ -53,7 +58,10 @@ def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> No
     """Rounds of one cluster, until enough were played."""
     began_at = time.monotonic()
     with Campaign.open(
-        seed=options.seed, players=options.players, lease_s=options.lease_s
+        seed=options.seed,
+        players=options.players,
+        lease_s=options.lease_s,
+        ray=options.simulators == "ray",
     ) as campaign:
         before = Counts()
         for number in itertools.count(options.first + kept.played_with(options.seed)):
@@ -75,7 +83,7 @@ def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> No
 def _command(options: argparse.Namespace) -> list[str]:
     """For one more cluster of a long campaign; its seed is left out."""
     command = [sys.executable, "-m", "tests.chaos", "--long", "--only", options.only]
-    for name in ("players", "lease_s", "first", "seconds"):
+    for name in ("players", "lease_s", "first", "seconds", "simulators"):
         command += [f"--{name.replace('_', '-')}", str(getattr(options, name))]
     return command
 
@@ -85,7 +93,8 @@ def _kept_rounds(options: argparse.Namespace) -> KeptRounds:
     if not options.long:
         return KeptRounds({}, file=None)
     commit, _ = read_commit()
-    chosen = {name: getattr(options, name) for name in ("players", "lease_s", "only")}
+    names = ("players", "lease_s", "only", "simulators")
+    chosen = {name: getattr(options, name) for name in names}
     return KeptRounds({"commit": commit, **chosen})
 
 
@@ -114,6 +123,12 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--players", type=int, default=6)
     parser.add_argument("--lease-s", type=float, default=5.0, help="of nodes")
+    parser.add_argument(
+        "--simulators",
+        choices=["local", "ray"],
+        default="local",
+        help="processes of the nodes, or on a Ray cluster whose machines fail, too",
+    )
     parser.add_argument("--write", action="store_true", help="rewrite its table")
     options = parser.parse_args()
     if options.clusters > 1 and not options.long:

@@ -49,11 +49,13 @@ class Campaign:
 
     @classmethod
     @contextlib.contextmanager
-    def open(cls, *, seed: int, players: int, lease_s: float) -> Iterator[Self]:
+    def open(
+        cls, *, seed: int, players: int, lease_s: float, ray: bool = False
+    ) -> Iterator[Self]:
         with (
             tempfile.TemporaryDirectory(prefix="chaos-") as directory,
             ChaosCluster.open(
-                Path(directory), size=NODES, lease_s=lease_s, seed=seed
+                Path(directory), size=NODES, lease_s=lease_s, seed=seed, ray=ray
             ) as cluster,
             scripted_policy() as policy,
         ):

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ from tests.support.server.postgresql_server import (
     PostgresqlServer,
 )
 from tests.support.servers import NotStarted
+from tests.support.sim.ray_machine_processes import PYTHON, RayMachines
 from tools.local_cluster.balancer import Balancer
 
 SOCKET = ".s.PGSQL.5432"
@@ -51,7 +53,8 @@ class ChaosNode(AttackedServer):
 class ChaosCluster:
     """Opened by `open`. url: of the balancer. database: name of the nodes' one.
 
-    directory: of all files, among them the recordings, which the nodes share.
+    directory: of all files, among them the recordings, which the nodes share. ray: has
+    the simulators, or they are processes of the nodes.
     """
 
     def __init__(
@@ -60,8 +63,10 @@ class ChaosCluster:
         postgresql: PostgresqlServer,
         links: LinkThread,
         lease_s: float,
+        ray: RayMachines | None,
     ) -> None:
         self.postgresql, self.links, self.lease_s = postgresql, links, lease_s
+        self.ray = ray
         self.nodes: list[ChaosNode] = []
         self.fronts: list[Link] = []
         self.peers: list[Link] = []
@@ -75,14 +80,15 @@ class ChaosCluster:
     @classmethod
     @contextlib.contextmanager
     def open(
-        cls, directory: Path, *, size: int, lease_s: float, seed: int
+        cls, directory: Path, *, size: int, lease_s: float, seed: int, ray: bool = False
     ) -> Iterator[ChaosCluster]:
         with contextlib.ExitStack() as stack:
             postgresql = stack.enter_context(
                 PostgresqlServer(has_clock=LIBFAKETIME is not None)
             )
             links = stack.enter_context(LinkThread(seed))
-            cluster = cls(directory, postgresql, links, lease_s)
+            machines = stack.enter_context(RayMachines.open()) if ray else None
+            cluster = cls(directory, postgresql, links, lease_s, machines)
             stack.callback(cluster._end_nodes)
             fronts = [cluster._add_node(number) for number in range(size)]
             balancer = Balancer(fronts)
@@ -124,7 +130,11 @@ class ChaosCluster:
             "PROCTOR_SEALING_KEY": str(self.directory / "key"),
             "PROCTOR_SEED_SECRET": str(self.directory / "seeds"),
         }
-        node = ChaosNode(folder, settings, program=PROGRAM)
+        python = sys.executable
+        if self.ray is not None:
+            settings |= self.ray.settings
+            python = str(PYTHON)
+        node = ChaosNode(folder, settings, program=PROGRAM, python=python)
         self.nodes.append(node)
         self._ports[number] = int(node.url.rpartition(":")[2])
         return front_port
@@ -140,6 +150,10 @@ class ChaosCluster:
     def execute(self, *statements: str) -> list[tuple[Any, ...]]:
         """In the database, past the links; the rows of the last one."""
         return self.postgresql.execute(self.database, *statements)
+
+    def simulators(self, node: ChaosNode) -> list[int]:
+        """Those that a node has started; on Ray, those of all nodes."""
+        return node.simulators() if self.ray is None else self.ray.simulators()
 
     def signal_database(self, number: signal.Signals) -> None:
         """Send it to each process of PostgreSQL."""

@@ -50,7 +50,7 @@ Happens = Callable[[ChaosCluster, Random], Iterator[Broken]]
 class Fault:
     """does: for the table. weight: how often it is chosen beside the others.
 
-    promise: what it counts for, of PROMISED.
+    promise: what it counts for, of PROMISED. needs_ray: the simulators are on Ray.
     """
 
     name: str
@@ -58,6 +58,7 @@ class Fault:
     happens: Happens
     weight: int = 1
     promise: str = ""
+    needs_ray: bool = False
 
 
 def _wait_until(moment: float) -> None:
@@ -122,12 +123,46 @@ def _pause_node(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
 def _kill_simulators(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     since, killed = time.monotonic(), 0
     for _ in range(3):
-        found = chance.choice(cluster.nodes).simulators()
+        found = cluster.simulators(chance.choice(cluster.nodes))
         if found:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(chance.choice(found), signal.SIGKILL)
                 killed += 1
     yield Broken(since, killed)
+
+
+# --- machines of Ray ---
+
+
+def _signal_all(pids: set[int], number: signal.Signals) -> None:
+    for pid in pids:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, number)
+
+
+def _kill_machine(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
+    """With all that it simulates. Another one joins."""
+    assert cluster.ray is not None
+    machine = chance.choice(cluster.ray.machines())
+    since = time.monotonic()
+    _signal_all(machine, signal.SIGKILL)
+    yield Broken(since)
+    cluster.ray.replace_lost()
+
+
+def _pause_machine(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
+    """With all that it simulates, for 1 to 15 s."""
+    assert cluster.ray is not None
+    machine = chance.choice(cluster.ray.machines())
+    pause_s = chance.choice((1.0, 4.0, 8.0, 15.0))
+    since = time.monotonic()
+    _signal_all(machine, signal.SIGSTOP)
+    try:
+        yield Broken(since)
+        _wait_until(since + pause_s)
+    finally:
+        _signal_all(machine, signal.SIGCONT)
+        cluster.ray.replace_lost()
 
 
 # --- the database ---
@@ -244,6 +279,10 @@ FAULTS = {
         Fault("node paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_node, 4, PAUSES),
         Fault("simulators killed", "SIGKILL of three", _kill_simulators, 2,
               SIMULATORS_KILLED),
+        Fault("Ray machine killed", "SIGKILL with its simulators; another one joins",
+              _kill_machine, 4, needs_ray=True),
+        Fault("Ray machine paused", "SIGSTOP with its simulators, 1 to 15 s",
+              _pause_machine, 2, needs_ray=True),
         Fault("database restarted", "killed; away for up to 1.5 leases",
               _restart_database, 2, DATABASES_KILLED),
         Fault("database paused", "SIGSTOP for 0.5 to 2.5 leases", _pause_database, 2,

@@ -20,6 +20,8 @@ def scripted_policy() -> ScriptedPolicy:
     policy = ScriptedPolicy()
 
     def answer(call: PolicyCall) -> PolicyReply:
+        if call.body is None:  # a node was killed in the middle of its request
+            return PolicyReply(status=400)
         is_last = call.body["episode"]["step"] == STEPS - 1
         values = calibration_action(score=SCORE, end=float(is_last))
         return policy.actions_reply(call, {"values": values})

@@ -2,8 +2,10 @@
 
 `python -m tools.local_cluster.ray_machines MACHINES CPUS`, where Ray is installed,
 starts it, prints its address or why there is none, and ends it when its standard input
-ends, as when the process that started it was killed. A process of its own: Ray brings
-threads and signal handlers. No other machine reaches any of it.
+ends, as when the process that started it was killed. A line `add` there starts one more
+machine; `add` and `list` print the process ids of those beside the head that run. A
+process of its own: Ray brings threads and signal handlers. No other machine reaches any
+of it.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ import os
 import signal
 import sys
 from pathlib import Path
+from typing import Any
 
 from tools.local_cluster.part_processes import NotStarted, start_apart
 
@@ -29,7 +32,8 @@ RESOURCES = f"CPU={CPUS / PLACES}"
 ENVIRONMENT = {"RAY_ENABLE_WINDOWS_OR_OSX_CLUSTER": "0", "RAY_USAGE_STATS_ENABLED": "0"}
 END_S = 20.0
 _STORE_BYTES = 80 * 2**20  # of each machine's object store; Ray's least
-_STARTED, _FAILED = "started ", "failed "
+STARTED, _FAILED, LISTED = "started ", "failed ", "machines "
+ADD, LIST = "add", "list"
 
 
 async def start_ray(
@@ -57,8 +61,8 @@ async def start_ray(
     # Ray may print, too.
     while read := await process.stdout.readline():
         line = read.decode(errors="replace").strip()
-        if line.startswith(_STARTED):
-            return process, line.removeprefix(_STARTED)
+        if line.startswith(STARTED):
+            return process, line.removeprefix(STARTED)
         if line.startswith(_FAILED):
             why = line.removeprefix(_FAILED)
             raise NotStarted(f"Ray did not start ({why}); {log} says more")
@@ -87,9 +91,19 @@ def _run(machines: int, cpus: int) -> None:
         why = str(error).strip().partition("\n")[0] or type(error).__name__
         print(f"{_FAILED}{why}", flush=True)
         return
-    print(f"{_STARTED}{cluster.address}", flush=True)
-    sys.stdin.buffer.read()
+    print(f"{STARTED}{cluster.address}", flush=True)
+    for line in sys.stdin:
+        if line.strip() == ADD:
+            with contextlib.suppress(Exception):  # a slow one may join later
+                cluster.add_node(**settings)
+        print(LISTED, *_machines_of(cluster), flush=True)
     cluster.shutdown()
+
+
+def _machines_of(cluster: Any) -> list[int]:
+    """Process ids of those beside the head that run."""
+    found = [one.all_processes["raylet"][0].process for one in cluster.worker_nodes]
+    return [process.pid for process in found if process.poll() is None]
 
 
 if __name__ == "__main__":
