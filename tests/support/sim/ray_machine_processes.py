@@ -28,6 +28,9 @@ from tools.local_cluster.ray_machines import (
 
 PYTHON = ROOT / ".venv-cluster" / "bin" / "python"
 BESIDE_THE_HEAD = 3
+# What Ray calls the process of an actor; its own agents have names like it, and end
+# their machine with them.
+_SIMULATOR = b"ray::SimulatorActor"
 
 
 class RayMachines:
@@ -73,10 +76,10 @@ class RayMachines:
         return [{pid} | descendants(pid) for pid in self._ask(LIST)]
 
     def simulators(self) -> list[int]:
-        """Process ids of what simulates, or may, on the machines beside the head."""
+        """Process ids of what simulates on the machines beside the head."""
         found = set[int]()
         for machine in self.machines():
-            found |= {pid for pid in machine if _is_worker(pid)}
+            found |= {pid for pid in machine if _simulates(pid)}
         return sorted(found)
 
     def replace_lost(self) -> None:
@@ -98,7 +101,7 @@ class RayMachines:
         raise NotStarted("Ray did not start, or has ended")
 
 
-def _is_worker(pid: int) -> bool:
+def _simulates(pid: int) -> bool:
     with contextlib.suppress(OSError):
-        return Path(f"/proc/{pid}/cmdline").read_bytes().startswith(b"ray::")
+        return Path(f"/proc/{pid}/cmdline").read_bytes().startswith(_SIMULATOR)
     return False
