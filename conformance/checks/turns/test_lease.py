@@ -457,16 +457,22 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
 @requirement("LEASE-011")
 @background
 def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
-    """A worker plays a turn and falls silent while `get_run` waits for a change.
+    """A worker plays a turn, sends a heartbeat, with a pause before each, and falls
+    silent while `get_run` waits for a change.
 
     Expect the wait to end with the lease, in a run that is `ready` with the episode
     pending; no worker has sent anything.
     """
     worker, _ = attach_with_lease(context)
-    turn = play_turn(worker)
     run, lease_s = worker.run, lease_of(context)
+    # So that who looks when the lease before would have ended finds it alive.
+    time.sleep(lease_s / 8)
+    play_turn(worker)
+    time.sleep(lease_s / 8)
+    last = worker.try_heartbeat()
+    expect.require(last, 200, "a heartbeat")
     wait_s = min(context.limits["wait_s_max"], int(lease_s) + NOTICE_S + 5)
-    until = turn.ended_at + lease_s + NOTICE_S
+    until = last.ended_at + lease_s + NOTICE_S
     read = run.call("get_run")
     while expect.require(read, 200, "get_run")["state"] == "running":
         headers = {"If-None-Match": read.headers["etag"], "Prefer": f"wait={wait_s}"}
