@@ -92,7 +92,6 @@ def stop_beside_an_attach(context: CheckContext, delay_s: float) -> None:
         return
     worker.session_id = attached.json["session_id"]
     expect.refused(worker.try_heartbeat(), "session_ended")
-    expect.equal(worker.run.get()["live_workers"], 0, "live_workers of a stopped run")
 
 
 @requirement("STOP-003")
