@@ -53,6 +53,18 @@ def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
     assert all(seen), counts  # so there was something to find
 
 
+@pytest.mark.slow("breaks a cluster whose simulators are on Ray")
+def test_a_cluster_on_ray_goes_on_without_a_machine() -> None:
+    names = ("Ray machine killed", "simulators killed")
+    with Campaign.open(seed=2, players=3, lease_s=1.0, ray=True) as campaign:
+        rounds = [
+            campaign.play_fault(number, FAULTS[name], Random(number))
+            for number, name in enumerate(names)
+        ]
+    assert [one.findings for one in rounds] == [[] for _ in names]
+    assert all(one.waits_s for one in rounds)
+
+
 def test_a_node_whose_database_does_not_answer_is_started_again(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -180,6 +180,7 @@ def expect_long_pages_without_a_gap(context: CheckContext) -> None:
     params: dict[str, Any] = {"limit": _LONG_PAGE}
     page = expect.ok(context.call("list_runs", params=params))
     shown = [run["run_id"] for run in page["runs"]]
+    expect.true(page["next_cursor"], "another page behind a long one", page)
     params["cursor"] = page["next_cursor"]
     following = expect.ok(context.call("list_runs", params=params))
     shown += [run["run_id"] for run in following["runs"]]

@@ -75,7 +75,7 @@ def executes_a_repeated_turn_again() -> None:
     )
 
 
-@mutant("PRED-003", "PRED-025", "PRED-026", "PRED-027")
+@mutant("FAULT-011", "PRED-003", "PRED-025", "PRED-026", "PRED-027")
 def answers_another_body_under_the_same_seq() -> None:
     """The client believes its new actions were executed; the old ones were."""
 

@@ -756,8 +756,7 @@ def counts_no_worker_that_was_there_before() -> None:
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
         place = run.run_id, command.worker_id
-        is_new = place not in seen or not command.takeover
-        verdict = right(run, command, now) if is_new else None
+        verdict = None if place in seen else right(run, command, now)
         if verdict is None:
             seen.add(place)
         return verdict
