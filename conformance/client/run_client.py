@@ -28,7 +28,7 @@ _CLEAN_UP_TIMEOUT_S = 5.0
 _POLL_FIRST_S = 0.004
 _POLL_LONGEST_S = 0.1
 _VOLATILE = ("updated_at", "queue_position")
-_MAX_PAGES = 2000
+_MAX_EMPTY_PAGES = 20
 
 
 class RunClient:
@@ -117,13 +117,15 @@ class RunClient:
         """Read all pages of the episodes."""
         episodes: list[dict[str, Any]] = SetUpList()
         params: dict[str, Any] = {}
-        for _ in range(_MAX_PAGES):
+        empty = 0
+        while empty < _MAX_EMPTY_PAGES:
             page = self._require("list_episodes", params=params)
             episodes += page["episodes"]
+            empty += not page["episodes"]
             if page["next_cursor"] is None:
                 return episodes
             params = {"cursor": page["next_cursor"]}
-        text = f"`list_episodes` returned more than {_MAX_PAGES} pages"
+        text = f"`list_episodes` returned {empty} pages without an episode"
         raise SetUpFailed(text, breaks="EPI-006")
 
     def stop(self, mode: str = "abort") -> dict[str, Any]:
