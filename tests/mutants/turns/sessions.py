@@ -440,7 +440,7 @@ def waits_for_done_sessions() -> None:
     put(effects, "_after_session_end", wrong)
 
 
-@mutant("ATT-016")
+@mutant("ATT-016", "LEASE-010")
 def refuses_a_repeated_attach_in_a_drain() -> None:
     """A lost answer to attach costs the episode when the run is drained meanwhile."""
     guards = list(GUARDS[Attach])
