@@ -91,6 +91,8 @@ def hashes_the_first_hundred_episodes() -> None:
 
     def wrong(manifest: Any) -> str:
         episodes = manifest["episodes"]
+        if len(episodes) <= 100:
+            return right(manifest)
         hashed = {**manifest, "episodes": episodes[:100], "total": len(episodes)}
         return right(hashed)
 
