@@ -22,6 +22,7 @@ _FAULT_EVERY_S = 0.32
 _QUEUE_S = 1.0
 _CHANGE_AFTER_S = 0.4
 _LATE_S = 1.0
+_POLL_EVERY_S = 0.05
 # Timers of the server and of this machine may disagree by so much.
 _EARLY_S = 0.02
 # Far longer than any answer takes that is not waited for.
@@ -71,12 +72,19 @@ def wait_header(context: CheckContext, wait_s: int) -> dict[str, str]:
 def wait_for_state(
     run: RunClient, state: str, headers: dict[str, str], until: float
 ) -> Answer:
-    """Give the answer that ended the last wait; other members may change before."""
+    """Give the answer that ended the last wait; other members may change before.
+
+    Expect each answer to have another ETag than the one that its request named.
+    """
     while True:
         answer = run.call("get_run", headers=headers)
-        if expect.ok(answer)["state"] == state or answer.ended_at > until:
+        ended, etag = expect.ok(answer), answer.headers.get("etag")
+        named = headers["If-None-Match"]
+        expect.true(etag not in (None, named), "another ETag beside a 200", etag)
+        if ended["state"] == state or answer.ended_at > until:
             return answer
         headers = headers | {"If-None-Match": answer.headers["etag"]}
+        time.sleep(_POLL_EVERY_S)  # a server that never waits is asked seldom
 
 
 def change_later(change: Callable[[], Any]) -> float:
