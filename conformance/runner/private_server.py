@@ -1,4 +1,4 @@
-"""A server that a check may kill.
+"""A server that a check may kill, or that no other check asks.
 
 With `--start-cmd` every such check gets its own server. With `--restart-cmd` it is the
 server under test, which the command kills and restarts; these checks then run alone,
@@ -115,6 +115,20 @@ def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
         finally:
             process.stop()
             _OPEN.discard(process)
+
+
+@contextlib.contextmanager
+def open_quiet_server(context: CheckContext) -> Iterator[CheckContext]:
+    """Give a server that no other check asks, where the kit can start one.
+
+    A server that looks at its clocks only when it is asked is found out there; where
+    the kit was given a URL, other checks may ask it in time.
+    """
+    if context.shared.settings.start_cmd is None:
+        yield context
+        return
+    with open_private_server(context) as server:
+        yield server.context
 
 
 def close_private_servers() -> None:

@@ -23,6 +23,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.request_context import RequestContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
+from conformance.runner.private_server import open_quiet_server
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -462,11 +463,18 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
 @background
 def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
     """A worker plays a turn, sends a heartbeat, with a pause before each, and falls
-    silent while `get_run` waits for a change.
+    silent while `get_run` waits for a change. Where the kit starts servers, no other
+    check sends requests to this one.
 
     Expect the wait to end with the lease, in a run that is `ready` with the episode
     pending; no worker has sent anything.
     """
+    with open_quiet_server(context) as quiet:
+        wait_for_the_end_of_a_lease(quiet)
+
+
+def wait_for_the_end_of_a_lease(context: CheckContext) -> None:
+    """Expect a wait for a change to end with the lease of the only worker."""
     worker, _ = attach_with_lease(context)
     run, lease_s = worker.run, lease_of(context)
     # So that who looks when the lease before would have ended finds it alive.
