@@ -513,7 +513,7 @@ def lets_a_resumed_run_out_of_the_queue_at_once() -> None:
     put(effects, "resume", lambda run, _until: right(run, 0.0))
 
 
-@mutant("LIFE-604", "LIFE-810")
+@mutant("LIFE-604", "LIFE-810", "RUN-012")
 def goes_on_with_the_queue_time_of_the_submit() -> None:
     """A run that waits anew leaves the queue when its first wait would have ended."""
     right = effects.resume

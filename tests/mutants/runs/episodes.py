@@ -33,7 +33,7 @@ def hands_out_the_last_episode_first() -> None:
     put(Run, "take_pending", wrong)
 
 
-@mutant("EPI-002", "FAULT-008", "LEASE-012")
+@mutant("EPI-002", "EPI-003", "FAULT-008", "LEASE-012")
 def counts_attempts_that_never_began() -> None:
     """Attaching and detaching three times abandons an episode."""
     right = effects._close_attempt
@@ -161,7 +161,7 @@ def hands_out_new_episodes_while_draining() -> None:
     put(effects, "end_turn", wrong)
 
 
-@mutant("FAULT-001", "FAULT-007", "FAULT-008")
+@mutant("EPI-003", "FAULT-001", "FAULT-007", "FAULT-008")
 def counts_a_fault_as_an_attempt() -> None:
     """A crash of the server uses up an attempt of the policy."""
     right = effects.record_fault

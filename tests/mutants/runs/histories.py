@@ -17,7 +17,7 @@ from reference_server.runs.session_resources import SessionResources
 from tests.mutants import mutant, put
 
 
-@mutant("MODEL-001")
+@mutant("LEASE-012", "MODEL-001")
 def counts_no_attempt_after_a_takeover() -> None:
     """A client that takes over before it gives up can retry an episode without
     limit.

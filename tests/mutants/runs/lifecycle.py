@@ -21,7 +21,8 @@ SPEC = Path(__file__).parents[3] / "spec" / "openapi.yaml"
 ALSO: dict[str, set[str]] = {
     "LIFE-202": {"ATR-005", "ERR-017", "SUB-003"},
     "LIFE-301": {"ATR-001"},
-    "LIFE-504": {"ATR-005", "ERR-017", "SUB-003"},
+    "LIFE-501": {"STOP-002"},
+    "LIFE-504": {"ATR-005", "ERR-017", "RUN-008", "SUB-003"},
     "LIFE-802": {"ATT-015", "LEASE-011", "LEASE-012", "RUN-012"},
     "LIFE-803": {"ATT-015", "LEASE-012"},
     "LIFE-804": {
@@ -29,7 +30,7 @@ ALSO: dict[str, set[str]] = {
         *("SEAL-001", "SEAL-002", "SUB-001"),
     },
     "LIFE-805": {"EPI-009"},
-    "LIFE-806": {"FAULT-005", "FAULT-010"},
+    "LIFE-806": {"FAULT-005", "FAULT-010", "RUN-012"},
 }
 
 # Without these nothing can be played: there is nothing to judge.

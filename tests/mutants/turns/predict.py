@@ -50,10 +50,12 @@ def change_turn(change: Any) -> None:
 @mutant(
     "FAULT-011",
     "LEASE-002",
+    "LEASE-010",
     "PRED-002",
     "PRED-003",
     "PRED-005",
     "PRED-010",
+    "PRED-024",
     "PRED-025",
     "PRED-026",
     "PRED-027",
@@ -364,7 +366,7 @@ def never_says_done() -> None:
     change_turn(lambda body, _: body.update(done=False))
 
 
-@mutant("LEASE-002", "LEASE-009", "PRED-010", "PRED-011", "PRED-027")
+@mutant("LEASE-002", "LEASE-009", "LEASE-010", "PRED-010", "PRED-011", "PRED-027")
 def forgets_the_session_with_its_last_turn() -> None:
     """After a lost last answer a client cannot learn how the run ended."""
     right = effects.store_answer

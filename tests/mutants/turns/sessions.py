@@ -93,6 +93,7 @@ def replaces_a_live_session_without_takeover() -> None:
     "ATR-004",
     "ATR-006",
     "EPI-011",
+    "LEASE-012",
     "SCORE-002",
 )
 def restarts_the_episode_on_takeover() -> None:
@@ -241,7 +242,7 @@ def never_ends_a_lease() -> None:
     _change_lease_over(lambda _session, _now: False)
 
 
-@mutant("LEASE-001", "LEASE-010")
+@mutant("LEASE-001", "LEASE-003", "LEASE-010")
 def never_ends_a_session_that_is_done() -> None:
     """Sessions that have played everything are kept for ever."""
     right = lifecycle.lease_over

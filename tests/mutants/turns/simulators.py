@@ -199,7 +199,7 @@ def counts_one_action_too_many() -> None:
     spoil_observations(wrong)
 
 
-@mutant("CAL-004")
+@mutant("CAL-004", "EPI-011")
 def sleeps_less_than_commanded() -> None:
     """Leases and timeouts cannot be judged."""
     spoil_play(lambda acts: [{**a, "delay_s": [a["delay_s"][0] * 0.8]} for a in acts])
