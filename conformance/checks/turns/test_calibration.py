@@ -349,11 +349,13 @@ def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) ->
 @requirement("CAL-011")
 def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
     """Every task but `score` is played with success and a low score, without success
-    and a high score, and with a `success` just below 1.
+    and a high score, and with a `success` just below 1; by both rules, with a success
+    that is over in the last step.
 
     Expect 1 for each success, and 0 for each failure.
     """
-    tasks = [task for task in TASKS if task != "score"] * 3
+    others = [task for task in TASKS if task != "score"]
+    tasks = others * 3
     worker = submit_and_attach(context, *tasks)
     scores: dict[int, float] = {}
     for number in range(len(tasks)):
@@ -362,3 +364,8 @@ def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
         scores[result["index"]] = int(success == 1)
         expect.equal(result["score"], int(success == 1), f"score in {result['task']}")
     expect.equal(listed_scores(worker), scores, "scores listed")
+    for rule, score in (("any_step", 1), ("last_step", 0)):
+        worker = submit_and_attach(context, *others, success_rule=rule)
+        for task in others:
+            turn = worker.predict(context.action(success=1), context.action(end=1))
+            expect.equal(turn["episode_result"]["score"], score, f"{rule} in {task}")

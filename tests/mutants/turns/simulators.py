@@ -306,6 +306,18 @@ def scores_echo_by_its_commanded_score() -> None:
     )
 
 
+@mutant("CAL-011")
+def scores_a_goal_that_was_lost_again() -> None:
+    """With the rule `last_step` a failure counts as a success in the score."""
+
+    def wrong(played: Any, actions: Actions) -> Any:
+        held = any(a["success"][0] == 1 for a in actions[: played.executed])
+        is_lost = played.ended and held and not played.score
+        return changed(played, score=1.0) if is_lost else played
+
+    spoil_play(after=wrong)
+
+
 @mutant("CAL-007", "ENC-003", "ENC-012")
 def sends_numbers_in_single_precision() -> None:
     """All positions are slightly wrong."""
