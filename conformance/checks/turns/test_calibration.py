@@ -364,8 +364,9 @@ def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
         scores[result["index"]] = int(success == 1)
         expect.equal(result["score"], int(success == 1), f"score in {result['task']}")
     expect.equal(listed_scores(worker), scores, "scores listed")
+    lost = context.action(score=0.5, end=1)
     for rule, score in (("any_step", 1), ("last_step", 0)):
         worker = submit_and_attach(context, *others, success_rule=rule)
         for task in others:
-            turn = worker.predict(context.action(success=1), context.action(end=1))
+            turn = worker.predict(context.action(success=1), lost)
             expect.equal(turn["episode_result"]["score"], score, f"{rule} in {task}")

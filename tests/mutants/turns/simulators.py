@@ -311,9 +311,10 @@ def scores_a_goal_that_was_lost_again() -> None:
     """With the rule `last_step` a failure counts as a success in the score."""
 
     def wrong(played: Any, actions: Actions) -> Any:
-        held = any(a["success"][0] == 1 for a in actions[: played.executed])
-        is_lost = played.ended and held and not played.score
-        return changed(played, score=1.0) if is_lost else played
+        executed = actions[: played.executed]
+        held = any(action["success"][0] == 1 for action in executed)
+        is_failure = played.ended and not played.score and executed[-1]["score"][0] > 0
+        return changed(played, score=1.0) if held and is_failure else played
 
     spoil_play(after=wrong)
 
