@@ -53,8 +53,9 @@ def build_parser() -> argparse.ArgumentParser:
         "--start-cmd",
         metavar="CMD",
         help="start the server under test with this command; the kit sets "
-        "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS and PROCTOR_DATABASE in its "
-        "environment",
+        "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS (account:scopes:token, with "
+        "commas between several; a scope is read, run or read+run) and "
+        "PROCTOR_DATABASE (the path of a file) in its environment",
     )
     server.add_argument(
         "--nodes",

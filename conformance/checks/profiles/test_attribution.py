@@ -117,17 +117,31 @@ def expect_players_of_attempts(context: CheckContext) -> None:
     expect.equal(players(run), [OTHER, POLICY], "players of the attempts")
 
 
+def expect_players_of_faults(context: CheckContext) -> None:
+    run = context.submit("fault", "fault", any_policy=True)
+    worker = attach(run, POLICY)
+    worker.predict(context.action(fault=1))
+    worker.play()
+    worker.predict(context.action())
+    worker = attach(run, OTHER, takeover=True)
+    worker.predict(context.action(fault=1))
+    worker.play()
+    expect.equal(players(run), [POLICY, None], "players of attempts with a fault")
+
+
 @requirement("ATR-003")
 def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     """Episodes of one player, taken over by another and again by the first, taken over
     by the same, after the takeover, and without a player. Then two attempts of an
-    episode by two players, the second time up to the end of the attempts.
+    episode by two players, the second time up to the end of the attempts. Then one
+    player before a fault, and two.
 
     Expect the player of an attempt that one alone played, abandoned or not, and none
     in the others.
     """
     expect_players_of_takeovers(context)
     expect_players_of_attempts(context)
+    expect_players_of_faults(context)
 
 
 def clipped_actions(run: RunClient) -> list[Any]:

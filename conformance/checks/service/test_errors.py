@@ -20,6 +20,7 @@ from conformance.checks.support.operation_samples import (
     find_sample,
     operation_samples,
     samples_with_body,
+    send,
     send_body,
 )
 from conformance.checks.support.submissions import NAMES_OF_LANGUAGES, submit
@@ -185,8 +186,8 @@ def test_err_005_cannot_send_too_large_a_body(context: CheckContext) -> None:
     """Bodies of 100 MB streamed, of one byte more than the limit, and of the limit.
 
     Expect `body_too_large` for the first two, with and without a declared length, and
-    of every operation for the second. The limit of operations other than `predict` may
-    be lower.
+    of every operation for the second; `predict` gets it both ways. The limit of
+    operations other than `predict` may be lower.
     """
     limit = context.limits["max_body_bytes"]
     as_json = {"Content-Type": "application/json"}
@@ -204,7 +205,10 @@ def test_err_005_cannot_send_too_large_a_body(context: CheckContext) -> None:
             worker, (sample[0], sample[1] | {"headers": declared}), large
         )
         expect.refused(answer, "body_too_large")
-    predict = find_sample(worker, "predict")
+    operation_id, how = predict = find_sample(worker, "predict")
+    how = {key: value for key, value in how.items() if key != "json"}
+    how |= {"content": pad_body(predict[1]["json"], limit + 1), "headers": as_json}
+    expect.refused(send(worker.run, (operation_id, how)), "body_too_large")
     at_limit = b"".join(pad_body(predict[1]["json"], limit))
     expect.ok(send_body(worker, predict, at_limit))
     lower = min(limit, context.limits.get("max_control_body_bytes", limit))

@@ -78,6 +78,18 @@ def forgets_the_player_after_its_first_episode() -> None:
     put(effects, "end_turn", wrong)
 
 
+@mutant("ATR-003")
+def forgets_after_a_fault_who_played_before() -> None:
+    """A policy that broke the simulator is left out of what the next one shows."""
+    right = effects.record_fault
+
+    def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
+        session.attempt_player = session.player
+        return right(run, session, *rest, **named)
+
+    put(effects, "record_fault", wrong)
+
+
 @mutant("ATR-004")
 def counts_clipped_actions_that_were_not_executed() -> None:
     """A policy with long chunks seems to send more nonsense than it does."""

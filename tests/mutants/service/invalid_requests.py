@@ -129,6 +129,20 @@ def reads_bodies_of_any_size() -> None:
     put(codec, "read_body", wrong)
 
 
+@mutant("ERR-005")
+def reads_turns_of_any_size_that_come_in_chunks() -> None:
+    """A body that declares no length is read to its end, where it may be long."""
+    right = codec.read_body
+
+    async def wrong(request: Request, max_bytes: int, **kind: bool) -> bytes:
+        is_turn = request.url.path.endswith("/predict")
+        if is_turn and "content-length" not in request.headers:
+            max_bytes = 2**30
+        return await right(request, max_bytes, **kind)
+
+    put(codec, "read_body", wrong)
+
+
 @mutant("ERR-006")
 def fails_on_deep_nesting() -> None:
     """A short body makes the server fail."""
