@@ -36,6 +36,7 @@ class Settings:
     start_cmd: str | None = None
     nodes: int = 1  # how often start_cmd is started
     restart_cmd: str | None = None
+    durable: bool = True  # whether runs outlive the server's process
     seed: int = 0
     quick: bool = False
     stage: int | None = None

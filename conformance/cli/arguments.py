@@ -70,6 +70,12 @@ def build_parser() -> argparse.ArgumentParser:
         metavar="CMD",
         help="command that kills the server at --url and restarts it",
     )
+    server.add_argument(
+        "--not-durable",
+        action="store_true",
+        help="the runs of this server do not outlive its process: kill nothing, and "
+        "report the rules about crashes as not verified",
+    )
     accounts = parser.add_argument_group(
         "accounts (environment variables are preferred)"
     )
@@ -249,6 +255,8 @@ def read_settings(options: argparse.Namespace) -> Settings:
         raise BadArguments("--url and --start-cmd exclude each other")
     if options.start_cmd is not None and options.restart_cmd is not None:
         raise BadArguments("--start-cmd and --restart-cmd exclude each other")
+    if options.not_durable and options.restart_cmd is not None:
+        raise BadArguments("--not-durable and --restart-cmd exclude each other")
     if options.fail_fast and options.known_failures is not None:
         raise BadArguments("--fail-fast and --known-failures exclude each other")
     if options.max_time is not None and not options.max_time > 0:
@@ -263,6 +271,7 @@ def read_settings(options: argparse.Namespace) -> Settings:
     )
     settings.start_cmd = options.start_cmd
     settings.restart_cmd = options.restart_cmd
+    settings.durable = not options.not_durable
     settings.fail_fast = options.fail_fast
     settings.summary = options.summary
     settings.exchanges = options.exchanges

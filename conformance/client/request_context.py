@@ -24,6 +24,7 @@ from conformance.client.base_urls import BaseUrls
 from conformance.client.connections.connection_pool import ConnectionPool
 from conformance.client.exchange_log import ExchangeLog
 from conformance.client.http_client import HttpClient, NoAnswer
+from conformance.client.own_causes import OwnCauses
 from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
@@ -92,12 +93,14 @@ class RequestContext:
             parent.exchange_log if parent else ExchangeLog(name)
         )
         self.tally: Tally = parent.tally if parent else Tally(shared.spec)
+        self.own_causes: OwnCauses = parent.own_causes if parent else OwnCauses()
         # The same seed gives the same requests.
         self.random = random.Random(f"{shared.settings.seed}/{name}")
         # Another server than the one that is judged is reached at this URL alone.
         urls = (base_url,) if base_url else shared.settings.urls
         self._base_urls = BaseUrls(tuple(urls), seed=shared.settings.seed)
         self._clean_ups: list[Callable[[], object]] = []
+        self.adopted: set[str] = set()  # runs that their clients stop
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
     def _open_client(
@@ -184,6 +187,7 @@ class RequestContext:
         is taken back after the check.
         """
         operation = self.spec.operations[operation_id]
+        sent, run_id = json, path_params.get("run_id")
         http_client = http_client or self.http_client
         path = operation.path.format(
             **{name: quote(value, safe="") for name, value in path_params.items()}
@@ -214,10 +218,11 @@ class RequestContext:
                 withdraw = partial(self.call, "withdraw_entry", http_client=http_client)
                 self.clean_up_with(partial(withdraw, **path_params))
             raise
+        self.own_causes.note(operation_id, sent, run_id, answer)
         if taken_back := taken_back_by(operation_id, answer, path_params):
             name, where = taken_back
             step = partial(self.call, name, http_client=http_client, **where)
-            self.clean_up_with(step)
+            self.clean_up_with(partial(self._take_back, where.get("run_id"), step))
         return answer
 
     def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
@@ -300,6 +305,10 @@ class RequestContext:
         longest_s = round_trips[-1]
         self.tolerance_s = max(self.tolerance_s, TOLERANCE_ROUND_TRIPS * longest_s)
         return longest_s - round_trips[_ROUND_TRIPS // 2]
+
+    def _take_back(self, run_id: str | None, step: Callable[[], object]) -> None:
+        if run_id not in self.adopted:
+            step()
 
     def clean_up_with(self, step: Callable[[], object]) -> None:
         """Take a step when the check has ended."""

@@ -304,5 +304,6 @@ def adopt_run(
 ) -> RunClient:
     """Handle a run that a raw request submitted; it is stopped after the check."""
     run = RunClient(context, body, http_client or context.http_client)
+    context.adopted.add(run.id)
     context.clean_up_with(run.clean_up)
     return run

@@ -94,6 +94,14 @@ class _HookedServer:
 @contextlib.contextmanager
 def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
     """Give a server that may be killed, and end it afterwards."""
+    if not context.shared.settings.durable:
+        raise SetUpFailed("not judged with --not-durable", allowed=True)
+    with _open_server(context) as server:
+        yield server
+
+
+@contextlib.contextmanager
+def _open_server(context: CheckContext) -> Iterator[PrivateServer]:
     settings = context.shared.settings
     if settings.restart_cmd is not None:
         yield _HookedServer(context, settings.restart_cmd)
@@ -127,7 +135,7 @@ def open_quiet_server(context: CheckContext) -> Iterator[CheckContext]:
     if context.shared.settings.start_cmd is None:
         yield context
         return
-    with open_private_server(context) as server:
+    with _open_server(context) as server:
         yield server.context
 
 

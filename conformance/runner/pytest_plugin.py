@@ -137,18 +137,31 @@ def _call_check(check: Callable[[CheckContext], None], context: CheckContext) ->
     """Call a check; again while a busy machine or the kit itself may be the reason."""
     for _ in range(_TRIES - 1):
         try:
-            return check(context)
+            return _call_once(check, context)
         except (expect.OwnConnectionFailed, expect.Inconclusive, expect.TooLate):
             context.tidy_up()
             time.sleep(_PAUSE_S)
             context.measure_noise()
     try:
-        return check(context)
+        return _call_once(check, context)
     except expect.TooLate as error:
         if error.late_s <= _NOISE_FACTOR * context.measure_noise():
             text = f"expected {error.expected}; observed {error.observed}"
             raise expect.Inconclusive(f"this machine is too busy: {text}") from error
         raise
+
+
+def _call_once(check: Callable[[CheckContext], None], context: CheckContext) -> None:
+    """Call a check; what it has caused itself proves nothing about the server."""
+    context.own_causes.begin()
+    try:
+        check(context)
+    except (expect.Violation, expect.SetUpFailed) as error:
+        excuse = context.own_causes.excuse(context.name)
+        is_known = isinstance(error, expect.SetUpFailed) and error.allowed
+        if excuse is None or is_known:
+            raise
+        raise excuse from error
 
 
 def _run_check(

@@ -1,0 +1,75 @@
+"""What a check itself causes: leases that it lets end, quotas that it uses up.
+
+A server with short leases or small quotas has to end them and to refuse, so what a check
+sees then proves no violation. It does where the check chose the lease itself, to see it
+end, and where it means to use the quota up.
+"""
+
+import threading
+import time
+from collections.abc import Mapping
+from typing import Any
+
+from conformance.exchanges.answer import Answer
+from conformance.verdicts.expect import Inconclusive, SetUpFailed
+
+# Operations of an account that has no room, and the rules that are about that.
+_COUNTED = frozenset({"submit_run", "resume_run"})
+_RULES_OF_QUOTAS = ("LIM-", "REC-")
+
+
+class OwnCauses:
+    """What the requests of one check have caused; safe for several threads."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self.begin()
+
+    def begin(self) -> None:
+        """Forget what was: the check begins, or begins again."""
+        with self._lock:
+            self._runs: set[str] = set()  # with the lease that the server chose
+            self._leases: dict[str, tuple[float, float]] = {}  # their end, length
+            self._quota = ""
+
+    def note(
+        self, operation_id: str, sent: Any, run_id: str | None, answer: Answer
+    ) -> None:
+        """Note an answer, by what was sent; bodies that are no object prove nothing."""
+        with self._lock:
+            if operation_id in _COUNTED and answer.code == "quota_exceeded":
+                self._quota = str(answer.json.get("detail", ""))
+            if not isinstance(sent, Mapping) or not isinstance(answer.json, dict):
+                return
+            if operation_id == "submit_run" and answer.status == 201:
+                if "idle_timeout_s" not in sent:
+                    self._runs.add(str(answer.json.get("run_id")))
+            elif run_id in self._runs and answer.status == 200:
+                self._note_lease(sent, answer)
+
+    def _note_lease(self, sent: Mapping[str, Any], answer: Answer) -> None:
+        lease = answer.json.get("lease", answer.json)
+        length_s = lease.get("idle_timeout_s") if isinstance(lease, dict) else None
+        session_id = answer.json.get("session_id", sent.get("session_id"))
+        if isinstance(length_s, int | float) and isinstance(session_id, str):
+            self._leases[session_id] = (answer.started_at + length_s, length_s)
+
+    def excuse(self, rule: str) -> SetUpFailed | Inconclusive | None:
+        """Give what to report instead of what the check saw, if that proves nothing."""
+        with self._lock:
+            if self._quota and not rule.startswith(_RULES_OF_QUOTAS):
+                return SetUpFailed(
+                    "the account of the kit is at a limit of the server: raise it for "
+                    f"this account, or judge with a new one ({self._quota})"
+                )
+            ends = [lease for lease in self._leases.values() if lease[0] < self._now()]
+        if not ends or rule.startswith("LEASE-"):
+            return None
+        return Inconclusive(
+            f"a lease of {min(ends)[1]:g} s, which the server chose, could end before "
+            "the check sent its next request: announce a longer `idle_timeout_s_max`"
+        )
+
+    @staticmethod
+    def _now() -> float:
+        return time.monotonic()
