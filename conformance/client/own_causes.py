@@ -1,8 +1,8 @@
 """What a check itself causes: leases that it lets end, quotas that it uses up.
 
-A server with short leases or small quotas has to end them and to refuse, so what a check
-sees then proves no violation. It does where the check chose the lease itself, to see it
-end, and where it means to use the quota up.
+A server with short leases or small quotas has to end them and to refuse, so that what a
+check sees then proves no violation. It does where the check chose the lease itself, to
+see it end, and where it means to use the quota up.
 """
 
 import threading
@@ -15,7 +15,7 @@ from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
 # Operations of an account that has no room, and the rules that are about that.
 _COUNTED = frozenset({"submit_run", "resume_run"})
-_RULES_OF_QUOTAS = ("LIM-", "REC-")
+_RULES_OF_QUOTAS = ("LIM-007", "LIM-009", "LIM-010")
 
 
 class OwnCauses:
@@ -57,10 +57,10 @@ class OwnCauses:
     def excuse(self, rule: str) -> SetUpFailed | Inconclusive | None:
         """Give what to report instead of what the check saw, if that proves nothing."""
         with self._lock:
-            if self._quota and not rule.startswith(_RULES_OF_QUOTAS):
+            if self._quota and rule not in _RULES_OF_QUOTAS:
                 return SetUpFailed(
                     "the account of the kit is at a limit of the server: raise it for "
-                    f"this account, or judge with a new one ({self._quota})"
+                    f"this account, or judge with a new one. It says: {self._quota}"
                 )
             ends = [lease for lease in self._leases.values() if lease[0] < self._now()]
         if not ends or rule.startswith("LEASE-"):

@@ -87,7 +87,7 @@ def test_atr_002_a_player_of_the_run_may_attach(context: CheckContext) -> None:
 
 
 def expect_players_of_takeovers(context: CheckContext) -> None:
-    run = context.submit(*["count"] * 5, policy=POLICY, any_policy=True)
+    run = context.submit(*["count"] * 6, policy=POLICY, any_policy=True)
     worker = attach(run, POLICY)
     shown = worker.play()["episode_result"].get("player")
     expect.equal(shown, POLICY, "player in the turn that ends an episode")
@@ -100,8 +100,13 @@ def expect_players_of_takeovers(context: CheckContext) -> None:
     worker.play()
     worker.play()
     worker.detach()
-    attach(run, None).play()
-    expected = [POLICY, None, POLICY, POLICY, None]
+    worker = attach(run, None)
+    worker.play()
+    worker.predict(context.action())
+    for _ in range(2):
+        worker = attach(run, OTHER, takeover=True)
+    worker.play()
+    expected = [POLICY, None, POLICY, POLICY, None, None]
     expect.equal(players(run), expected, "players of the episodes")
 
 
@@ -132,7 +137,8 @@ def expect_players_of_faults(context: CheckContext) -> None:
 @requirement("ATR-003")
 def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     """Episodes of one player, taken over by another and again by the first, taken over
-    by the same, after the takeover, and without a player. Then two attempts of an
+    by the same, after the takeover, without a player, and taken over from none twice by
+    another. Then two attempts of an
     episode by two players, the second time up to the end of the attempts. Then one
     player before a fault, and two.
 

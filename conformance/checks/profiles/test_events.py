@@ -392,10 +392,11 @@ def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
 @requirement("EVT-009")
 def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
     """A private server is killed as soon as it has sent an episode; other runs had
-    ended before, one after a fault and three by the abort of four episodes.
+    ended before, one after a fault and three by the abort of four episodes; of another
+    one the second episode is scored before the first.
 
     Expect the same episodes after the restart, every id to be valid, and those of the
-    runs that have ended to be answered as before.
+    other runs to be answered as before.
     """
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"
@@ -405,6 +406,7 @@ def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
         run = worker.run
         worker.play(score=0.25)
         seen = [read_ended(run) for run in ended_runs(server.context)]
+        mixed = second_scored_first(server.context)
         with follow_run(run) as reader:
             kill_server = partial(kill_after_second_episode, server, reader)
             context.call_concurrently(partial(play_until_killed, worker), kill_server)
@@ -417,6 +419,8 @@ def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
                 expect.equal(again.first_status(), 200, "status at an id from before")
         for ended, events in seen:
             expect_the_same_places(ended, events)
+        if mixed is not None:
+            expect_the_others_after(*mixed)
 
 
 def ended_runs(context: CheckContext) -> list[RunClient]:
@@ -425,6 +429,33 @@ def ended_runs(context: CheckContext) -> list[RunClient]:
     faulted.predict(context.action(fault=1))
     faulted.play()
     return [faulted.run, *(run_ended_by_abort(context) for _ in range(ABORTS))]
+
+
+def second_scored_first(context: CheckContext) -> tuple[RunClient, str] | None:
+    """Give a run with an episode left, and the id of the first episode that it sent.
+
+    None if one worker is all that is allowed.
+    """
+    if context.limits["max_workers"] < 2:
+        return None
+    run = context.submit(*["score"] * 3)
+    first, second = attach_workers(run, 2)
+    second.play()
+    second.detach()
+    first.play()
+    first.detach()
+    episodes = [e for e in read_events(run, 2) if e.kind == "episode"]
+    return run, ids_of(episodes)[0]
+
+
+def expect_the_others_after(run: RunClient, second: str) -> None:
+    """Play the last episode; expect the first and it behind the id of the second."""
+    worker = run.worker()
+    worker.attach()
+    worker.play()
+    with follow_run(run, second) as reader:
+        rest = reader.until(in_state("completed"), "`run` that is completed")
+    expect.equal(episodes_in(rest), [0, 2], "what follows the second episode")
 
 
 def run_ended_by_abort(context: CheckContext) -> RunClient:

@@ -6,6 +6,7 @@ A server that other accounts use gets what could disturb those only with `--stre
 import json
 import time
 import uuid
+from functools import partial
 from typing import Any
 
 from conformance.checks.support.bodies.invalid_bodies import pad_body
@@ -16,7 +17,10 @@ from conformance.checks.support.operation_samples import (
     send_body,
 )
 from conformance.client.check_context import CheckContext
-from conformance.client.connections.raw_connection import open_raw_connection
+from conformance.client.connections.raw_connection import (
+    Ending,
+    open_raw_connection,
+)
 from conformance.client.http_client import HttpClient
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
@@ -33,6 +37,7 @@ OPENED_RUNS = 50
 STORED_BYTES = 100_000
 TASKS_STORED = 300
 AS_JSON = {"Content-Type": "application/json"}
+PARTS = (b"", b"a")  # of a header that does not end: what is sent now and then
 
 
 def provoked_limit(context: CheckContext, name: str) -> float:
@@ -78,13 +83,23 @@ def test_lim_001_cannot_send_headers_beyond_the_limit(context: CheckContext) -> 
 @background
 @requirement("LIM-002")
 def test_lim_002_cannot_keep_headers_incomplete(context: CheckContext) -> None:
-    """A request without the end of its headers. Expect 408 or none, and a close."""
+    """A request without the end of its headers, at once and byte by byte.
+
+    Expect 408 or no answer, and a close.
+    """
     limit_s = provoked_limit(context, "header_timeout_s")
-    with open_raw_connection(context.http_client.base_url) as connection:
-        request = connection.head("GET", "/v1")
-        ending = connection.send_until_end(request, limit_s + MARGIN_S)
-    expect.true(ending.is_closed, "a closed connection", str(ending))
-    expect.true(ending.status in (408, None), "408 or no answer", str(ending))
+
+    def send_headers(more: bytes) -> Ending:
+        with open_raw_connection(context.http_client.base_url) as connection:
+            request = connection.head("GET", "/v1") + b"X-Padding: "
+            time_s, every_s = limit_s + MARGIN_S, limit_s / 8
+            return connection.send_until_end(
+                request, time_s, more=more, every_s=every_s
+            )
+
+    for ending in context.call_concurrently(*(partial(send_headers, m) for m in PARTS)):
+        expect.true(ending.is_closed, "a closed connection", str(ending))
+        expect.true(ending.status in (408, None), "408 or no answer", str(ending))
 
 
 @background

@@ -47,19 +47,31 @@ class RawConnection:
             f"{line}\r\n" for line in (first, f"Host: {self._host}", *lines)
         ).encode()
 
-    def send_until_end(self, data: bytes, timeout_s: float = _READ_TIMEOUT_S) -> Ending:
-        """Send bytes, and read until the server closes or the time is over."""
+    def send_until_end(
+        self,
+        data: bytes,
+        timeout_s: float = _READ_TIMEOUT_S,
+        *,
+        more: bytes = b"",
+        every_s: float = _READ_TIMEOUT_S,
+    ) -> Ending:
+        """Send bytes, and read until the server closes or the time is over.
+
+        more: is sent again and again while nothing comes.
+        """
         began_at = time.monotonic()
         self._connection.settimeout(timeout_s)
         with contextlib.suppress(OSError):  # it may hang up before all is sent
             self._connection.sendall(data)
         received, is_closed = b"", False
         while (left_s := began_at + timeout_s - time.monotonic()) > 0:
-            self._connection.settimeout(left_s)
+            self._connection.settimeout(min(left_s, every_s))
             try:
                 part = self._connection.recv(2**16)
             except TimeoutError:
-                break
+                with contextlib.suppress(OSError):
+                    self._connection.sendall(more)
+                continue
             except OSError:
                 part = b""
             if not part:

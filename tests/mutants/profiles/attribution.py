@@ -79,6 +79,21 @@ def forgets_the_player_after_its_first_episode() -> None:
 
 
 @mutant("ATR-003")
+def compares_the_last_two_players_alone() -> None:
+    """An attempt of two policies counts for the one that came back for its end."""
+    right = effects.open_session
+
+    def wrong(run: Run, command: Attach, *rest: Any) -> Session:
+        old = run.workers.get(command.worker_id)
+        session = right(run, command, *rest)
+        if old and not old.done and old.player == command.player:
+            session.attempt_player = command.player
+        return session
+
+    put(effects, "open_session", wrong)
+
+
+@mutant("ATR-003")
 def forgets_after_a_fault_who_played_before() -> None:
     """A policy that broke the simulator is left out of what the next one shows."""
     right = effects.record_fault

@@ -192,6 +192,19 @@ def sends_one_keepalive_comment() -> None:
 
 @mutant("EVT-009")
 @with_short_keepalive
+def forgets_in_a_restart_in_which_order_episodes_were_scored() -> None:
+    """A reader that goes on after a power cut gets one episode twice, and one never."""
+    right = Run.__post_init__
+
+    def wrong(self: Run) -> None:
+        right(self)
+        self.scored_order.sort()
+
+    put(Run, "__post_init__", wrong)
+
+
+@mutant("EVT-009")
+@with_short_keepalive
 def sends_results_before_they_are_stored() -> None:
     """After a power cut a result that was published does not exist."""
     right, save = RunRegistry.commit, Store.save

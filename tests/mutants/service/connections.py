@@ -13,6 +13,7 @@ from reference_server import __main__ as server_main
 from reference_server import app
 from reference_server.app import Application
 from reference_server.http import dispatch
+from reference_server.http.connections.bounded_connection import BoundedConnection
 from reference_server.http.connections.connection_limits import ConnectionLimits
 from reference_server.http.dispatch import Operation
 from reference_server.rules import capacity, effects
@@ -45,6 +46,20 @@ def reads_headers_of_any_size() -> None:
 def waits_for_headers_for_ever() -> None:
     """A client that sends nothing holds a connection that others need."""
     change_limits(header_timeout_s=1e9)
+
+
+@mutant("LIM-002")
+def waits_as_long_as_headers_come_byte_by_byte() -> None:
+    """A client that sends a byte now and then holds a connection that others need."""
+    right = BoundedConnection._feed_head
+
+    def wrong(self: BoundedConnection, data: bytes, position: int) -> int:
+        end = right(self, data, position)
+        if self._head_size:
+            self._deadline = self.loop.time() + self._limits.header_timeout_s
+        return end
+
+    put(BoundedConnection, "_feed_head", wrong)
 
 
 @mutant("LIM-003")
