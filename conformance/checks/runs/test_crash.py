@@ -20,8 +20,9 @@ from conformance.checks.support.planned_run import (
     PlannedEpisode,
     PlannedRun,
 )
-from conformance.checks.support.submissions import submit
+from conformance.checks.support.submissions import find_listed, submit
 from conformance.client.check_context import CheckContext
+from conformance.client.event_reader import follow_run
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.private_server import PrivateServer, open_private_server
 from conformance.runner.requirement import requirement
@@ -156,7 +157,20 @@ def make_resting_runs(context: CheckContext) -> list[RunClient]:
     worker.predict(context.action())
     stopped.stop()
     failed = [make_run_in_state(context, s) for s in ("failed", "failed not_retryable")]
-    return [completed.run, stopped, *failed]
+    return [completed.run, complete_chosen_run(context), stopped, *failed]
+
+
+def complete_chosen_run(context: CheckContext) -> RunClient:
+    """Complete a run of a part of its tasks, with sealed seeds, where offered."""
+    chosen: dict[str, Any] = {}
+    if context.offers("subsets"):
+        chosen["select"] = {"tasks": ["score"]}
+    if context.offers("sealed_seeds"):
+        chosen["sealed"] = True
+    worker = submit_and_attach(context, "score", "score", "count", **chosen)
+    while not worker.turn["done"]:
+        worker.play()
+    return worker.run
 
 
 def listed_ids(context: CheckContext, runs: list[RunClient]) -> list[str]:
@@ -185,6 +199,21 @@ def expect_run_unchanged(run: RunClient, shown: dict[str, Any]) -> None:
     expect.equal(without(now["run"], "reason"), wanted, "the run")
     if shown["run"]["state"] == "failed":
         expect.true(now["run"]["reason"], "a reason when failed", None)
+
+
+def expect_alike_in_all_views(context: CheckContext, runs: list[RunClient]) -> None:
+    """Expect `list_runs` and the events of runs to show what the other reads show."""
+    listed = find_listed(context, {run.id for run in runs})
+    for run in runs:
+        for one in (listed[run.id], run.get()):
+            one.pop("updated_at", None)
+        expect.equal(listed[run.id], run.body, "the run in `list_runs`")
+        if context.offers("events") and run.body["state"] == "completed":
+            with follow_run(run) as reader:
+                events = reader.until(lambda event: event.kind == "run", "a `run`")
+            sent = {e.body["index"]: e.body for e in events if e.kind == "episode"}
+            shown = {episode["index"]: episode for episode in run.episodes()}
+            expect.equal(sent, shown, "the episodes in the events")
 
 
 def require_no_step_back(run: RunClient, updated_at: str) -> None:
@@ -247,7 +276,7 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
     the server is killed.
 
     Expect each run, its episodes, its score, their order, the key, and the hashes of
-    benchmarks and of new runs as before.
+    benchmarks and of new runs as before, also in lists and events.
     """
     with open_private_server(context) as server:
         manifests = shown_manifests(server.context)
@@ -268,6 +297,7 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         for run, updated_at in zip(runs, updated, strict=True):
             require_no_step_back(run, updated_at)
         expect.equal(listed_ids(server.context, runs), order, "runs listed")
+        expect_alike_in_all_views(server.context, runs)
         expect_key_in_use(server.context, key, first)
         found = shown_manifests(server.context)
         expect.equal(found, manifests, "manifest_sha256 after the restart")

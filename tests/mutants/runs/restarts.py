@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypedDict
 
 import msgspec
 import sqlalchemy as sa
@@ -28,6 +28,16 @@ def forgets_idempotency_keys_on_restart() -> None:
         await right(self)
 
     put(RunRegistry, "open", wrong)
+
+
+@mutant("CRASH-003")
+def lists_stored_runs_without_their_selection() -> None:
+    """A part of a benchmark looks like all of it, in the list alone."""
+    names = [
+        name for name in rows._ListedSubmission.__annotations__ if name != "select"
+    ]
+    listed = TypedDict("listed", dict.fromkeys(names, Any), total=False)  # type: ignore[misc]
+    put(rows, "_LISTED_SUBMISSION", msgspec.json.Decoder(listed))
 
 
 @mutant("CRASH-001", "CRASH-002", "CRASH-003", "CRASH-004")
