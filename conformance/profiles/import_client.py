@@ -11,6 +11,7 @@ from conformance.verdicts.expect import Inconclusive, SetUpFailed, describe_answ
 # The replay of few episodes of few steps takes less than a second.
 _REPLAY_S = 60.0
 _POLL_S = 0.05
+_LONGEST_POLL_S = 0.5
 _PAGE_LIMIT = 100
 _PAGES_MAX = 2000
 
@@ -20,12 +21,12 @@ def send_record(context: CheckContext, archive: bytes, **how: Any) -> Answer:
     return context.call("import_record", content=archive, **how)
 
 
-def accepted(context: CheckContext, archive: bytes) -> dict[str, Any]:
+def accepted(context: CheckContext, archive: bytes, **how: Any) -> dict[str, Any]:
     """Hand in an archive that the rule under test has accepted.
 
     A full account proves nothing: it may have imports of others that use it.
     """
-    answer = send_record(context, archive)
+    answer = send_record(context, archive, **how)
     if answer.code == "quota_exceeded":
         raise SetUpFailed(f"`import_record`: {describe_answer(answer)}")
     body: dict[str, Any] = expect.ok(answer, 202)
@@ -34,6 +35,7 @@ def accepted(context: CheckContext, archive: bytes) -> dict[str, Any]:
 
 def finished(context: CheckContext, import_id: str) -> dict[str, Any]:
     """Poll until an import is finished."""
+    pause_s = _POLL_S
     until = time.monotonic() + context.shared.timeouts.of("replay", _REPLAY_S)
     while True:
         body: dict[str, Any] = expect.ok(
@@ -44,13 +46,16 @@ def finished(context: CheckContext, import_id: str) -> dict[str, Any]:
         if time.monotonic() > until:
             context.shared.timeouts.record_miss("replay")
             raise Inconclusive(f"the import is `{body['state']}` for {_REPLAY_S:g} s")
-        time.sleep(_POLL_S)
+        time.sleep(pause_s)
+        pause_s = min(2 * pause_s, _LONGEST_POLL_S)
 
 
-def listed_imports(context: CheckContext, **how: Any) -> list[dict[str, Any]]:
+def listed_imports(
+    context: CheckContext, limit: int = _PAGE_LIMIT, **how: Any
+) -> list[dict[str, Any]]:
     """Give the imports of `list_imports`, of all pages."""
     imports: list[dict[str, Any]] = []
-    params: dict[str, Any] = {"limit": _PAGE_LIMIT}
+    params: dict[str, Any] = {"limit": limit}
     for _ in range(_PAGES_MAX):
         page = expect.ok(context.call("list_imports", params=params, **how))
         imports += page["imports"]

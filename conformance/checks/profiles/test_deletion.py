@@ -6,6 +6,7 @@ from typing import Any
 from conformance.checks.support.published_runs import require_entry
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
+from conformance.client.http_client import HttpClient
 from conformance.client.run_client import RunClient, adopt_run
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
@@ -21,9 +22,11 @@ def delete(run: RunClient) -> Answer:
     return run.call("delete_run")
 
 
-def play_one_action(context: CheckContext) -> RunClient:
+def play_one_action(
+    context: CheckContext, http_client: HttpClient | None = None
+) -> RunClient:
     """Give a run in which one action was executed, and which no worker plays."""
-    worker = context.submit("score").worker()
+    worker = context.submit("score", http_client=http_client).worker()
     worker.attach()
     worker.predict(context.action())
     worker.detach()
@@ -31,10 +34,13 @@ def play_one_action(context: CheckContext) -> RunClient:
     return worker.run
 
 
-def newest_runs(context: CheckContext) -> list[dict[str, Any]]:
+def newest_runs(
+    context: CheckContext, http_client: HttpClient | None = None
+) -> list[dict[str, Any]]:
     """Give the page of `list_runs` with the newest runs of the account."""
+    params = {"limit": NEWEST_RUNS}
     page = context.require(
-        lambda: context.call("list_runs", params={"limit": NEWEST_RUNS}),
+        lambda: context.call("list_runs", params=params, http_client=http_client),
         200,
         "list_runs",
     )
@@ -193,9 +199,26 @@ def count_of(run: RunClient) -> int:
     return int(str(count))
 
 
+def expect_own_runs_counted(context: CheckContext) -> None:
+    """Expect the runs of one account not to count for another one."""
+    other = context.second_account
+    for last_try in (number == TRIES - 1 for number in range(TRIES)):
+        before = count_of(play_one_action(context, other))
+        play_one_action(context)
+        after = count_of(play_one_action(context, other))
+        listed = newest_runs(context, other)
+        shown = {run.get("runs_played_before") for run in listed}
+        missing = set(range(before + 1, after)) - shown
+        if not missing:
+            return
+        what = "each number is that of a run of the account"
+        expect.true(not last_try, what, missing)
+
+
 @requirement("DEL-006")
 def test_del_006_what_was_played_stays_counted(context: CheckContext) -> None:
-    """A run is played and deleted, some are not played, then another one is played.
+    """A run is played and deleted, some are not played, then another one is played;
+    with a token of another account, one of that is played between two others.
 
     Expect no `runs_played_before` of what was not played; a number that grows with each
     run that was, the same in every view, and none that no run of the account has.
@@ -216,5 +239,7 @@ def test_del_006_what_was_played_stays_counted(context: CheckContext) -> None:
         expect.equal(shown.get(third.id, counts[2]), counts[2], "in list_runs")
         missing = set(range(counts[0] + 1, counts[2])) - set(shown.values())
         if not missing:  # another check may have deleted what it had played
-            return
+            break
         expect.true(not last_try, "each number is that of a run", missing)
+    if context.shared.settings.token_2 is not None:
+        expect_own_runs_counted(context)

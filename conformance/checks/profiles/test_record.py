@@ -224,12 +224,37 @@ def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
             expect.equal(turn["attempt"], expected.attempt, f"attempt, {what}")
 
 
+def expect_failure_and_stop(context: CheckContext) -> None:
+    """Expect the fault that fails a run, and the attempt that a stop ends."""
+    run = context.submit("fault", "score", max_faults=1, max_attempts=3)
+    worker = run.worker()
+    worker.attach()
+    worker.try_predict(context.action(fault=1))
+    run.until("failed")
+    for end in (None, run.stop):
+        if end is not None:
+            worker.predict(context.action())
+            end()
+        run.resume()
+        run.until("ready")
+        worker.attach()
+        worker.play()
+    run.until("completed")
+    first, second = (PlayedRun(run).recording(index) for index in range(2))
+    counted = run.episodes()[0]["faults"]
+    expect.equal(len(first.of("/fault")), counted, "faults of a run that failed")
+    ended = [m["attempt"] for m in second.of("/attempt") if m["event"] == "ended"]
+    expect.equal(ended[:1], [1], "the attempt that a stop ended")
+
+
 @requirement("REC-105")
 def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
-    """Episodes are played with one attempt, with a fault and two, and abandoned.
+    """Episodes are played with one attempt, with a fault and two, and abandoned; in
+    another run one whose fault fails the run, and one that is stopped.
 
     Expect each start, each end without a result, and each fault.
     """
+    expect_failure_and_stop(context)
     played = play_everything(context)
     starts, ends, faults = [], [], []
     for index in range(3):
@@ -354,6 +379,15 @@ def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
         expect.equal(facts["last_digest"], last, "last_digest")
 
 
+def require_one_key_in_use(context: CheckContext) -> None:
+    """Require that a restart has left one key in use."""
+    keys = context.require(lambda: context.call("list_keys"), 200, "list_keys")["keys"]
+    in_use = [key["keyid"] for key in keys if key["retired_at"] is None]
+    if len(in_use) != 1:
+        text = f"{len(in_use)} keys are in use after a restart"
+        raise SetUpFailed(text, breaks="REC-101")
+
+
 @background
 @requirement("REC-124")
 def test_rec_124_turns_outlive_a_crash(context: CheckContext) -> None:
@@ -375,6 +409,7 @@ def test_rec_124_turns_outlive_a_crash(context: CheckContext) -> None:
                 played.predict(worker, context.action(score=score, vector=vector))
             server.kill9()
             server.restart()
+        require_one_key_in_use(server.context)
         worker = played.run.worker()
         worker.attach()
         played.predict(worker, context.action(score=1, success=1, end=1))

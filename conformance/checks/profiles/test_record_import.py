@@ -5,9 +5,11 @@ that are broken, or signed by an unknown key.
 """
 
 import hashlib
+import time
 from typing import Any
 
 from conformance.checks.profiles.test_record import play_everything
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.raw_connection import open_raw_connection
 from conformance.profiles.changed_records import (
@@ -39,12 +41,21 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 COUNTS = ("result", "episodes", "exact", "outcome", "diverged")
+SLOW_STEP_S = 1.0
+# How long other work may keep a replay waiting.
+BEGIN_S = 20.0
+POLL_S = 0.1
+
+
+def require_records(context: CheckContext) -> None:
+    """Require a server that signs records."""
+    if not context.offers("record"):
+        raise NotApplicable("the server signs no records: the profile `record`")
 
 
 def played_record(context: CheckContext) -> RecordFiles:
     """Play two episodes of two turns, and fetch the record."""
-    if not context.offers("record"):
-        raise NotApplicable("the server signs no records: the profile `record`")
+    require_records(context)
     run = context.submit("score", "score")
     worker = run.worker()
     worker.attach()
@@ -109,11 +120,14 @@ def test_rec_113_a_broken_record_is_refused(context: CheckContext) -> None:
 
 @requirement("REC-114")
 def test_rec_114_imports_of_others_do_not_exist(context: CheckContext) -> None:
-    """An account reads, fetches, deletes and lists what another one handed in.
+    """An account reads, fetches, deletes and lists what another one handed in, and
+    hands in the same bytes.
 
-    Expect `not_found` each time, as of an id that never was; its owner reads it.
+    Expect `not_found` each time, as of an id that never was; its owner reads it, and
+    the other one an import of its own.
     """
-    one = accepted(context, played_record(context).data)["import_id"]
+    archive = played_record(context).data
+    one = accepted(context, archive)["import_id"]
     other = context.second_account
     for operation in ("get_import", "fetch_imported_record", "delete_import"):
         for id_ in (one, "imp_never"):
@@ -122,6 +136,9 @@ def test_rec_114_imports_of_others_do_not_exist(context: CheckContext) -> None:
     seen = listed_ids(context, http_client=other)
     expect.true(one not in seen, "no import of another account", seen)
     expect.ok(context.call("get_import", import_id=one))
+    own = accepted(context, archive, http_client=other)["import_id"]
+    expect.ok(context.call("get_import", import_id=own, http_client=other))
+    expect.refused(context.call("get_import", import_id=own), "not_found")
 
 
 @requirement("REC-115")
@@ -242,8 +259,9 @@ def test_rec_120_the_list_has_what_was_not_deleted(context: CheckContext) -> Non
         archive = pack(signed_again(record, {}, rename(n)))
         ids.append(accepted(context, archive)["import_id"])
         finished(context, ids[-1])
-    seen = [one for one in listed_ids(context) if one in ids]
-    expect.equal(seen, ids[::-1], "imports, newest first")
+    for limit in (100, 2, 1):
+        seen = [one for one in listed_ids(context, limit=limit) if one in ids]
+        expect.equal(seen, ids[::-1], f"imports by pages of {limit}, newest first")
     expect.ok(context.call("delete_import", import_id=ids[1]), 204)
     for operation in ("get_import", "fetch_imported_record", "delete_import"):
         refused = context.call(operation, import_id=ids[1])
@@ -276,18 +294,58 @@ def test_rec_121_too_long_a_record_is_not_awaited(context: CheckContext) -> None
         expect.equal(ending.status, status, f"status with Content-Length {length}")
 
 
+def slow_record(context: CheckContext) -> RecordFiles:
+    """Give a record of which the replay takes two seconds and more."""
+    require_records(context)
+    worker = submit_and_attach(context, "delay")
+    for _ in range(2):
+        worker.predict(context.action(delay_s=SLOW_STEP_S))
+    worker.play()
+    worker.run.until("completed")
+    return fetched_record(worker.run.call("fetch_record"))
+
+
+def wait_until_replayed(context: CheckContext, import_id: str) -> None:
+    """Wait until the replay of an import has begun."""
+    until = time.monotonic() + BEGIN_S
+    while time.monotonic() < until:
+        found = expect.ok(context.call("get_import", import_id=import_id))
+        if found["state"] in ("replaying", "finished"):
+            return
+        time.sleep(POLL_S)
+
+
+def expect_all_finished(context: CheckContext, ids: list[str], archive: bytes) -> None:
+    """Expect imports from before a restart to end, where a later one does.
+
+    They get as long as the later one took, and as a slow replay, before they are lost.
+    """
+    began_at = time.monotonic()
+    finished(context, accepted(context, archive)["import_id"])
+    until = time.monotonic() + BEGIN_S + (time.monotonic() - began_at)
+    for id_ in ids:
+        while True:
+            found = expect.ok(context.call("get_import", import_id=id_))
+            if found["state"] == "finished":
+                break
+            what = "an import to go on after a restart"
+            expect.true(time.monotonic() < until, what, found["state"])
+            time.sleep(POLL_S)
+
+
 @background
 @requirement("REC-123")
 def test_rec_123_imports_outlive_a_crash(context: CheckContext) -> None:
-    """Records are handed in, and the server is killed at once and restarted.
+    """Records are handed in, and the server is killed in the replay of the first one
+    and restarted; then another one is handed in.
 
-    Expect both imports, replayed, and their archives.
+    Expect the imports, replayed like the last one, and their archives.
     """
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"
         raise SetUpFailed(text, allowed=True)
     with open_private_server(context) as server:
-        record = played_record(server.context)
+        record = slow_record(server.context)
         archives = [record.data, pack(signed_again(record, {}))]
         ids: list[str] = []
         for archive in archives:
@@ -295,8 +353,10 @@ def test_rec_123_imports_outlive_a_crash(context: CheckContext) -> None:
             if ids and answer.code == "quota_exceeded":
                 break  # an account may have one waiting at a time
             ids.append(str(expect.ok(answer, 202)["import_id"]))
+        wait_until_replayed(server.context, ids[0])
         server.kill9()
         server.restart()
+        expect_all_finished(server.context, ids, played_record(server.context).data)
         for id_, archive in zip(ids, archives, strict=False):
             one = finished(server.context, id_)
             expect.equal(one["level"], "replayed", f"level ({one['reason']})")

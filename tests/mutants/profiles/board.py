@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+import sqlalchemy as sa
 from pydantic import MISSING
 from starlette.responses import Response
 
@@ -26,8 +27,10 @@ from reference_server.rules.board.ranking import Contender, Ranking, Row
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.runs import board_service
-from reference_server.runs.board_service import BoardService
+from reference_server.runs.board_service import BoardService, RankedEntries
+from reference_server.storage import database_tables
 from reference_server.storage.board_store import BoardStore
+from reference_server.storage.store import Store
 from reference_server.views import board_views
 from tests.mutants import mutant, put
 
@@ -129,6 +132,30 @@ def shows_private_entries_to_every_account() -> None:
     put(entry_changes, "may_see_entry", lambda _account, _entry: True)
 
 
+@mutant("BRD-004")
+def shows_private_entries_that_were_withdrawn() -> None:
+    """A result that was never meant for others is there for them in the end."""
+    right = entry_changes.may_see_entry
+
+    def wrong(account: str | None, entry: BoardEntry) -> bool:
+        return entry.state == "withdrawn" or right(account, entry)
+
+    put(entry_changes, "may_see_entry", wrong)
+
+
+@mutant("BRD-004")
+def shows_a_private_entry_that_is_withdrawn() -> None:
+    """Who takes back a result that no one else has seen thereby publishes it."""
+    right = entry_changes.withdraw
+
+    def wrong(stored: BoardEntry, at_wall: float) -> Change:
+        change = right(stored, at_wall)
+        shown = {**change.entry.description, "is_public": True}
+        return replace(change, entry=replace(change.entry, description=shown))
+
+    put(entry_changes, "withdraw", wrong)
+
+
 @mutant("BRD-004", "BRD-008")
 def ranks_private_entries() -> None:
     """A private result stands on the public leaderboard."""
@@ -143,7 +170,7 @@ def ranks_private_entries() -> None:
     put(BoardStore, "of_manifest", wrong)
 
 
-@mutant("BRD-005", "BRD-009", "BRD-010")
+@mutant("BRD-005", "BRD-008", "BRD-009", "BRD-010")
 def ranks_withdrawn_entries() -> None:
     """A result that its authors took back goes on to be compared."""
     right, seen = BoardStore.of_manifest, dict[str, dict[str, BoardEntry]]()
@@ -161,7 +188,7 @@ def ranks_withdrawn_entries() -> None:
     put(BoardStore, "of_manifest", wrong)
 
 
-@mutant("BRD-005", "BRD-006")
+@mutant("BRD-004", "BRD-005", "BRD-006")
 def forgets_entries_that_were_withdrawn() -> None:
     """A row that was on the leaderboard yesterday was never there."""
     right = BoardStore.find
@@ -181,6 +208,32 @@ def publishes_again_after_a_withdrawal() -> None:
     def wrong(fresh: BoardEntry, stored: BoardEntry | None, description: Json) -> Any:
         if stored is not None:
             stored = replace(stored, state="published")
+        return right(fresh, stored, description)
+
+    put(entry_changes, "publish", wrong)
+
+
+@mutant("BRD-006")
+def answers_a_repeat_after_a_withdrawal() -> None:
+    """A script that publishes again believes that its entry is there."""
+    right = entry_changes.publish
+
+    def wrong(fresh: BoardEntry, stored: BoardEntry | None, description: Json) -> Any:
+        if stored is not None and stored.description == description:
+            return Change(stored)
+        return right(fresh, stored, description)
+
+    put(entry_changes, "publish", wrong)
+
+
+@mutant("BRD-006")
+def accepts_a_withdrawn_entry_as_it_was() -> None:
+    """A script that repeats its request believes that the result is shown."""
+    right = entry_changes.publish
+
+    def wrong(fresh: BoardEntry, stored: BoardEntry | None, description: Json) -> Any:
+        if stored is not None and stored.description == description:
+            return Change(stored)
         return right(fresh, stored, description)
 
     put(entry_changes, "publish", wrong)
@@ -221,6 +274,43 @@ def orders_rows_by_successes() -> None:
 
 
 @mutant("BRD-008")
+def orders_equal_scores_by_age_alone() -> None:
+    """Of two policies with one score, the one with fewer successes stands first."""
+    right = ranking._order
+
+    def wrong(one: Contender) -> tuple[float, int, int]:
+        score, _, number = right(one)
+        return score, 0, number
+
+    put(ranking, "_order", wrong)
+
+
+@mutant("BRD-008")
+def orders_equal_scores_by_publication_alone() -> None:
+    """Of two policies with one score, the one that succeeds less stands first."""
+
+    def wrong(one: Contender) -> tuple[float, int]:
+        return -one.score, one.number
+
+    put(ranking, "_order", wrong)
+
+
+@mutant("BRD-008")
+def keeps_a_ranking_while_its_length_stays() -> None:
+    """A new entry is not shown, and one that was withdrawn is shown in its place."""
+    right, last = BoardService._ranked, dict[str, RankedEntries]()
+
+    async def wrong(self: BoardService, benchmark_id: str, sha256: str) -> Any:
+        found = await right(self, benchmark_id, sha256)
+        kept = last.get(sha256)
+        if kept is None or len(kept.contenders) != len(found.contenders):
+            last[sha256] = found
+        return last[sha256]
+
+    put(BoardService, "_ranked", wrong)
+
+
+@mutant("BRD-008")
 def begins_each_page_of_a_ranking_at_the_top() -> None:
     """The fourth row is never seen, and the first is seen on every page."""
     right = BoardService.rank
@@ -231,6 +321,21 @@ def begins_each_page_of_a_ranking_at_the_top() -> None:
         return await right(self, benchmark_id, sha256, 0, limit)
 
     put(BoardService, "rank", wrong)
+
+
+@mutant("BRD-008", "BRD-009", "BRD-013")
+def takes_every_score_above_zero_for_a_success() -> None:
+    """A policy that never reaches its goal is said to be as good as one that does."""
+    right = entry_changes.new_entry
+
+    def wrong(entry_id: str, run: Any, episodes: Sequence[Any], at: float) -> Any:
+        verdict = right(entry_id, run, episodes, at)
+        if isinstance(verdict, Refuse):
+            return verdict
+        scores = [one.result.score for one in episodes if one.result]
+        return replace(verdict, successes="".join("01"[s > 0] for s in scores))
+
+    put(entry_changes, "new_entry", wrong)
 
 
 @mutant("BRD-009", "BRD-010")
@@ -442,6 +547,23 @@ def reads_the_board_with_any_token() -> None:
 def counts_one_attempt_for_every_entry() -> None:
     """The best of twenty runs looks like the only one."""
     change_view(lambda view: view.update(attempts=1))
+
+
+@mutant("BRD-019")
+def counts_no_attempt_that_was_deleted() -> None:
+    """Who deletes nineteen of twenty runs seems to have tried once."""
+
+    async def wrong(self: Store, accounts: Any, benchmarks: Any) -> Any:
+        runs = database_tables.runs.c
+        of = (runs.account, runs.benchmark_id)
+        query = sa.select(*of, sa.func.max(runs.attempts_by_submitter))
+        there = runs.deleted_at_wall.is_(None), runs.account.in_(accounts)
+        query = query.where(*there, runs.benchmark_id.in_(benchmarks)).group_by(*of)
+        async with self._transaction() as connection:
+            found = await connection.execute(query)
+        return {(account, benchmark): n for account, benchmark, n in found}
+
+    put(Store, "attempts_of", wrong)
 
 
 @mutant("BRD-020")
