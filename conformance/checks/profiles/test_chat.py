@@ -20,6 +20,7 @@ from conformance.verdicts.expect import NotApplicable
 
 PNG = b"\x89PNG\r\n\x1a\n"
 SCORE = "0.25"
+REASONING = "It may be one.\n1\n" * 500
 
 
 def submit_chat_run(
@@ -49,12 +50,12 @@ def expect_scores(run: RunClient) -> list[float]:
 def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
     """One episode with an image and one without. Expect a request for each.
 
-    Each contains instruction, image, model name and parameters.
+    Each contains instruction, image, model name and parameters, of which one is 0.
     """
     if "png" not in context.service["image_codecs"]:
         raise NotApplicable("server does not offer the codec png")
     with chat_server(context, SCORE) as chat:
-        numbers = {"temperature": 0.5, "max_tokens": 64}
+        numbers = {"temperature": 0, "top_p": 0.5, "max_tokens": 64}
         images = {"codec": "png", "width": 16, "height": 12}
         config = {"images": images, "model": "m-1", "generation": numbers}
         run = submit_chat_run(context, chat, "score", "echo", **config)
@@ -80,12 +81,13 @@ def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
 def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
     """Replies with a number: alone, formatted, after reasoning, below other numbers.
 
-    Expect the score to be that number each time.
+    Two of them are long. Expect the score to be that number each time.
     """
     forms = [SCORE, f" {SCORE}\n", f"Answer: {SCORE}", f"**answer: {SCORE}**"]
     forms += [f"`{SCORE}`", f"1\n{SCORE}\n\n", f"<think>1</think>{SCORE}", f"{SCORE}."]
     forms += [f"<think>\n1\n</think>\n0\n\n**{SCORE}**\n"]
     forms += [f"**{SCORE}**.", f"Answer: **{SCORE}**."]
+    forms += [REASONING + SCORE, f"<think>{REASONING}</think>{REASONING}{SCORE}"]
     with chat_server(context) as chat:
         replies = iter(forms)
         chat.reply = lambda _: next(replies)
@@ -129,17 +131,17 @@ def test_chat_004_invalid_completion_is_a_fault(context: CheckContext) -> None:
 def test_chat_005_a_completion_continues_the_instruction(context: CheckContext) -> None:
     """A model that continues a text, and one whose answer has no text.
 
-    Expect a prompt with model and parameters, the score of the answer, and a fault.
+    Expect a prompt with model and parameters, of which one is 0, the score of the
+    answer, and a fault.
     """
     config = {"protocol": "openai_completions", "model": "m-1"}
     with chat_server(context, SCORE) as chat:
-        run = submit_chat_run(
-            context, chat, "score", generation={"temperature": 0.5}, **config
-        )
+        numbers = {"temperature": 0, "top_p": 0.5}
+        run = submit_chat_run(context, chat, "score", generation=numbers, **config)
         expect.equal(expect_scores(run), [float(SCORE)], "scores")
         (request,) = chat.requests
         expect.equal(request.is_chat, False, "a request to chat/completions")
-        due = {"prompt": "Calibration task score.", "model": "m-1", "temperature": 0.5}
+        due = {"prompt": "Calibration task score.", "model": "m-1", **numbers}
         sent = {name: request.body.get(name) for name in due}
         expect.equal(sent, due, "members of the request")
         chat.body = {"choices": [{"message": {"content": SCORE}}]}

@@ -4,6 +4,9 @@ import secrets
 import threading
 import time
 from collections import Counter
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.policy.push_run import (
@@ -16,6 +19,7 @@ from conformance.policy.push_run import (
 from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
+    ReplyFunction,
     ScriptedPolicy,
     busy_reply,
 )
@@ -28,25 +32,58 @@ from conformance.verdicts.expect import SetUpFailed
 _HOLD_TIMEOUT_S = 20.0
 _MARGIN_S = 3.0
 _SETTLE_S = 0.3
+_REPEAT_S = 1.5
 
 
-def _hold_predicts(policy: ScriptedPolicy) -> threading.Event:
-    """Hold every predict until an event is set."""
+def _hold_predicts(
+    policy: ScriptedPolicy, reply: ReplyFunction | None = None
+) -> threading.Event:
+    """Hold every predict until an event is set; the reply ends the episode if None."""
     released = threading.Event()
 
     def wait(call: PolicyCall) -> PolicyReply:
         released.wait(_HOLD_TIMEOUT_S)
-        return policy.final_action_reply(call)
+        return (reply or policy.final_action_reply)(call)
 
     policy.on("predict", wait)
     return released
+
+
+def _reply_with(
+    policy: ScriptedPolicy, actions: Sequence[Mapping[str, Any]], call: PolicyCall
+) -> PolicyReply:
+    """Answer every turn with the same actions."""
+    return policy.actions_reply(call, *actions)
+
+
+def _expect_drained(context: CheckContext, policy: ScriptedPolicy) -> None:
+    """Expect the episode in play to be scored after a stop with mode `drain`.
+
+    The stop comes during the first predict; the second one ends the episode.
+    """
+
+    def play(call: PolicyCall) -> PolicyReply:
+        end = float(call.body["episode"]["step"] == 1)
+        return policy.actions_reply(call, context.action(score=0.5, end=end))
+
+    released = _hold_predicts(policy, play)
+    before = len(policy.calls_of("predict"))
+    run = submit_push_run(context, policy, "score", "score", max_concurrent=1)
+    policy.wait_for("predict", before + 1)
+    run.stop("drain")
+    released.set()
+    expect_end(run, "stopped")
+    results = [episode.get("result", {}) for episode in run.episodes()]
+    scores = [(result.get("score"), result.get("steps")) for result in results]
+    expect.equal(scores, [(0.5, 2), (None, None)], "score and steps after a drain")
 
 
 @requirement("PUSH-001")
 def test_push_001_server_plays_the_run(context: CheckContext) -> None:
     """A policy plays three episodes with different scores.
 
-    Expect a completed run with these scores, each after the returned actions.
+    Expect a completed run with these scores, each after the returned actions. Another
+    run is stopped with mode `drain` in its first episode: expect this to be scored.
     """
     with policy_server(context) as policy:
 
@@ -63,6 +100,7 @@ def test_push_001_server_plays_the_run(context: CheckContext) -> None:
         scores = [result["score"] for result in results]
         expect.equal(scores, [0.25, 0.5, 0.75], "scores")
         expect.equal([result["steps"] for result in results], [3, 3, 3], "steps")
+        _expect_drained(context, policy)
 
 
 @requirement("PUSH-002")
@@ -123,25 +161,29 @@ def test_push_004_every_call_carries_the_key(context: CheckContext) -> None:
 
 @requirement("PUSH-005")
 def test_push_005_key_is_in_no_response(context: CheckContext) -> None:
-    """The policy refuses, with the key in its problem.
+    """The policy answers with the key: in its problem, as media type, as a name.
 
     Expect the key in no response: run, episodes, list of runs.
     """
     key = secrets.token_hex(16)
     with policy_server(context) as policy:
-        reply = dict(busy_reply().body) | {"detail": f"{key} is not my key"}
-
-        def refuse(_call: PolicyCall) -> PolicyReply:
-            return PolicyReply(reply, 400, {"Content-Type": PROBLEM_JSON})
-
-        policy.on("predict", refuse)
-        run = submit_push_run(context, policy, api_key=key, options={"max_faults": 1})
-        expect_end(run, "failed")
-        answers = [run.call(name).body for name in ("get_run", "list_episodes")]
-        answers.append(context.call("list_runs").body)
-        answers += [one.answer_body for one in context.exchange_log.exchanges]
-        leaks = sum(key.encode() in body for body in answers)
-        expect.equal(leaks, 0, "answers that have the key")
+        problem = dict(busy_reply().body) | {"detail": f"{key} is not my key"}
+        action: dict[str, Any] = {"values": {key: [0.0]}}
+        replies: list[ReplyFunction] = [
+            lambda _: PolicyReply(problem, 400, {"Content-Type": PROBLEM_JSON}),
+            lambda _: PolicyReply(b"", 200, {"Content-Type": key}),
+            lambda call: policy.actions_reply(call, action),
+        ]
+        for reply in replies:
+            policy.on("predict", reply)
+            options = {"max_faults": 1}
+            run = submit_push_run(context, policy, api_key=key, options=options)
+            expect_end(run, "failed")
+            answers = [run.call(name).body for name in ("get_run", "list_episodes")]
+            answers.append(context.call("list_runs").body)
+            answers += [one.answer_body for one in context.exchange_log.exchanges]
+            leaks = sum(key.encode() in body for body in answers)
+            expect.equal(leaks, 0, "answers that have the key")
 
 
 @requirement("PUSH-006")
@@ -238,30 +280,37 @@ def test_push_009_slow_response_times_out(context: CheckContext) -> None:
 
 @requirement("PUSH-010")
 def test_push_010_invalid_actions_are_not_executed(context: CheckContext) -> None:
-    """The second of two actions has a vector that is too long.
+    """The second of two actions has a vector that is too long; one action too many.
 
     Expect `policy_fault`, no attempt counted, nothing scored.
     """
     with policy_server(context) as policy:
         good, bad = context.action(score=1, end=1), context.action(score=[1.0, 1.0])
-        policy.on("predict", lambda call: policy.actions_reply(call, bad, good))
-        run = submit_push_run(context, policy, options={"max_faults": 1})
-        episode = expect_policy_fault(run)
-        expect.equal(episode["attempt"], 1, "attempt")
-        expect.true("result" not in episode, "no result", dict(episode))
+        too_many = [good] * (context.benchmark["max_chunk"] + 1)
+        for actions in ([bad, good], too_many):
+            chunk = partial(_reply_with, policy, actions)
+            policy.on("predict", chunk)
+            run = submit_push_run(context, policy, options={"max_faults": 1})
+            episode = expect_policy_fault(run)
+            expect.equal(episode["attempt"], 1, "attempt")
+            expect.true("result" not in episode, "no result", dict(episode))
 
 
 @requirement("PUSH-011")
 def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
-    """The policy redirects to another server. Expect a fault, and no call there."""
+    """The policy redirects the first predict to another server, and only this one.
+
+    A call that is not answered may be repeated. Expect a fault, and no call there.
+    """
     with policy_server(context) as policy, policy_server(context) as other:
 
-        def redirect(_call: PolicyCall) -> PolicyReply:
+        def redirect(call: PolicyCall) -> PolicyReply:
+            if len(policy.calls_of("predict")) > 1:
+                return policy.final_action_reply(call)
             return PolicyReply(b"", 307, {"Location": f"{other.url}/v1/policy/predict"})
 
         policy.on("predict", redirect)
-        run = submit_push_run(context, policy, options={"max_faults": 1})
-        expect_policy_fault(run)
+        expect_policy_fault(submit_push_run(context, policy, max_retries=2))
         expect.equal(len(other.calls), 0, "calls of the other server")
 
 
@@ -285,9 +334,10 @@ def test_push_012_unreachable_policy_server_fails_the_run(
 
 @requirement("PUSH-013")
 def test_push_013_failed_run_can_be_resumed(context: CheckContext) -> None:
-    """The policy fails in its third episode, and works again after a resume.
+    """The policy refuses to describe itself, and is called properly after a resume.
 
-    Expect the first two results unchanged, and all episodes scored.
+    It fails in its third episode, and works again after another resume. Expect the
+    first two results unchanged, and all episodes scored.
     """
     with policy_server(context) as policy:
 
@@ -297,12 +347,16 @@ def test_push_013_failed_run_can_be_resumed(context: CheckContext) -> None:
             policy.on("describe_policy", lambda _: PolicyReply(b"", 500))
             return PolicyReply(b"", 500)
 
+        policy.on("describe_policy", lambda _: PolicyReply(b"", 404))
         policy.on("predict", fail_at_third_episode)
         options = {"max_faults": 1}
         run = submit_push_run(
             context, policy, *["score"] * 3, max_concurrent=1, options=options
         )
         run.until("failed", _HOLD_TIMEOUT_S)
+        policy.on("describe_policy", policy.description)
+        expect.ok(run.call("resume_run"))
+        expect_end(run, "failed")
         before = run.episodes()
         policy.on("predict", policy.final_action_reply)
         policy.on("describe_policy", policy.description)
@@ -310,22 +364,35 @@ def test_push_013_failed_run_can_be_resumed(context: CheckContext) -> None:
         expect_end(run, "completed")
         after = run.episodes()
         expect.equal(after[:2], before[:2], "the first two episodes")
-        expect.equal(after[2]["result"]["score"], policy.score, "score of the third")
+        scores = [episode["result"]["score"] for episode in after]
+        expect.equal(scores, [policy.score] * 3, "scores")
 
 
+@background
 @requirement("PUSH-014")
 def test_push_014_stop_ends_the_calls(context: CheckContext) -> None:
-    """A run is stopped during a call of its policy. Expect no further call."""
-    with policy_server(context) as policy:
-        released = _hold_predicts(policy)
-        run = submit_push_run(context, policy, *["score"] * 3, max_concurrent=1)
-        policy.wait_for("predict")
-        run.stop()
-        before = len(policy.calls)
-        released.set()
-        time.sleep(_SETTLE_S)
-        expect.equal(len(policy.calls), before, "calls after the stop")
-        expect.equal(run.get()["state"], "stopped", "state")
+    """A run is stopped during a call of its policy, which is answered afterwards.
+
+    The answer is once an action and once `unavailable`, after which a call is repeated.
+    Expect no further call.
+    """
+    replies: list[tuple[ReplyFunction | None, float]] = [
+        (None, _SETTLE_S),
+        (lambda _: busy_reply(), _REPEAT_S),
+    ]
+    for reply, settle_s in replies:
+        with policy_server(context) as policy:
+            released = _hold_predicts(policy, reply)
+            run = submit_push_run(
+                context, policy, *["score"] * 3, max_concurrent=1, max_retries=2
+            )
+            policy.wait_for("predict")
+            run.stop()
+            before = len(policy.calls)
+            released.set()
+            time.sleep(settle_s)
+            expect.equal(len(policy.calls), before, "calls after the stop")
+            expect.equal(run.get()["state"], "stopped", "state")
 
 
 @background

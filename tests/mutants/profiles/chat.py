@@ -23,6 +23,17 @@ def sends_no_picture() -> None:
     put(chat_calls, "_message", wrong)
 
 
+@mutant("CHAT-001", "CHAT-005")
+def sends_no_parameter_that_is_zero() -> None:
+    """A model is sampled at random where its author chose the likeliest words."""
+    right = ChatPolicy._generation
+
+    def wrong(self: ChatPolicy) -> dict[str, Any]:
+        return {name: value for name, value in right(self).items() if value != 0}
+
+    put(ChatPolicy, "_generation", wrong)
+
+
 @mutant("CHAT-002", "FLE-022")
 def takes_the_first_line_for_the_answer() -> None:
     """A model that reasons first is scored for its first thought."""
@@ -30,6 +41,17 @@ def takes_the_first_line_for_the_answer() -> None:
 
     def wrong(text: str) -> dict[str, list[float]]:
         return right(text.strip().partition("\n")[0])
+
+    put(chat_calls, "read_answer", wrong)
+
+
+@mutant("CHAT-002")
+def cuts_a_long_answer() -> None:
+    """A model that reasons at length is scored for a thought on the way."""
+    right = chat_calls.read_answer
+
+    def wrong(text: str) -> dict[str, list[float]]:
+        return right(text[:5_000])
 
     put(chat_calls, "read_answer", wrong)
 

@@ -33,6 +33,19 @@ def plays_only_the_first_action_of_a_chunk() -> None:
     put(ProctorPolicy, "predict", wrong)
 
 
+@mutant("PUSH-001")
+def cancels_the_calls_of_a_draining_run() -> None:
+    """An orderly stop loses the episodes in play, and the run stays stopping."""
+    right = Driver.on_run_changed
+
+    def wrong(self: Driver, run: Run) -> None:
+        right(self, run)
+        if run.state == "stopping" and run.run_id in self._drives:
+            self._drives[run.run_id].cancel()
+
+    put(Driver, "on_run_changed", wrong)
+
+
 @mutant("PUSH-002")
 def accepts_a_policy_server_without_push_mode() -> None:
     """A run waits for workers without end, while its submitter waits for calls."""
@@ -77,6 +90,34 @@ def sends_the_key_only_to_predict() -> None:
 def exposes_the_key_in_a_reason() -> None:
     """A reader of the run can read the key of its policy server."""
     put(HttpCalls, "redact_key", lambda _self, text: text)
+
+
+@mutant("PUSH-005")
+def shows_the_media_type_of_an_answer_as_it_came() -> None:
+    """A policy server that returns its key as media type publishes it."""
+    right = HttpCalls._check
+
+    def wrong(
+        self: HttpCalls, status: int, headers: Mapping[str, str], body: bytes
+    ) -> None:
+        try:
+            right(self, status, headers, body)
+        except PolicyFault as fault:
+            if not str(fault).startswith("answered with [API key"):
+                raise
+            raise PolicyFault(f"answered with {headers['content-type']}") from None
+
+    put(HttpCalls, "_check", wrong)
+
+
+@mutant("PUSH-005")
+def shows_the_names_of_an_action_as_they_came() -> None:
+    """A policy server that returns its key as the name of a value publishes it."""
+
+    def wrong(errors: Any, _calls: HttpCalls) -> str:
+        return "; ".join(f"{at} {text}" for at, text in errors)[:500]
+
+    put(policy_calls, "_format_errors", wrong)
 
 
 @mutant("PUSH-006")
@@ -157,6 +198,19 @@ def omits_policy_fault_for_invalid_actions() -> None:
     put(effects, "end_by_policy", wrong)
 
 
+@mutant("PUSH-010")
+def executes_the_beginning_of_a_chunk_that_is_too_long() -> None:
+    """A policy is scored for a part of an answer, and its author is not warned."""
+    right = ProctorPolicy.predict
+
+    async def wrong(self: ProctorPolicy, turn: Any) -> Any:
+        answer = await right(self, turn)
+        del answer.actions[self._run.manifest["max_chunk"] :]
+        return answer
+
+    put(ProctorPolicy, "predict", wrong)
+
+
 @mutant("PUSH-011")
 def follows_redirects() -> None:
     """The policy server decides where this server connects next."""
@@ -175,6 +229,21 @@ def follows_redirects() -> None:
             found = dict(answer.headers)
         async with self._pool.stream(call.method, found[b"Location"]) as answer:
             raise PolicyFault(f"redirects (status {answer.status})")
+
+    put(HttpCalls, "_send_once", wrong)
+
+
+@mutant("PUSH-011")
+def repeats_a_call_that_was_redirected() -> None:
+    """A policy behind a wrong address seems to be well, and no fault says so."""
+    right = HttpCalls._send_once
+
+    async def wrong(self: HttpCalls, call: Call) -> Any:
+        try:
+            return await right(self, call)
+        except PolicyFault as fault:
+            fault.retryable |= str(fault).startswith("redirects")
+            raise
 
     put(HttpCalls, "_send_once", wrong)
 
@@ -208,6 +277,32 @@ def never_plays_a_resumed_run() -> None:
     put(Driver, "on_run_changed", wrong)
 
 
+@mutant("PUSH-013")
+def fails_finally_when_the_policy_refuses_to_describe_itself() -> None:
+    """A run with a wrong path or key cannot be saved by the policy's host."""
+    right = ProctorPolicy.describe
+    refusing: set[str] = set()
+
+    async def wrong_describe(self: ProctorPolicy) -> Any:
+        try:
+            return await right(self)
+        except PolicyFault as fault:
+            if "answered with status 4" in str(fault):
+                refusing.add(self._run.run_id)
+            raise
+
+    right_fail = effects.fail_run
+
+    def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
+        sessions = right_fail(run, reason, now_wall, **more)
+        if run.state == "failed" and run.run_id in refusing:
+            run.retryable = False
+        return sessions
+
+    put(ProctorPolicy, "describe", wrong_describe)
+    put(effects, "fail_run", wrong)
+
+
 @mutant("PUSH-017")
 def does_not_continue_push_runs_after_a_restart() -> None:
     """After a restart of the server a push run stays ready without end."""
@@ -231,3 +326,17 @@ def continues_calling_after_a_stop() -> None:
             raise
 
     put(Driver, "_drive", wrong)
+
+
+@mutant("PUSH-014")
+def repeats_the_calls_of_a_stopped_run() -> None:
+    """A policy that is overloaded is called for runs that were stopped long ago."""
+    right = Driver.on_run_changed
+
+    def wrong(self: Driver, run: Run) -> None:
+        if run.state == "stopped":
+            asyncio.get_running_loop().call_later(5, right, self, run)
+        else:
+            right(self, run)
+
+    put(Driver, "on_run_changed", wrong)
