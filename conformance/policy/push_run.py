@@ -63,6 +63,7 @@ def submit_push_run(
     deadline = time.monotonic() + _FIRST_CALL_TIMEOUT_S
     while len(policy.calls) == before and run.get()["state"] not in ENDED:
         if time.monotonic() > deadline:
+            require_place(run)
             raise Violation(
                 f"a call of the policy server at {policy.url}",
                 f"none within {_FIRST_CALL_TIMEOUT_S:g} s in a run that is "
@@ -96,12 +97,19 @@ def require_permitted(answer: Answer, url: str) -> None:
         )
 
 
+def require_place(run: RunClient) -> None:
+    """Require a run that is not queued: a server with few places proves nothing."""
+    if run.body["state"] == "queued":
+        raise SetUpFailed("the server has no place for a run, which stays `queued`")
+
+
 def expect_end(run: RunClient, state: str) -> dict[str, Any]:
     """Expect a run to end in a state, and give its body."""
     deadline = time.monotonic() + END_TIMEOUT_S
     pause_s = _POLL_S
     while (body := run.get())["state"] not in ENDED:
         if time.monotonic() > deadline:
+            require_place(run)
             raise Violation(
                 f"a run that becomes `{state}`",
                 f"`{body['state']}` after {END_TIMEOUT_S:g} s",
