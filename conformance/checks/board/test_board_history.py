@@ -74,11 +74,12 @@ def some_history(context: CheckContext) -> list[bytes]:
 def test_brd_013_every_change_of_a_public_entry_is_a_leaf(
     context: CheckContext,
 ) -> None:
-    """An entry is published, repeated, changed, hidden, changed, shown, withdrawn.
+    """An entry is published, repeated, changed, hidden, changed, shown, withdrawn; its
+    failure has a higher score than its successes.
 
     Expect a leaf for each change that others could see, and earlier ones unchanged.
     """
-    run = Board(context).play("101")
+    run = Board(context).play("101", scores=(0.5, 1, 0.25))
     hidden = require_entry(Board(context).play("1"), is_public=False)
     before = read_leaves(context)
     entry = require_entry(run, notes="a")

@@ -6,6 +6,8 @@ import contextlib
 from collections.abc import Callable
 from typing import Any
 
+import sqlalchemy as sa
+
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.lifecycle import Attach, Delete, Refuse, Verdict
 from reference_server.rules.refusal import Refused
@@ -13,7 +15,7 @@ from reference_server.rules.run import Run, RunHead, Session
 from reference_server.runs import service
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
-from reference_server.storage import database_tables
+from reference_server.storage import database_tables, rows, store
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from tests.mutants import mutant, put
@@ -145,3 +147,22 @@ def counts_only_what_is_played_at_its_end() -> None:
         return view
 
     put(run_views, "run_view", wrong)
+
+
+@mutant("DEL-006")
+def counts_what_every_account_has_played() -> None:
+    """The first run of an account seems to be one of many tries."""
+
+    def wrong(run: RunHead) -> sa.Select[Any]:
+        runs = database_tables.runs.c
+        of_benchmark = runs.benchmark_id == run.manifest["benchmark_id"]
+        return sa.select(sa.func.max(runs.played_number)).where(of_benchmark)
+
+    put(store, "_last_played", wrong)
+
+
+@mutant("CRASH-003")
+def forgets_on_restart_how_often_was_played() -> None:
+    """After a crash of the host, the twentieth try looks like one without a number."""
+    names = [name for name in rows._COPIED_COLUMNS if name != "played_number"]
+    put(rows, "_COPIED_COLUMNS", tuple(names))

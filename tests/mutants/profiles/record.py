@@ -23,8 +23,12 @@ from reference_server.http.handlers import Handlers
 from reference_server.records import recordings, run_records
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import RunRecords
+from reference_server.rules import lifecycle
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Episode, Run
 from reference_server.runs import service
 from reference_server.storage import store
+from reference_server.storage.database_tables import signing_keys
 from reference_server.storage.store import Store
 from reference_server.views import run_views
 from tests.mutants import mutant, put
@@ -84,6 +88,23 @@ def names_keys_without_their_digest() -> None:
     """The key that a statement names is in no list."""
     right = run_views.key_view
     put(run_views, "key_view", lambda key: right(key) | {"keyid": "SHA256:key"})
+
+
+@mutant("REC-101")
+def retires_its_key_at_a_restart() -> None:
+    """After an update of the server every record looks as if signed by an old key."""
+    right = Store.use_key
+
+    async def wrong(
+        self: Store, keyid: str, public_key: bytes, now_wall: float
+    ) -> None:
+        known = {key.keyid for key in await self.keys()}
+        await right(self, keyid, public_key, now_wall)
+        if keyid in known:
+            retire = sa.update(signing_keys).values(retired_at_wall=now_wall)
+            await self.write_in_turn(lambda connection: connection.execute(retire))
+
+    put(Store, "use_key", wrong)
 
 
 @mutant("REC-102")
@@ -155,6 +176,33 @@ def forgets_how_attempts_end() -> None:
     put(Recordings, "end_attempt", lambda *_: None)
 
 
+@mutant("REC-105")
+def forgets_the_fault_that_fails_a_run() -> None:
+    """Why a run failed is in no recording of it."""
+    right = Recordings.add_fault
+
+    def wrong(self: Recordings, run: Run, episode: Episode, *fault: Any) -> None:
+        since_resume = episode.faults - episode.faults_forgiven + 1
+        if since_resume < run.manifest["max_faults"]:
+            right(self, run, episode, *fault)
+
+    put(Recordings, "add_fault", wrong)
+
+
+@mutant("REC-105")
+def forgets_attempts_that_a_stop_ends() -> None:
+    """An attempt that its submitter stopped looks like one that the server lost."""
+    right = Recordings.end_attempt
+
+    def wrong(
+        self: Recordings, run: Run, index: int, attempt: int, reason: str
+    ) -> None:
+        if run.state != "stopped":
+            right(self, run, index, attempt, reason)
+
+    put(Recordings, "end_attempt", wrong)
+
+
 @mutant("REC-106")
 def adds_a_step_to_each_line() -> None:
     """The table of a record contradicts the run."""
@@ -198,6 +246,21 @@ def sends_records_to_every_account() -> None:
         run = await self.service.registry.get(call.path["run_id"])
         assert call.caller is not None
         call.caller = type(call.caller)(run.account, call.caller.scopes)
+        return await right(self, call)
+
+    put(Handlers, "fetch_record", wrong)
+
+
+@mutant("REC-108")
+def shows_the_state_of_runs_of_others() -> None:
+    """A competitor sees that a run exists, and whether it goes on."""
+    right = Handlers.fetch_record
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        run = await self.service.registry.get(call.path["run_id"])
+        refused = lifecycle.refuse_record(run)
+        if refused is not None:
+            raise Refused.from_verdict(refused)
         return await right(self, call)
 
     put(Handlers, "fetch_record", wrong)

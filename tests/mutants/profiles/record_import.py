@@ -11,6 +11,8 @@ from typing import Any
 
 from reference_record.broken import BrokenRecord
 from reference_record.export import Record
+from reference_record.formats.bundle import open_bundle
+from reference_record.formats.names import is_verdict
 from reference_record.replay_verdict import ReplaySummary
 from reference_server.records import import_replays, record_imports
 from reference_server.records.import_files import Draft, ImportFiles
@@ -26,6 +28,8 @@ from reference_server.rules.imported_record import (
 )
 from reference_server.storage.import_store import ImportStore
 from tests.mutants import mutant, put
+
+MANY = 1000
 
 
 def change_replay(**members: Any) -> None:
@@ -92,6 +96,19 @@ def lists_imports_of_every_account() -> None:
     put(RecordImports, "page", wrong)
 
 
+@mutant("REC-114")
+def gives_the_import_of_another_account() -> None:
+    """A client that hands in what a competitor has cannot read what it was given."""
+
+    async def wrong(
+        self: ImportStore, _account: str, sha256: str
+    ) -> RecordImport | None:
+        found = await self.page(None, None, MANY)
+        return next((one for one in found if one.archive_sha256 == sha256), None)
+
+    put(ImportStore, "find_archive", wrong)
+
+
 @mutant("REC-115", "REC-116")
 def replays_the_first_episode_alone() -> None:
     """A record whose other episodes are made up has the level of one that is true."""
@@ -146,6 +163,18 @@ def keeps_its_verdict_to_itself() -> None:
     put(record_imports, "_record_of", wrong)
 
 
+@mutant("REC-118")
+def adds_no_verdict_to_that_of_another() -> None:
+    """A reader who trusts this server alone cannot use the record."""
+    right = record_imports._record_of
+
+    def wrong(path: Path, one: RecordImport) -> Record:
+        has_one = any(map(is_verdict, open_bundle(path).sizes))
+        return right(path, replace(one, verdict=None) if has_one else one)
+
+    put(record_imports, "_record_of", wrong)
+
+
 @mutant("REC-119", "REC-123")
 def makes_an_import_of_every_repeat() -> None:
     """A client that lost an answer has the record twice."""
@@ -173,6 +202,19 @@ def lists_imports_oldest_first() -> None:
         self: RecordImports, account: str | None, before: int | None, limit: int
     ) -> list[RecordImport]:
         return (await right(self, account, before, limit))[::-1]
+
+    put(RecordImports, "page", wrong)
+
+
+@mutant("REC-120")
+def begins_a_page_with_the_last_import_of_the_one_before() -> None:
+    """Whoever adds up a list by pages counts records twice."""
+    right = RecordImports.page
+
+    async def wrong(
+        self: RecordImports, account: str | None, before: int | None, limit: int
+    ) -> list[RecordImport]:
+        return await right(self, account, before and before + 1, limit)
 
     put(RecordImports, "page", wrong)
 
@@ -225,3 +267,16 @@ def gives_up_what_waits_for_its_replay() -> None:
         return await right(self, one)
 
     put(ImportReplays, "_replay", wrong)
+
+
+@mutant("REC-123")
+def forgets_a_replay_that_a_restart_cut_off() -> None:
+    """A record that was almost checked stays unchecked for good."""
+
+    async def wrong(self: ImportStore) -> list[RecordImport]:
+        found = await self.page(None, None, MANY)
+        waiting = [one for one in found if one.state == "waiting"]
+        oldest = {one.account: one for one in waiting}  # they are newest first
+        return sorted(oldest.values(), key=lambda one: one.number)
+
+    put(ImportStore, "oldest_unfinished", wrong)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks
+from reference_server.storage import rows
 from reference_server.system.seed_secret import SeedSecret
 from reference_server.views import run_views, turn_view
 from tests.mutants import mutant, put
@@ -46,6 +48,19 @@ def shows_sealed_seeds_of_abandoned_episodes() -> None:
         return view
 
     put(run_views, "result_view", wrong)
+
+
+@mutant("CRASH-003")
+def shows_sealed_seeds_of_stored_episodes() -> None:
+    """A participant has only to wait until the host starts its server again."""
+    right = rows.episode_of
+
+    def wrong(manifest: Manifest, row: rows.EpisodeRow) -> Episode:
+        episode = right(manifest, row)
+        episode.is_sealed = False
+        return episode
+
+    put(rows, "episode_of", wrong)
 
 
 @mutant("SEAL-001", "SEAL-002")
