@@ -133,17 +133,6 @@ def shows_private_entries_to_every_account() -> None:
 
 
 @mutant("BRD-004")
-def shows_private_entries_that_were_withdrawn() -> None:
-    """A result that was never meant for others is there for them in the end."""
-    right = entry_changes.may_see_entry
-
-    def wrong(account: str | None, entry: BoardEntry) -> bool:
-        return entry.state == "withdrawn" or right(account, entry)
-
-    put(entry_changes, "may_see_entry", wrong)
-
-
-@mutant("BRD-004")
 def shows_a_private_entry_that_is_withdrawn() -> None:
     """Who takes back a result that no one else has seen thereby publishes it."""
     right = entry_changes.withdraw
@@ -214,19 +203,6 @@ def publishes_again_after_a_withdrawal() -> None:
 
 
 @mutant("BRD-006")
-def answers_a_repeat_after_a_withdrawal() -> None:
-    """A script that publishes again believes that its entry is there."""
-    right = entry_changes.publish
-
-    def wrong(fresh: BoardEntry, stored: BoardEntry | None, description: Json) -> Any:
-        if stored is not None and stored.description == description:
-            return Change(stored)
-        return right(fresh, stored, description)
-
-    put(entry_changes, "publish", wrong)
-
-
-@mutant("BRD-006")
 def accepts_a_withdrawn_entry_as_it_was() -> None:
     """A script that repeats its request believes that the result is shown."""
     right = entry_changes.publish
@@ -269,18 +245,6 @@ def orders_rows_by_successes() -> None:
 
     def wrong(one: Contender) -> tuple[float, int, int]:
         return -(one.successes or 0).bit_count(), 0, one.number
-
-    put(ranking, "_order", wrong)
-
-
-@mutant("BRD-008")
-def orders_equal_scores_by_age_alone() -> None:
-    """Of two policies with one score, the one with fewer successes stands first."""
-    right = ranking._order
-
-    def wrong(one: Contender) -> tuple[float, int, int]:
-        score, _, number = right(one)
-        return score, 0, number
 
     put(ranking, "_order", wrong)
 
