@@ -208,7 +208,7 @@ def lists_imports_oldest_first() -> None:
 
 @mutant("REC-120")
 def begins_a_page_with_the_last_import_of_the_one_before() -> None:
-    """Whoever adds up a list by pages counts records twice."""
+    """A client that adds up a list by pages counts records twice."""
     right = RecordImports.page
 
     async def wrong(
