@@ -86,6 +86,7 @@ def spoil_image(change: Callable[[dict[str, Any]], None], codec: str) -> None:
     "ATR-006",
     "CAL-007",
     "CAL-008",
+    "CAL-011",
     "FAULT-012",
     "PRED-001",
     "PRED-006",
@@ -150,19 +151,19 @@ def _force_rule(rule: str) -> None:
     put(SimulatorHandle, "begin", wrong)
 
 
-@mutant("SCORE-002")
+@mutant("CAL-011", "SCORE-002")
 def judges_only_the_last_step() -> None:
     """A cube that was lifted and put down again was never lifted."""
     _force_rule("last_step")
 
 
-@mutant("SCORE-003")
+@mutant("CAL-011", "SCORE-003")
 def judges_every_step() -> None:
     """A cube that was dropped in the end counts as lifted."""
     _force_rule("any_step")
 
 
-@mutant("CAL-002", "SCORE-001", "SVC-003")
+@mutant("CAL-002", "CAL-011", "SCORE-001", "SVC-003")
 def scores_more_than_one() -> None:
     """One episode can outweigh the others."""
     for module in (turn_view, run_views):
