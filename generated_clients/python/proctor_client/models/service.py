@@ -25,7 +25,7 @@ class Service(BaseModel):
     name: StrictStr
     version: StrictStr = Field(description="Version of the server software.")
     protocol: ProtocolRange
-    profiles: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=256)] = Field(description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these.")
+    profiles: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=256)] = Field(description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these.")
     limits: Limits
     encodings: Annotated[List[StrictStr], Field(max_length=64)] = Field(description="Media types of the data plane.")
     image_codecs: Annotated[List[Annotated[str, Field(strict=True)]], Field(max_length=256)]

@@ -86,7 +86,7 @@ public class Service {
     this.protocol = protocol;
   }
 
-  /** Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. An operation with &#x60;x-profile&#x60; is there when its profile is announced. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them, and its report says that they were not verified. Those of the profile &#x60;cluster&#x60; are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these. */
+  /** Parts of the protocol offered; &#x60;core&#x60; may be left out, for it always is. An operation with &#x60;x-profile&#x60; is there when its profile is announced. The rules of the profile &#x60;crash&#x60; are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile &#x60;cluster&#x60; are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these. */
   public List<String> getProfiles() {
     return profiles;
   }
