@@ -482,7 +482,8 @@ def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
 def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -> None:
     """Baseline and model score 0; then a baseline that scores.
 
-    Expect no release with a warning, then release without one.
+    Expect no release with a warning, then release without one, in `/evaldiffs` and
+    `/evaluation_diffs`.
     """
     with chat_server(context) as chat:
         for reply, releases in (("no idea", False), ("1", True)):
@@ -490,7 +491,10 @@ def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -
             base = unique_name("base")
             names = [f"{base}-nvidia-origin", f"{base}-twin"]
             done = evaluate(context, *(info(chat, name) for name in names))
-            for result in done.results().values():
+            other = evaluate(context, info(chat, unique_name("other")))
+            body = {"request_ids": [done.request_id, other.request_id]}
+            answer = expect_success(call_flageval(context, "/evaluation_diffs", body))
+            for result in (*done.results().values(), *answer["eval_diffs"]):
                 expect.equal(result["release"], releases, "release")
                 expect.equal("warning" in result, not releases, "a warning")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -87,6 +87,17 @@ def executes_a_task_again_without_a_trace() -> None:
         submission = right(self, old)
         del submission["policy"]["version"]
         return submission
+
+    put(task_requests.CreateTask, "repeat_submission", wrong)
+
+
+@mutant("EBE-027")
+def executes_the_whole_benchmark_again_after_a_part() -> None:
+    """Another run than the one that was named is compared with it."""
+    right = task_requests.CreateTask.repeat_submission
+
+    def wrong(self: task_requests.CreateTask, old: Run) -> dict[str, Any]:
+        return {k: v for k, v in right(self, old).items() if k != "select"}
 
     put(task_requests.CreateTask, "repeat_submission", wrong)
 
@@ -186,6 +197,21 @@ def ignores_kill_requests() -> None:
     put(EbenchHandlers, "kill", wrong)
 
 
+@mutant("EBE-016")
+def ends_no_session_beside_a_worker_without_one() -> None:
+    """A client that names its usual workers leaves episodes blocked."""
+    right = EbenchHandlers.kill
+
+    async def wrong(self: EbenchHandlers, call: Any) -> Response:
+        run = await self._run(call)
+        named = task_requests.read_worker_ids(call.body.data.worker_ids, run)
+        if all(one in run.workers for one in named):
+            return await right(self, call)
+        return call.answer({"data": {"success": True}})  # type: ignore[no-any-return]
+
+    put(EbenchHandlers, "kill", wrong)
+
+
 @mutant("EBE-030")
 def abandons_an_episode_whose_worker_is_killed() -> None:
     """A client that crashes three times gets score 0 for an episode it never ended."""
@@ -280,6 +306,31 @@ def takes_half_a_score_for_half_a_success() -> None:
 def gives_each_result_once_whether_received_or_not() -> None:
     """The folder of results has no file for an episode whose answer was lost."""
     put(OwedResults, "add", lambda _self, _run, _indices: None)
+
+
+@mutant("EBE-031")
+def owes_a_lost_result_one_more_time_only() -> None:
+    """The folder of results has no file where two answers were lost in a row."""
+    right_take, right_add = OwedResults.take, OwedResults.add
+    given: set[tuple[str, int]] = set()
+
+    def take(self: OwedResults, run: Run) -> Episode | None:
+        episode = right_take(self, run)
+        if episode is not None:
+            given.add((run.run_id, episode.index))
+        return episode
+
+    def add(self: OwedResults, run: Run, indices: Iterable[int]) -> None:
+        right_add(self, run, [i for i in indices if (run.run_id, i) not in given])
+
+    put(OwedResults, "take", take)
+    put(OwedResults, "add", add)
+
+
+@mutant("EBE-028")
+def executes_a_refused_list_up_to_its_wrong_action() -> None:
+    """A robot moves although the step was refused."""
+    put(message_conversion, "whole_chunk_errors", lambda *_: [])
 
 
 @mutant("EBE-028")

@@ -238,6 +238,20 @@ def releases_what_is_as_bad_as_nothing() -> None:
     put(evaluation_responses, "_gate", wrong)
 
 
+@mutant("FLE-021")
+def compares_requests_with_a_baseline_of_nothing() -> None:
+    """Two requests without a readable answer are released as equal."""
+    right = EvaluationView.diff
+
+    def wrong(self: EvaluationView, base: EvaluationView) -> Json:
+        found = right(self, base)
+        found.pop("warning", None)
+        compared = self.compare_with(base)
+        return found | {"release": compared is not None and compared["release"]}
+
+    put(EvaluationView, "diff", wrong)
+
+
 @mutant("FLE-022")
 def reads_the_last_line_alone() -> None:
     """A model that answers in a sentence scores nothing."""
