@@ -120,6 +120,11 @@ def _open_server(context: CheckContext) -> Iterator[PrivateServer]:
             yield _OwnServer(context.for_base_url(process.url), process)
         except StartFailed as error:
             raise SetUpFailed(str(error)) from error
+        except SetUpFailed as error:
+            if process.exit_code is None:
+                raise
+            text = f"{error}; the server had ended with exit code {process.exit_code}"
+            raise SetUpFailed(f"{text} (see {log.name})") from error
         finally:
             process.stop()
             _OPEN.discard(process)

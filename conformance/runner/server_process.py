@@ -160,6 +160,11 @@ class ServerProcess:
             self._database = kept
         return True
 
+    @property
+    def exit_code(self) -> int | None:
+        """That of a process which ended although the kit did not end it."""
+        return None if self._process is None else self._process.poll()
+
     def log_tail(self) -> str:
         """Give the end of its output."""
         lines = self._log.read_text(errors="replace").split("\n")

@@ -89,7 +89,7 @@ def change_view(change: Any) -> None:
     put(board_views, "entry_view", wrong)
 
 
-@mutant("BRD-003")
+@mutant("BRD-003", "BRD-013")
 def shows_the_success_rate_as_the_score() -> None:
     """A graded benchmark shows a number that no run has earned."""
 
