@@ -26,6 +26,7 @@ from conformance.verdicts.expect import SetUpFailed, Violation
 
 _RESTART_S = 60.0
 _OPEN: set[ServerProcess] = set()
+_ENDS_S = 0.5  # a connection breaks a little before its process has ended
 
 
 class PrivateServer(Protocol):
@@ -121,13 +122,19 @@ def _open_server(context: CheckContext) -> Iterator[PrivateServer]:
         except StartFailed as error:
             raise SetUpFailed(str(error)) from error
         except SetUpFailed as error:
-            if process.exit_code is None:
-                raise
-            text = f"{error}; the server had ended with exit code {process.exit_code}"
-            raise SetUpFailed(f"{text} (see {log.name})") from error
+            raise name_end_of_server(error, process) from None
         finally:
             process.stop()
             _OPEN.discard(process)
+
+
+def name_end_of_server(error: SetUpFailed, process: ServerProcess) -> SetUpFailed:
+    """Give an error that says so if the server ended, which no check asked it to."""
+    code = process.wait_for_exit_code(_ENDS_S)
+    if code is None:
+        return error
+    text = f"{error}; the server had ended by itself, with exit code {code}"
+    return SetUpFailed(f"{text}, its last words: {process.log_tail()}")
 
 
 @contextlib.contextmanager

@@ -160,10 +160,12 @@ class ServerProcess:
             self._database = kept
         return True
 
-    @property
-    def exit_code(self) -> int | None:
-        """That of a process which ended although the kit did not end it."""
-        return None if self._process is None else self._process.poll()
+    def wait_for_exit_code(self, within_s: float) -> int | None:
+        """Give that of a process which ended although the kit did not end it."""
+        if self._process is not None:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                return self._process.wait(within_s)
+        return None
 
     def log_tail(self) -> str:
         """Give the end of its output."""

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from conformance.runner.private_server import _OwnServer
+from conformance.runner.private_server import _OwnServer, name_end_of_server
 from conformance.runner.server_process import AccountTokens, ServerProcess
 from conformance.verdicts.expect import SetUpFailed, Violation
 
@@ -62,6 +62,18 @@ def test_data_that_ends_the_server_is_a_violation(
     server.kill9()
     with pytest.raises(Violation, match=r"cannot read .*conformance\.sqlite3"):
         server.restart()
+
+
+def test_server_that_ended_by_itself_is_named(start: Callable[..., _OwnServer]) -> None:
+    process = start(NOWHERE)._process
+    error = SetUpFailed("no response", breaks="EPI-001")
+    assert name_end_of_server(error, process) is error
+    assert process._process is not None
+    process._process.kill()
+    named = name_end_of_server(error, process)
+    assert "no response" in named.reason
+    assert "ended by itself, with exit code -9" in named.reason
+    assert named.breaks is None
 
 
 def test_other_reasons_are_none(start: Callable[..., _OwnServer]) -> None:
