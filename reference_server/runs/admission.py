@@ -42,7 +42,8 @@ class Admission:
     ) -> None:
         self.places, self.queue = places, RunQueue()
         self._let_in, self._on_moved, self._look = let_in, on_moved, look
-        self._timer: asyncio.TimerHandle | None = None
+        self._timer: asyncio.Handle | None = None  # None as soon as it has fired
+        self._timer_at = 0.0  # by the clock of the loop
         self._closed = False
 
     def close(self) -> None:
@@ -122,11 +123,12 @@ class Admission:
             return
         loop = asyncio.get_running_loop()
         at = loop.time() + max(0.001, wait_s)
-        timer = self._timer
-        if timer is not None and not timer.cancelled():
-            if loop.time() < timer.when() <= at:
+        if self._timer is not None:
+            # One whose time has passed fires in a moment: it must not be put off.
+            if self._timer_at <= at:
                 return
-            timer.cancel()
+            self._timer.cancel()
+        self._timer_at = at
         # Nothing that a timer does belongs to the request that set it.
         self._timer = loop.call_at(
             at, self._admit_in_time, context=contextvars.Context()
