@@ -21,6 +21,7 @@ from conformance.runner.preflight import CannotJudge, inspect
 from conformance.runner.server_process import (
     AccountTokens,
     ServerProcess,
+    claim_port,
     open_directory,
 )
 from conformance.specification.document import spec_name
@@ -99,7 +100,10 @@ def _server(settings: Settings) -> Iterator[None]:
         urls: list[str] = []
         for number in range(settings.nodes):
             own = log if number == 0 else log.with_name(f"server-{number + 1}.log")
-            process = ServerProcess(settings.start_cmd, tokens, directory, own)
+            port = ends.enter_context(claim_port())
+            process = ServerProcess(
+                settings.start_cmd, tokens, directory=directory, port=port, log=own
+            )
             ends.callback(process.stop)
             public_url = urls[0] if urls else ""
             process.start(public_url if settings.nodes > 1 else None)

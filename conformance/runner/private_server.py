@@ -20,6 +20,7 @@ from conformance.runner.server_process import (
     AccountTokens,
     ServerProcess,
     StartFailed,
+    claim_port,
     open_directory,
 )
 from conformance.verdicts.expect import SetUpFailed, Violation
@@ -112,20 +113,24 @@ def _open_server(context: CheckContext) -> Iterator[PrivateServer]:
     tokens = AccountTokens(
         settings.token or "", settings.token_2 or "", settings.token_read or ""
     )
-    with open_directory() as directory:
-        log = Path(settings.report) / f"server-{context.name}.log"
-        process = ServerProcess(settings.start_cmd, tokens, directory, log)
-        _OPEN.add(process)
+    with contextlib.ExitStack() as ends:
         try:
+            process = ServerProcess(
+                settings.start_cmd,
+                tokens,
+                directory=ends.enter_context(open_directory()),
+                port=ends.enter_context(claim_port()),
+                log=Path(settings.report) / f"server-{context.name}.log",
+            )
+            _OPEN.add(process)
+            ends.callback(_OPEN.discard, process)
+            ends.callback(process.stop)
             process.start()
             yield _OwnServer(context.for_base_url(process.url), process)
         except StartFailed as error:
             raise SetUpFailed(str(error)) from error
         except SetUpFailed as error:
             raise name_end_of_server(error, process) from None
-        finally:
-            process.stop()
-            _OPEN.discard(process)
 
 
 def name_end_of_server(error: SetUpFailed, process: ServerProcess) -> SetUpFailed:

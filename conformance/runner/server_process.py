@@ -30,6 +30,7 @@ _POLL_S = 0.02
 # A file system in memory, which containers often make small.
 _MEMORY = "/dev/shm"  # noqa: S108 - the directory in it has a random name
 _MEMORY_FREE_BYTES = 2**30
+_CLAIMS_MAX = 100
 
 
 class StartFailed(Exception):
@@ -72,29 +73,59 @@ def open_directory() -> Iterator[Path]:
         yield Path(made)
 
 
-class ServerProcess:
-    """One server on a free port of this machine, with a database of its own."""
+@contextlib.contextmanager
+def claim_port() -> Iterator[int]:
+    """Give a free port that no other kit on this machine is given in the block.
 
-    def __init__(self, command: str, tokens: AccountTokens, directory: Path, log: Path):
-        self.url = ""
+    A command listens only some time after its port was chosen, and not while it is
+    restarted: in these times the port is as free for all others. A file claims it.
+    """
+    for _ in range(_CLAIMS_MAX):
+        port = _free_port()
+        claim = Path(tempfile.gettempdir()) / f"proctor-conformance-port-{port}"
+        with contextlib.suppress(FileExistsError):
+            claim.touch(mode=0o600, exist_ok=False)
+            break
+    else:
+        raise StartFailed(
+            f"{_CLAIMS_MAX} free ports in succession are claimed by files as {claim}: "
+            "delete them if no other kit is running"
+        )
+    try:
+        yield port
+    finally:
+        claim.unlink(missing_ok=True)
+
+
+class ServerProcess:
+    """One server on a port of this machine, with a database in a directory."""
+
+    def __init__(
+        self,
+        command: str,
+        tokens: AccountTokens,
+        *,
+        directory: Path,
+        port: int,
+        log: Path,
+    ) -> None:
+        self.url = f"http://127.0.0.1:{port}"
         self._command = shlex.split(command)
         self._tokens = tokens
         self._database = directory / "conformance.sqlite3"
         self._log = log
         self._output: IO[bytes] | None = None
         self._process: subprocess.Popen[bytes] | None = None
-        self._port = 0
+        self._port = port
         self._is_closed = False
         self._lock = threading.Lock()
 
     def start(self, public_url: str | None = None) -> None:
-        """Start it and wait until it responds; the port stays the same on a restart.
+        """Start it and wait until it responds.
 
         public_url: that of the service it is a node of, "" for its own; None if it is
         a service of itself.
         """
-        self._port = self._port or _free_port()
-        self.url = f"http://127.0.0.1:{self._port}"
         self._log.parent.mkdir(parents=True, exist_ok=True)
         self._output = self._log.open("ab")
         environment = os.environ | {

@@ -6,9 +6,16 @@ from pathlib import Path
 
 import pytest
 
+from conformance.runner import server_process
 from conformance.runner.private_server import _OwnServer, name_end_of_server
-from conformance.runner.server_process import AccountTokens, ServerProcess
+from conformance.runner.server_process import (
+    AccountTokens,
+    ServerProcess,
+    StartFailed,
+    claim_port,
+)
 from conformance.verdicts.expect import SetUpFailed, Violation
+from tests.support.ports import free_port
 
 pytestmark = pytest.mark.slow("starts servers")
 
@@ -46,13 +53,16 @@ def start(
         command = f"{sys.executable} {script}"
         log = tmp_path / "server.log"
         tokens = AccountTokens.generate()
-        started.append(ServerProcess(command, tokens, tmp_path, log))
+        started.append(
+            ServerProcess(command, tokens, directory=tmp_path, port=port, log=log)
+        )
         started[0].start()
         return _OwnServer(None, started[0])  # type: ignore[arg-type]
 
-    yield start_it
-    for server in started:
-        server.stop()
+    with claim_port() as port:
+        yield start_it
+        for server in started:
+            server.stop()
 
 
 def test_data_that_ends_the_server_is_a_violation(
@@ -91,3 +101,27 @@ def test_port_that_was_taken_for_a_moment_is_none(
     (tmp_path / "port-is-taken").touch()
     server.restart()
     assert not (tmp_path / "port-is-taken").exists()
+
+
+def test_two_servers_are_never_given_the_same_port(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each is free until its command listens, so the system may give it twice."""
+    given = [free_port() for _ in range(2)]
+    system = iter([given[0], given[0], given[1], given[0]])
+    monkeypatch.setattr(server_process, "_free_port", lambda: next(system))
+    with claim_port() as first, claim_port() as second:
+        assert (first, second) == tuple(given)
+    with claim_port() as third:
+        assert third == first
+
+
+def test_no_port_is_left(monkeypatch: pytest.MonkeyPatch) -> None:
+    port = free_port()
+    monkeypatch.setattr(server_process, "_free_port", lambda: port)
+    with (
+        claim_port(),
+        pytest.raises(StartFailed, match="claimed by files"),
+        claim_port(),
+    ):
+        pass
