@@ -1,7 +1,7 @@
 """A chat model with scripted replies, which records the requests it receives.
 
-It offers `/v1/chat/completions` and `/v1/completions`, as OpenAI and vLLM do. Only the
-standard library: it runs in the kit's process, for one check.
+It offers `/v1/chat/completions` and `/v1/completions`, as OpenAI and vLLM do. It runs
+in the kit's process, for one check.
 """
 
 import contextlib
@@ -13,6 +13,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Self
+
+from conformance.policy.request_body import read_body
 
 
 @dataclass(frozen=True)
@@ -128,7 +130,7 @@ def _handler_of(chat: ScriptedChat) -> type[BaseHTTPRequestHandler]:
         protocol_version = "HTTP/1.1"
 
         def do_POST(self) -> None:
-            raw = self.rfile.read(int(self.headers.get("content-length", 0)))
+            raw = read_body(self)
             headers = {name.lower(): value for name, value in self.headers.items()}
             status, body = 404, b"{}"
             if self.path.endswith(("/v1/chat/completions", "/v1/completions")):

@@ -14,6 +14,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, Self
 
 from conformance.client.calibration_actions import action
+from conformance.policy.request_body import read_body
 from conformance.specification.document import JSON, PROBLEM_JSON, load_spec
 
 OPERATIONS = {
@@ -184,8 +185,7 @@ def _handler_of(policy: ScriptedPolicy) -> type[BaseHTTPRequestHandler]:
         disable_nagle_algorithm = True
 
         def _serve(self) -> None:
-            size = int(self.headers.get("content-length", 0))
-            raw = self.rfile.read(size)
+            raw = read_body(self)
             operation = OPERATIONS.get((self.command, self.path))
             if operation is None:
                 self._send(PolicyReply(status=404))
