@@ -12,7 +12,7 @@ from typing import Any
 
 from conformance.client.calibration_actions import ACTION_SIZES
 from conformance.client.check_context import CheckContext
-from conformance.client.http_client import HttpClient
+from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.profiles import pickles
@@ -47,6 +47,14 @@ class EBenchRun:
     def try_step(self, actions: Any, **how: Any) -> Answer:
         """Step; `actions` is {worker: action}, or a list of such."""
         return self.try_send("step", pickles.write(actions), **how)
+
+    def disconnect_during_step(self, actions: Any) -> None:
+        """Send a step of 1 s, and disconnect before it is answered."""
+        try:
+            self.try_step(actions, timeout_s=0.4)
+        except NoAnswer:
+            return
+        raise SetUpFailed("a step with a delay of 1 s took less", breaks="CAL-004")
 
     def try_reset(self, *workers: str, **how: Any) -> Answer:
         """Reset workers."""

@@ -1,6 +1,7 @@
 """The kit against right servers with small limits: no row is violated."""
 
 import json
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from tests.support.forking.forked_servers import server_command
 from tests.support.paths import ROOT
 
 pytestmark = pytest.mark.slow("runs whole kits")
@@ -19,7 +21,7 @@ FEW = ["--max-open-runs", "30", "--max-idempotency-keys", "40"]
 
 def judge(report: Path, server: list[str], *options: str) -> dict[str, Any]:
     """Run the kit against the reference server with other limits; give its report."""
-    start = " ".join([sys.executable, "-m", "reference_server", *server])
+    start = shlex.join([*server_command(), *server])
     kit = [sys.executable, "-m", "conformance", "--report", str(report), *options]
     subprocess.run(
         [*kit, "--start-cmd", start],

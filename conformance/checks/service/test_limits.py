@@ -143,6 +143,14 @@ def too_late_for(context: CheckContext, lease_s: float) -> str:
     return f"{text}: announce a longer `idle_timeout_s_max`"
 
 
+def require_in_time(
+    answer: Answer, since: float, lease_s: float, context: CheckContext
+) -> None:
+    """Require of a refusal that it came before a lease that began then could end."""
+    if answer.status != 200 and answer.ended_at > since + lease_s:
+        raise Inconclusive(too_late_for(context, lease_s))
+
+
 @background
 @requirement("LIM-006")
 def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
@@ -157,29 +165,37 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
         raise SetUpFailed(
             f"`limits.heartbeat_s_max` is longer than {WAITED_S:g} s", allowed=True
         )
-    control = attach_with_short_lease(context)
     worker = attach_with_short_lease(context)
-    lease_s = worker.turn["lease"]["idle_timeout_s"]
+    attached_at = time.monotonic()
+    repeating = attach_with_short_lease(context)  # may take long
+    lease_s = repeating.turn["lease"]["idle_timeout_s"]
     turn_at = sent_at = time.monotonic()
-    control.try_heartbeat()  # the next attach may take long
-    repeating = attach_with_short_lease(context)
-    repeating.predict(context.action())
+    worker.try_heartbeat()
+    played = repeating.try_next()
+    if time.monotonic() > attached_at + lease_s:
+        raise Inconclusive(too_late_for(context, lease_s))
+    expect.require(played, 200, "predict")
+    control = attach_with_short_lease(context)
     until = time.monotonic() + limit_s + lease_s + context.tolerance_s
     while sent_at < until:
         earlier, sent_at = sent_at, time.monotonic()
-        control.try_heartbeat()
         worker.try_heartbeat()
         repeating.try_predict(context.action(), seq=1)
-        if time.monotonic() > earlier + lease_s / 2:
+        control.try_heartbeat()
+        if time.monotonic() > earlier + lease_s:
             raise Inconclusive(too_late_for(context, lease_s))
         if sent_at > turn_at + limit_s / 4:
-            control.predict(context.action())
+            played = control.try_next()
+            require_in_time(played, turn_at, max(limit_s, lease_s), context)
+            expect.require(played, 200, "predict")
             turn_at = sent_at
         time.sleep(lease_s / 8)
     expect.refused(worker.try_heartbeat(), "session_ended")
     repeated = repeating.try_predict(context.action(), seq=1)
     expect.refused(repeated, "session_ended")
-    expect.ok(control.try_heartbeat())
+    heard = control.try_heartbeat()
+    require_in_time(heard, sent_at, lease_s, context)
+    expect.ok(heard)
 
 
 @requirement("LIM-008")

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.forking.forked_servers import server_command
 from tests.support.paths import ROOT
 
 pytestmark = pytest.mark.slow("starts servers and kits")
@@ -27,7 +28,7 @@ pytestmark = pytest.mark.slow("starts servers and kits")
 def test_small_limits_of_an_account_are_judged(
     tmp_path: Path, flags: str, rules: list[str]
 ) -> None:
-    server = (sys.executable, "-m", "reference_server", *flags.split())
+    server = (*server_command(), *flags.split())
     command = ("--start-cmd", shlex.join(server), "--only", ",".join(rules))
     done = subprocess.run(
         [sys.executable, "-m", "conformance", *command, "--report", str(tmp_path)],
