@@ -89,7 +89,7 @@ dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks an
 
 kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers, rewrite its page
 false-alarms: setup ## Run the kit on right servers again and again
-#                   RUNS=... BUSY=1 (every run on a busy machine) ARGS=--write
+#                   RUNS=200 BUSY=1 (every run on a busy machine) ARGS='-j 2 --write'
 	@$(python) -m tools.measurements.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
 mutation: setup ## Judge the kit on machine-made changes of a server, rewrite its page
 #                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2

@@ -13,8 +13,9 @@ from typing import Any
 
 import pytest
 
-from tests.support.kit.reverse_proxies import free_port, run_proxy
+from tests.support.kit.reverse_proxies import run_proxy
 from tests.support.paths import ROOT
+from tests.support.ports import free_port
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("a server, a proxy and a kit")

@@ -2,7 +2,7 @@
 
 A mutant is killed when the kit fails exactly the requirements that it breaks. On every
 run of the tests the kit judges a mutant by its own rows (`own`), each of which has to
-fail. By all rows (`all`), of which no other may fail, a run judges a sixth of the
+fail. By all rows (`all`), of which no other may fail, a run judges a twelfth of the
 mutants, which the committed spec, kit and server choose; `make kill-matrix` judges all
 of them so and writes the page PAGE.
 
@@ -33,14 +33,14 @@ from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES
 from reference_sim.mujoco.rendering import RenderingUnavailable, find_backend
 from tests.mutants import Mutant, load
-from tests.mutants.fork_server import PLAIN, Commands, fork_servers
+from tests.mutants.fork_servers import PLAIN, Commands, fork_servers
 from tests.mutants.seeded_rows import seeded_rows
 from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "contribute" / "kill-matrix.md"
 # One run of the tests in so many judges a mutant by all rows.
-ROTATION = 6
+ROTATION = 12
 Rows = Literal["own", "all"]
 # Long enough for every wait in the kit to time out one after another.
 KIT_TIMEOUT_S = 600

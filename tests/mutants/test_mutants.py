@@ -9,7 +9,7 @@ from typing import NoReturn
 import pytest
 
 from tests.mutants import Mutant, load
-from tests.mutants.fork_server import Commands, fork_servers
+from tests.mutants.fork_servers import Commands, fork_servers
 from tests.mutants.kill import PAGE, rows_of_this_commit, run_mutant
 from tests.mutants.seeded_rows import seeded_rows
 

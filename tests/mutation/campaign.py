@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from tests.mutants.fork_server import forked_kit
+from tests.mutants.fork_servers import forked_kit
 from tests.mutation.judge import Judgement, judge
 from tests.mutation.syntax import MutantSource
 from tests.mutation.targets import ROOT, Target

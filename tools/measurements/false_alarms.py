@@ -4,11 +4,12 @@ Runs the whole kit again and again, each time with another seed, against every s
 this repository; every second time all processors are kept busy meanwhile. Whatever is
 then violated, inconclusive, a kit error, or unverified without need is a false alarm.
 
-Prints a line for each run and adds it to var/false-alarms.jsonl. What stands there for
-the commit is not run again, so that an interrupted measurement goes on. What the kit
-and the server wrote in a run with a false alarm is kept beside it. With --write, the
-figures of this commit go to docs/contribute/false-alarms.md. Exit code 1 after a
-false alarm. Knows no rule and no server but by its command.
+Prints a line for each run and adds it to docs/contribute/false-alarms.jsonl. What is
+there is not run again until the kit, the text or a server changes, so that an
+interrupted measurement goes on, on another machine, too. What the kit and the server
+wrote in a run with a false alarm is kept in var/false-alarms. With --write, the figures
+go to docs/contribute/false-alarms.md. Exit code 1 after a false alarm. Knows no rule
+and no server but by its command.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -30,11 +32,19 @@ from tools.example_servers import GO, START_SERVER_JS, build_server_go
 from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).resolve().parents[2]
-RESULTS = ROOT / "var" / "false-alarms.jsonl"
-ALARMED = RESULTS.with_suffix("")  # reports of the runs with an alarm
 PAGE = ROOT / "docs" / "contribute" / "false-alarms.md"
+RESULTS = PAGE.with_suffix(".jsonl")
+ALARMED = ROOT / "var" / "false-alarms"  # reports of the runs with an alarm
+# What a run depends on: the results are those of the last commit that changed it.
+JUDGED = (
+    *("spec", "conformance", "reference_server", "reference_sim", "reference_record"),
+    *("generated_clients/python", "examples/server_go", "examples/server_js"),
+    "requirements",
+)
 FIRST_SEED = 1000
 QUIET, BUSY = "quiet", "busy"
+_ALARM_CHARACTERS = 600  # of the text of an alarm: its end says what was wrong
+RunKey = tuple[str, int, str]  # server, seed, load
 RIGHT = ("passed", "not_applicable")
 # Among alarms, in the place of a rule's id: the kit could not judge at all.
 REPORT = "-"
@@ -100,7 +110,9 @@ def alarms_of(found: dict[str, Any]) -> dict[str, str]:
     """Give the text of each row of a report that is wrong of a right server, by id."""
     alarms = {
         row["requirement_id"]: f"{row['outcome']}: "
-        + " ".join(f"{row['reason']} {row['expected']} {row['observed']}".split())[:500]
+        + " ".join(
+            f"{row['reason']} {row['expected']} {row['observed']}".split()
+        ).replace(f"{ROOT}/", "")[-_ALARM_CHARACTERS:]
         for row in found["rows"]
         if row["outcome"] not in RIGHT and not row["allowed"]
     }
@@ -117,26 +129,48 @@ def read_results(commit: str) -> list[dict[str, Any]]:
     return [line for line in lines if line["commit"] == commit]
 
 
-def measure(runs: int, load: str | None, options: list[str], commit: str) -> None:
-    """Make the runs that are missing of a commit."""
+def write_results(results: list[dict[str, Any]]) -> None:
+    """Write one line for each run, in the order of the seeds."""
+    ordered = sorted(results, key=lambda line: line["seed"])
+    RESULTS.write_text("".join(json.dumps(line) + "\n" for line in ordered))
+
+
+def measure(
+    runs: int, at_once: int, load: str | None, options: list[str], commit: str
+) -> None:
+    """Make the runs that are missing of a commit, so many at once."""
     known = {(r["server"], r["seed"], r["load"]) for r in read_results(commit)}
-    RESULTS.parent.mkdir(exist_ok=True)
-    with tempfile.TemporaryDirectory() as directory:
+    with (
+        tempfile.TemporaryDirectory() as directory,
+        ThreadPoolExecutor(at_once) as executor,
+    ):
         commands = start_commands(Path(directory))
-        for number in range(runs):
-            name = list(commands)[number // 2 % len(commands)]
-            under = load or (QUIET, BUSY)[number % 2]
-            key = (name, FIRST_SEED + number, under)
-            if key in known:
-                continue
+        missing = [
+            key for key in planned_runs(runs, load, list(commands)) if key not in known
+        ]
+
+        def run(key: RunKey) -> None:
+            server, seed, under = key
             busy = keep_processors_busy if under == BUSY else contextlib.nullcontext
             with busy():
-                result = run_kit(commands[name], key[1], options)
-            line = dict(zip(("server", "seed", "load"), key, strict=True))
+                result = run_kit(commands[server], seed, options)
+            line = {"server": server, "seed": seed, "load": under}
             line |= {"commit": commit, "options": options, **result}
             with RESULTS.open("a") as file:
                 file.write(json.dumps(line) + "\n")
             show(line)
+
+        list(executor.map(run, missing))
+    write_results(read_results(commit))  # without those of other commits
+
+
+def planned_runs(
+    runs: int, load: str | None, servers: Sequence[str]
+) -> Iterator[RunKey]:
+    """Give the runs: two of each server in turn, each with a seed of its own."""
+    for number in range(runs):
+        server = servers[number // 2 % len(servers)]
+        yield server, FIRST_SEED + number, load or (QUIET, BUSY)[number % 2]
 
 
 def show(line: dict[str, Any]) -> None:
@@ -177,10 +211,11 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "# False alarms",
         "",
         "How often the whole kit called a right server wrong, or could not decide.",
-        f"Written by `make false-alarms ARGS=--write`; the kit of commit {commit} of",
-        f"{date}, on {os.cpu_count()} processors, another seed in each run.",
-        "`quiet`: beside whatever the machine ran; `busy`: beside one process more",
-        "per processor that computes without end.",
+        "Written by `make false-alarms ARGS=--write`; kit and servers as they are",
+        f"since commit {commit} of {date}, on {os.cpu_count()} processors, another",
+        "seed in each run. `quiet`: beside whatever the machine ran; `busy`: beside",
+        "one process more per processor that computes without end. All runs:",
+        f"[{RESULTS.name}]({RESULTS.name}).",
         "",
         *summarize(results),
         "",
@@ -202,11 +237,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=12)
     parser.add_argument("--load", choices=[QUIET, BUSY], help="of all runs")
+    parser.add_argument("-j", type=int, default=1, help="runs at once")
     parser.add_argument("--write", action="store_true", help="rewrite the page")
     parser.add_argument("kit", nargs="*", help="further options of the kit")
     options = parser.parse_args()
-    commit, date = read_commit()
-    measure(options.runs, options.load, options.kit, commit)
+    commit, date = read_commit(*JUDGED)
+    measure(options.runs, options.j, options.load, options.kit, commit)
     results = read_results(commit)
     print("\n".join(summarize(results)))
     if options.write:

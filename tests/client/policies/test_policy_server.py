@@ -17,11 +17,11 @@ from conformance.policy.scripted_policy import (
 from reference_client import ProctorError, evaluate
 from reference_client.policies.policy_server_client import PolicyServerClient
 from tests.support.client.policy_apps import (
-    free_port,
     make_app,
     run_app,
     run_proctor,
 )
+from tests.support.ports import free_port
 from tests.support.push_runs import submit_push_run, wait_for_state
 from tests.support.servers import TOKENS, ReferenceServer
 

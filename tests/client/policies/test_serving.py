@@ -23,10 +23,10 @@ from reference_client.policies.policy_http_app import PolicyApp
 from tests.support.client.policy_apps import (
     KEY,
     CountingPolicy,
-    free_port,
     make_app,
     run_app,
 )
+from tests.support.ports import free_port
 from tests.support.push_runs import (
     episodes,
     push_submission,

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-from conformance.runner.server_process import AccountTokens, ServerProcess
+from conformance.runner.server_process import AccountTokens, ServerProcess, claim_port
 from tests.support.paths import ROOT
 
 TOOLS = ("bash", "base64", "curl", "python3", "sleep", "tee")
@@ -37,17 +37,19 @@ def start_mutant(mutant: str, directory: Path) -> Iterator[dict[str, str]]:
     """A fresh mutant, as the variables of the script."""
     tokens = AccountTokens.generate()
     command = f"{sys.executable} -m tests.mutants.serve {mutant}"
-    server = ServerProcess(command, tokens, directory, directory / "server.log")
-    try:
-        server.start()
-        yield {
-            "URL": server.url,
-            "TOKEN": tokens.alice,
-            "TOKEN_2": tokens.bob,
-            "TOKEN_READ": tokens.reader,
-        }
-    finally:
-        server.stop()
+    log = directory / "server.log"
+    with claim_port() as port:
+        server = ServerProcess(command, tokens, directory=directory, port=port, log=log)
+        try:
+            server.start()
+            yield {
+                "URL": server.url,
+                "TOKEN": tokens.alice,
+                "TOKEN_2": tokens.bob,
+                "TOKEN_READ": tokens.reader,
+            }
+        finally:
+            server.stop()
 
 
 def printed_script(mutant: str, requirement_id: str, report: Path) -> str:

@@ -200,10 +200,25 @@ def counts_one_action_too_many() -> None:
     spoil_observations(wrong)
 
 
-@mutant("CAL-004", "EPI-011")
+@mutant("CAL-004")
 def sleeps_less_than_commanded() -> None:
     """Leases and timeouts cannot be judged."""
-    spoil_play(lambda acts: [{**a, "delay_s": [a["delay_s"][0] * 0.8]} for a in acts])
+
+    def shortened(delay_s: float, *, is_alone: bool) -> float:
+        # Longer ones are not: EPI-011, which subtracts such a one, may then fail. Of
+        # several none is left: what a busy machine takes for a turn is less than those.
+        if delay_s >= 0.25:
+            return delay_s
+        return delay_s / 2 if is_alone else 0.0
+
+    def spoil(acts: list[dict[str, list[float]]]) -> list[dict[str, list[float]]]:
+        is_alone = len(acts) == 1
+        return [
+            {**a, "delay_s": [shortened(a["delay_s"][0], is_alone=is_alone)]}
+            for a in acts
+        ]
+
+    spoil_play(spoil)
 
 
 @mutant("CAL-005", "PRED-017")

@@ -16,8 +16,9 @@ import yaml
 from reference_server.http.connections.connection_limits import HEADER_BYTES
 from reference_server.records.record_verifier import EXAMINE_S_MAX, WAIT_S_MAX
 from reference_server.settings import Settings
-from tests.support.kit.reverse_proxies import free_port, run_configuration
+from tests.support.kit.reverse_proxies import run_configuration
 from tests.support.paths import ROOT
+from tests.support.ports import free_port
 from tests.support.server.certificates import create_certificate
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TOKENS, ReferenceServer

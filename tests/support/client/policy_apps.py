@@ -53,12 +53,6 @@ def run_app(app: ASGIApp) -> Iterator[str]:
         listener.close()
 
 
-def free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port: int = listener.getsockname()[1]
-    return port
-
-
 def run_proctor(
     server: ReferenceServer, *arguments: str, command: str = "run"
 ) -> subprocess.CompletedProcess[str]:

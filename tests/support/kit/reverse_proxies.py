@@ -20,12 +20,6 @@ CONFIGURATIONS = {"nginx": "nginx.conf", "haproxy": "haproxy.cfg"}
 START_TIMEOUT_S = 30.0
 
 
-def free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port: int = listener.getsockname()[1]
-        return port
-
-
 def find_program(name: str) -> str:
     provided = PROVIDED / "usr" / "sbin" / name
     found = shutil.which(name) or (str(provided) if provided.exists() else None)

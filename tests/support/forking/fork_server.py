@@ -1,19 +1,19 @@
-"""Starts kits and broken servers by fork, so that their imports are paid for once.
+"""Starts processes of one program by fork, so that its imports are paid for once.
 
-An interpreter that imports the kit, or the server and all mutants, costs more than the
-checks of one rule. One process for each kind imports what it needs and then forks:
-every kit and every server is still a process and a session of its own, in the state
-that follows the imports. A small client (`forked.py`) stands for the process: it passes
-on its output, its signals and its end. Knows nothing of rules and verdicts. Linux only.
+An interpreter that imports the kit, or the server, costs more than most tests of it.
+`python -m tests.support.forking.fork_server MODULE:FUNCTION SOCKET` calls the function,
+which imports what the program needs and gives its `main`, and then forks: each process
+is one of its own, in a session of its own, in the state that follows the imports. Who
+asks is a `ForkedProcess`, or `stand_in.py` where a command is needed. Linux only.
 """
 
 from __future__ import annotations
 
 import contextlib
+import gc
 import importlib
 import json
 import os
-import pkgutil
 import selectors
 import signal
 import socket
@@ -24,104 +24,43 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
-CLIENT = Path(__file__).with_name("forked.py")
-START_S = 120.0
+from tests.support.paths import ROOT
+
+CLIENT = Path(__file__).with_name("stand_in.py")
 REQUEST_BYTES_MAX = 1 << 20
+CAN_FORK = hasattr(os, "pidfd_open")
 
-
-@dataclass(frozen=True, slots=True)
-class Commands:
-    """How a kit and a mutant are started; the mutant's name follows."""
-
-    kit: tuple[str, ...]
-    server: tuple[str, ...]
-
-
-PLAIN = Commands(
-    (sys.executable, "-m", "conformance"),
-    (sys.executable, "-m", "tests.mutants.serve"),
-)
+Main = Callable[[list[str]], int]
 
 
 @contextlib.contextmanager
-def fork_servers() -> Iterator[Commands]:
-    """Start both for a while; where they cannot work, give the plain commands."""
-    if not hasattr(os, "pidfd_open"):
-        yield PLAIN
-        return
-    with (
-        tempfile.TemporaryDirectory(prefix="proctor-mutants-") as directory,
-        _started("kit", Path(directory, "kit")) as kit,
-        _started("server", Path(directory, "server")) as server,
-    ):
-        client = (sys.executable, "-S", "-I", str(CLIENT))
-        yield Commands((*client, str(kit)), (*client, str(server)))
+def fork_server(prepare: str) -> Iterator[Path]:
+    """Start one for a while; gives its socket. prepare: `MODULE:FUNCTION`."""
+    with tempfile.TemporaryDirectory(prefix="proctor-forks-") as directory:
+        path = Path(directory, "socket")
+        command = [sys.executable, "-m", __spec__.name, prepare, str(path)]
+        with subprocess.Popen(
+            command,
+            cwd=ROOT,
+            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},  # fewer threads to fork
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+        ) as process:
+            assert process.stdin is not None
+            assert process.stdout is not None
+            assert process.stdout.readline() == b"ready\n", f"no fork server: {prepare}"
+            try:
+                yield path
+            finally:
+                process.stdin.close()  # ends it, as the end of this process would
 
 
-@contextlib.contextmanager
-def forked_kit() -> Iterator[tuple[str, ...]]:
-    """Start the fork server of the kit alone; give the command of a kit."""
-    if not hasattr(os, "pidfd_open"):
-        yield PLAIN.kit
-        return
-    with (
-        tempfile.TemporaryDirectory(prefix="proctor-mutants-") as directory,
-        _started("kit", Path(directory, "kit")) as kit,
-    ):
-        yield (sys.executable, "-S", "-I", str(CLIENT), str(kit))
-
-
-@contextlib.contextmanager
-def _started(kind: str, path: Path) -> Iterator[Path]:
-    command = [sys.executable, "-m", "tests.mutants.fork_server", kind, str(path)]
-    with subprocess.Popen(
-        command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE
-    ) as process:
-        assert process.stdin is not None
-        assert process.stdout is not None
-        assert process.stdout.readline() == b"ready\n", f"no fork server of a {kind}"
-        try:
-            yield path
-        finally:
-            process.stdin.close()  # ends it, as the end of this process would
+def stand_in(path: Path) -> tuple[str, ...]:
+    """The command of a process that stands for a forked one; arguments follow."""
+    return (sys.executable, "-S", "-I", str(CLIENT), str(path))
 
 
 # --- in the fork server ---
-
-
-def _prepare_kit() -> Callable[[list[str]], int]:
-    """Import everything that a kit imports, its checks as well."""
-    import conformance.checks
-    from conformance.cli.main import main
-    from conformance.specification.ledger import load_ledger
-
-    load_ledger()
-    for late in (
-        "conformance.runner.execution",
-        "httpcore",
-        "stringprep",
-    ):
-        importlib.import_module(late)  # otherwise imported when first needed
-    folder = conformance.checks
-    for found in pkgutil.walk_packages(folder.__path__, f"{folder.__name__}."):
-        importlib.import_module(found.name)
-    return main
-
-
-def _prepare_server() -> Callable[[list[str]], int]:
-    from reference_server.__main__ import main
-    from tests.mutants import load
-
-    mutants = load()
-    importlib.import_module("sqlalchemy.dialects.sqlite.aiosqlite")
-
-    def serve(arguments: list[str]) -> int:
-        name, *sys.argv[1:] = arguments
-        mutants[name].patch()
-        return int(main() or 0)
-
-    return serve
 
 
 @dataclass(slots=True)
@@ -221,15 +160,18 @@ class _ForkServer:
 
 
 def main() -> int:
-    kind, path = sys.argv[1:]
-    work = {"kit": _prepare_kit, "server": _prepare_server}[kind]()
+    prepare, path = sys.argv[1:]
+    module, _, function = prepare.partition(":")
+    program: Main = getattr(importlib.import_module(module), function)()
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(path)
         listener.listen()
+        gc.collect()
+        gc.freeze()  # no child looks through what was imported
         sys.stdout.write("ready\n")
         sys.stdout.flush()
         arguments = _ForkServer(listener).run()
-    return 0 if arguments is None else work(arguments)
+    return 0 if arguments is None else program(arguments)
 
 
 if __name__ == "__main__":

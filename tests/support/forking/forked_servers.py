@@ -1,0 +1,53 @@
+"""The reference server by fork: one fork server for each process of the tests."""
+
+from __future__ import annotations
+
+import atexit
+import functools
+import importlib
+import sys
+from collections.abc import Callable
+from contextlib import ExitStack
+from pathlib import Path
+
+from tests.support.forking.fork_server import CAN_FORK, Main, fork_server, stand_in
+
+PROGRAM = (sys.executable, "-m", "reference_server")
+PREPARE = f"{__name__}:prepare_server"
+
+
+@functools.cache
+def server_forks() -> Path:
+    """The socket of this process's fork server, which is started at the first call."""
+    stack = ExitStack()
+    atexit.register(stack.close)
+    return stack.enter_context(fork_server(PREPARE))
+
+
+def server_command() -> tuple[str, ...]:
+    """A command that starts a server, for a kit that starts many."""
+    return stand_in(server_forks()) if CAN_FORK else PROGRAM
+
+
+def prepare_server() -> Main:
+    """In the fork server: import all that the server uses."""
+    import_server()
+    return run_server
+
+
+def import_server() -> None:
+    """Also what is otherwise imported when a database is first opened."""
+    for name in ("reference_server.__main__", "sqlalchemy.dialects.sqlite.aiosqlite"):
+        importlib.import_module(name)
+
+
+def run_server(arguments: list[str], change: Callable[[], None] | None = None) -> int:
+    """In a forked process. change: breaks the server, and never its simulators."""
+    from reference_server.__main__ import main
+    from tests.support.forking.forked_simulators import fork_simulators
+
+    sys.argv[1:] = arguments
+    fork_simulators()
+    if change is not None:
+        change()
+    return int(main() or 0)
