@@ -125,7 +125,10 @@ class ServerProcess:
 
         public_url: that of the service it is a node of, "" for its own; None if it is
         a service of itself.
+
+        Raises StartFailed, also while what was started before still listens.
         """
+        self._wait_until_free()
         self._log.parent.mkdir(parents=True, exist_ok=True)
         self._output = self._log.open("ab")
         environment = os.environ | {
@@ -161,6 +164,22 @@ class ServerProcess:
         except StartFailed:
             self.stop()
             self.start()
+
+    def _wait_until_free(self) -> None:
+        """Wait for the end of what listened, so that it answers nothing after a kill.
+
+        A process that its command has put into another group may end a little later.
+        """
+        deadline = time.monotonic() + _STOP_S
+        while not _is_free(self._port):
+            if time.monotonic() > deadline:
+                raise StartFailed(
+                    f"port {self._port} is still in use {_STOP_S:g} s after the "
+                    f"processes of `{self._command[0]}` were killed: the server must "
+                    "run in their process group, not in a container or a session of "
+                    "its own; or use --restart-cmd"
+                )
+            time.sleep(_POLL_S)
 
     def _wait_until_ready(self, process: subprocess.Popen[bytes]) -> None:
         deadline = time.monotonic() + _START_S
@@ -243,6 +262,20 @@ class ServerProcess:
 def _is_listening(port: int) -> bool:
     with socket.socket() as probe:
         return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
+def _is_free(port: int) -> bool:
+    """Whether a server could listen: what has ended leaves connections in TIME_WAIT.
+
+    Binds, for a connection would wait in the queue of a server that accepts no more.
+    """
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            return False
+    return True
 
 
 def _free_port() -> int:

@@ -20,7 +20,7 @@ from tests.support.ports import free_port
 pytestmark = pytest.mark.slow("starts servers")
 
 SERVER = """
-import http.server, os, pathlib, sys
+import http.server, os, pathlib, sys, time
 taken = pathlib.Path("port-is-taken")
 if taken.exists():
     taken.unlink()
@@ -31,8 +31,18 @@ if kept.exists():
 if kept.parent.exists():
     kept.write_text("a run")
 address = os.environ["PROCTOR_HOST"], int(os.environ["PROCTOR_PORT"])
-http.server.ThreadingHTTPServer(address, http.server.SimpleHTTPRequestHandler)\
-.serve_forever()
+server = http.server.ThreadingHTTPServer(address, http.server.SimpleHTTPRequestHandler)
+outlives = pathlib.Path("child-outlives-s")
+if outlives.exists() and os.fork() == 0:
+    os.setsid()
+    parent, server.timeout = os.getppid(), 0.01
+    while os.getppid() == parent:
+        time.sleep(0.01)
+    until = time.monotonic() + float(outlives.read_text())
+    while time.monotonic() < until:
+        server.handle_request()
+    os._exit(0)
+server.serve_forever()
 """
 DATABASE = "os.environ['PROCTOR_DATABASE']"
 ANYWHERE = "'started-once'"
@@ -101,6 +111,28 @@ def test_port_that_was_taken_for_a_moment_is_none(
     (tmp_path / "port-is-taken").touch()
     server.restart()
     assert not (tmp_path / "port-is-taken").exists()
+
+
+def test_restart_waits_for_processes_that_outlive_the_group(
+    start: Callable[..., _OwnServer], tmp_path: Path
+) -> None:
+    """They would answer the first requests after the kill, and keep the port."""
+    (tmp_path / "child-outlives-s").write_text("0.5")
+    server = start(NOWHERE)
+    server.kill9()
+    server.restart()
+    assert server._process.wait_for_exit_code(0.5) is None
+
+
+def test_server_that_no_kill_ends_is_named(
+    start: Callable[..., _OwnServer], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(server_process, "_STOP_S", 0.3)
+    (tmp_path / "child-outlives-s").write_text("10")
+    server = start(NOWHERE)
+    server.kill9()
+    with pytest.raises(SetUpFailed, match="must run in their process group"):
+        server.restart()
 
 
 def test_two_servers_are_never_given_the_same_port(
