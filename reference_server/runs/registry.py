@@ -50,6 +50,7 @@ from reference_server.rules.submission import (
 from reference_server.runs import steady_clock
 from reference_server.runs.account_usage import AccountUsage
 from reference_server.runs.admission import Admission
+from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.memory.places import Places
 from reference_server.runs.memory.recent_runs import RecentRuns
 from reference_server.runs.memory.run_changes import RunChange, RunChanges
@@ -116,6 +117,7 @@ class RunRegistry:
             None if other_queues is None else other_queues.look,
         )
         self._in_memory: WeakValueDictionary[str, Run] = WeakValueDictionary()
+        self.ended_sessions = EndedSessions()
         self._recent = RecentRuns()
         self._elsewhere = RunsElsewhere()
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
@@ -441,6 +443,7 @@ class RunRegistry:
             self._life.log_deleted(run)
             self.usage.note_deleted(run)
             self._forget(run)
+            self.ended_sessions.forget(run.run_id)
         finally:
             del self._deleting[run.run_id]
             self._changes.wake(run.run_id)
@@ -788,6 +791,7 @@ class RunRegistry:
         """A run just loaded was not in memory, so no session of it is live."""
         if loaded is not None:
             self._life.note_loaded(loaded)
+            loaded.ended.update(self.ended_sessions.of(loaded.run_id))
             effects.lose_sessions(loaded)
             loaded.queue_until_wall = queue_until(
                 loaded.submission, loaded.queue_until_wall, steady_clock.now_wall()

@@ -88,6 +88,7 @@ class SessionExecutor:
             self.sweep,
             self._abort,
             unused_s=unused_s,
+            ended_sessions=registry.ended_sessions,
             recordings=recordings,
         )
 

@@ -21,6 +21,7 @@ from reference_server.rules.capacity import LentSimulator, session_to_end
 from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
+from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.run_log import log_left
 from reference_server.system.seed_secret import SeedSecret
 from reference_server.system.spans import span
@@ -105,6 +106,7 @@ class ResourceManager:
     on_lease_over: is called with the run of a session whose lease is over.
     on_unused: is called with a session that has to end for another account.
     unused_s: how long it may be without a turn while that one waits.
+    ended_sessions: is informed why each one ended.
     recordings: where episodes are recorded; None records nothing.
     """
 
@@ -117,8 +119,10 @@ class ResourceManager:
         on_unused: Callable[[SessionResources], object],
         *,
         unused_s: float,
+        ended_sessions: EndedSessions,
         recordings: Recordings | None = None,
     ) -> None:
+        self._ended_sessions = ended_sessions
         self._recordings = recordings
         self._pool = pool
         self._run_in_background = run_in_background
@@ -204,6 +208,7 @@ class ResourceManager:
         for session in sessions:
             resources = self._remove(session)
             if resources is not None:
+                self._ended_sessions.note(resources.run_id, session)
                 self._record_end(resources)
                 log_left(resources.run_id, session)
                 self.return_simulator(resources, kill=session.busy is not None)

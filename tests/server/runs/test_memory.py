@@ -6,8 +6,9 @@ import asyncio
 
 import pytest
 
-from reference_server.rules.run import Run
-from reference_server.runs.memory import recent_runs
+from reference_server.rules.run import Run, Session, SessionEnd
+from reference_server.runs.memory import ended_sessions, recent_runs
+from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.memory.recent_runs import RecentRuns
 from reference_server.runs.memory.run_changes import RunChanges
 from tests.support.server.server_parts import calibration_run
@@ -59,6 +60,44 @@ def test_a_run_that_was_read_again_replaces_the_older_copy() -> None:
     recent.keep(_run("a"))
     recent.keep(newer)
     assert _kept(recent, {"a": newer}) == ["a"]
+
+
+# --- ended sessions ---
+
+
+def _session(session_id: str, ended_by: SessionEnd | None) -> Session:
+    session = Session(session_id, "w", "key", 60.0, 10, 0.0)
+    session.ended_by = ended_by
+    return session
+
+
+def test_those_of_the_run_without_news_are_forgotten_first(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(ended_sessions, "SESSIONS_MAX", 3)
+    ended = EndedSessions()
+    for number, run_id in enumerate("aba"):
+        ended.note(run_id, _session(str(number), "detached"))
+    ended.note("c", _session("3", None))
+    assert [ended.of(run_id) for run_id in "abc"] == [
+        {"0": "detached", "2": "detached"},
+        {},
+        {"3": "unknown"},
+    ]
+    ended.forget("a")
+    ended.forget("a")
+    assert (dict(ended.of("a")), len(ended)) == ({}, 1)
+
+
+def test_a_run_has_the_sessions_that_ended_last(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(ended_sessions, "ENDED_SESSIONS_MAX", 2)
+    ended = EndedSessions()
+    for name in "abca":
+        ended.note("run", _session(name, "lease_ended"))
+    assert list(ended.of("run")) == ["c", "a"]
+    assert len(ended) == 2
 
 
 # --- changes ---

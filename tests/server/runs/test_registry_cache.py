@@ -27,6 +27,7 @@ from tests.support.server.server_parts import (
     record_score,
     run_scenarios,
     start_task,
+    stop_run,
 )
 from tests.support.servers import TIMEOUT_S
 
@@ -319,6 +320,50 @@ def test_a_lease_ends_without_requests(
     run_scenarios(tmp_path, scenario)
 
 
+@pytest.mark.parametrize(
+    ("end", "is_done"),
+    [
+        ("lease_ended", False),
+        ("lease_ended", True),
+        ("detached", False),
+        ("detached", True),
+        ("run_stopped", False),
+    ],
+)
+def test_why_a_session_ended_outlives_its_run_in_memory(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: str, is_done: bool
+) -> None:
+    """DET-005: other runs are used meanwhile, so that its run leaves memory."""
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
+
+    async def scenario(parts: ServerParts) -> None:
+        await insert_runs(parts, finished_run("run_2"))
+        lease_s = 0.2 if end == "lease_ended" else 60.0
+        run = calibration_run("count", idle_timeout_s=lease_s)
+        run = await parts.registry.add(run, None, "")
+        turn = await parts.executor.attach(run, Attach("w", "key"))
+        if is_done:
+            turn = await parts.executor.predict(run, predict_command(turn, end=1))
+        session_id = turn["session_id"]
+        if end == "detached":
+            await parts.executor.detach(run, Detach("w", session_id))
+        elif end == "run_stopped":
+            stop_run(parts, run)
+            await parts.registry.commit(run)
+        del run
+        await parts.registry.get("run_2")
+        while len(parts.executor._resources):  # noqa: ASYNC110 - a timer, not an event
+            await asyncio.sleep(0.01)
+        await parts.registry.close()
+        assert runs_in_memory(parts) == ["run_2"]
+        run = await parts.registry.get("run_1")
+        with expect_refusal("session_ended", ended_by=end):
+            parts.executor.heartbeat(run, Heartbeat("w", session_id))
+
+    run_scenarios(tmp_path, scenario)
+
+
 def test_a_session_that_is_done_keeps_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -406,7 +451,7 @@ def test_a_lease_ends_that_has_no_run_in_memory(
             await asyncio.sleep(0.01)
         assert runs_in_memory(parts) == ["run_2"]
         run = await parts.registry.get("run_1")
-        with expect_refusal("session_ended", ended_by="unknown"):
+        with expect_refusal("session_ended", ended_by="lease_ended"):
             await parts.executor.predict(run, command)
         assert run.state == "completed"
 

@@ -1,0 +1,45 @@
+"""Why sessions ended, for as long as their run may be asked: until a restart (DET-005).
+
+A run leaves memory when others are used, and it is not stored why its sessions ended.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping
+
+from reference_server.rules.run import ENDED_SESSIONS_MAX, Session, SessionEnd
+
+# Of all runs together, at some 500 bytes each.
+SESSIONS_MAX = 2**16
+
+
+class EndedSessions:
+    """By run; those are forgotten first whose run had none for the longest time."""
+
+    def __init__(self) -> None:
+        self._of_runs: OrderedDict[str, dict[str, SessionEnd]] = OrderedDict()
+        self._count = 0
+
+    def __len__(self) -> int:
+        return self._count
+
+    def note(self, run_id: str, session: Session) -> None:
+        """A session has ended."""
+        ended = self._of_runs.setdefault(run_id, {})
+        self._of_runs.move_to_end(run_id)
+        self._count -= len(ended)
+        ended[session.session_id] = session.ended_by or "unknown"
+        if len(ended) > ENDED_SESSIONS_MAX:
+            del ended[next(iter(ended))]
+        self._count += len(ended)
+        while self._count > SESSIONS_MAX:
+            self.forget(next(iter(self._of_runs)))
+
+    def of(self, run_id: str) -> Mapping[str, SessionEnd]:
+        """Why those of a run ended, by their ids, the last one last."""
+        return self._of_runs.get(run_id, {})
+
+    def forget(self, run_id: str) -> None:
+        """The run was deleted, or others need the room."""
+        self._count -= len(self._of_runs.pop(run_id, {}))
