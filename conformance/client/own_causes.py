@@ -2,7 +2,8 @@
 
 A server with short leases or small quotas has to end them and to refuse, so that what a
 check sees then proves no violation. It does where the check chose the lease itself, to
-see it end, and where it means to use the quota up.
+see it end, and where it means to use the quota up; but also then a step of its set-up
+may have come too late.
 """
 
 import threading
@@ -11,7 +12,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from conformance.exchanges.answer import Answer
-from conformance.verdicts.expect import Inconclusive, SetUpFailed
+from conformance.verdicts.expect import Inconclusive, SetUpFailed, Violation
 
 # Operations of an account that has no room, and the rules that are about that.
 _COUNTED = frozenset({"submit_run", "resume_run"})
@@ -30,6 +31,8 @@ class OwnCauses:
         with self._lock:
             self._runs: set[str] = set()  # with the lease that the server chose
             self._leases: dict[str, tuple[float, float]] = {}  # their end, length
+            self._own_leases: dict[str, tuple[float, float]] = {}  # that it chose
+            self._late_for_s: float | None = None  # the lease that was surely over
             self._quota = ""
 
     def note(
@@ -44,19 +47,42 @@ class OwnCauses:
             if operation_id == "submit_run" and answer.status == 201:
                 if "idle_timeout_s" not in sent:
                     self._runs.add(str(answer.json.get("run_id")))
-            elif run_id in self._runs and answer.status == 200:
-                self._note_lease(sent, answer)
+            elif answer.status == 200:
+                is_own = run_id not in self._runs
+                self._note_lease(
+                    sent, answer, self._own_leases if is_own else self._leases
+                )
+            elif answer.code == "session_ended":
+                self._note_refusal(sent, answer)
 
-    def _note_lease(self, sent: Mapping[str, Any], answer: Answer) -> None:
+    @staticmethod
+    def _note_lease(
+        sent: Mapping[str, Any], answer: Answer, leases: dict[str, tuple[float, float]]
+    ) -> None:
         lease = answer.json.get("lease", answer.json)
         length_s = lease.get("idle_timeout_s") if isinstance(lease, dict) else None
         session_id = answer.json.get("session_id", sent.get("session_id"))
         if isinstance(length_s, int | float) and isinstance(session_id, str):
-            self._leases[session_id] = (answer.started_at + length_s, length_s)
+            leases[session_id] = (answer.started_at + length_s, length_s)
 
-    def excuse(self, rule: str) -> SetUpFailed | Inconclusive | None:
+    def _note_refusal(self, sent: Mapping[str, Any], answer: Answer) -> None:
+        session_id = sent.get("session_id")
+        if isinstance(session_id, str) and session_id in self._own_leases:
+            end, length_s = self._own_leases[session_id]
+            if answer.ended_at > end:
+                self._late_for_s = length_s
+
+    def excuse(
+        self, rule: str, error: Violation | SetUpFailed
+    ) -> SetUpFailed | Inconclusive | None:
         """Give what to report instead of what the check saw, if that proves nothing."""
         with self._lock:
+            is_step = isinstance(error, SetUpFailed) and error.breaks is None
+            if is_step and self._late_for_s is not None:
+                return Inconclusive(
+                    "a request of the kit came too late to be inside a lease of "
+                    f"{self._late_for_s:g} s: this machine is too busy"
+                )
             if self._quota and rule not in _RULES_OF_QUOTAS:
                 return SetUpFailed(
                     "the account of the kit is at a limit of the server: raise it for "

@@ -157,7 +157,7 @@ def _call_once(check: Callable[[CheckContext], None], context: CheckContext) -> 
     try:
         check(context)
     except (expect.Violation, expect.SetUpFailed) as error:
-        excuse = context.own_causes.excuse(context.name)
+        excuse = context.own_causes.excuse(context.name, error)
         is_known = isinstance(error, expect.SetUpFailed) and error.allowed
         if excuse is None or is_known:
             raise
