@@ -280,6 +280,9 @@ def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
     worker, began = attach_with_lease(context, "delay", max_steps=100)
     turn_s = 2.4 * lease_s
     steps = int(turn_s / 5) + 1
+    if steps > context.benchmark["max_chunk"]:
+        text = f"with its times to answer the kit needs a turn of {turn_s:.0f} s"
+        raise Inconclusive(f"{text}, and no chunk of this server lasts as long")
     long = [context.action(delay_s=turn_s / steps)] * steps
 
     def send_heartbeat() -> Answer:

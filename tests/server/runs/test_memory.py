@@ -71,7 +71,7 @@ def _session(session_id: str, ended_by: SessionEnd | None) -> Session:
     return session
 
 
-def test_those_of_the_run_without_news_are_forgotten_first(
+def test_those_of_the_run_whose_last_one_is_oldest_are_forgotten_first(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(ended_sessions, "SESSIONS_MAX", 3)
