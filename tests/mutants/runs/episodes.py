@@ -132,7 +132,7 @@ def _unscore(run: Run) -> None:
     run.scored = 0
 
 
-@mutant("LEASE-010", "LIFE-303", "STOP-003", "STOP-004")
+@mutant("LIFE-303", "STOP-003", "STOP-004")
 def aborts_when_asked_to_drain() -> None:
     """The episode in play is lost although the user chose mode `drain`."""
     right = effects.stop
