@@ -151,7 +151,9 @@ def test_a_full_cluster_refuses_and_is_asked_for_more(
     cluster: RayCluster, tmp_path: Path
 ) -> None:
     async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
+        # No lease ends while others wait, however long Ray takes to place something.
+        run = calibration_run(idle_timeout_s=10 * DEADLINE_S)
+        run = await parts.registry.add(run, None, "")
         for worker in ("a", "b"):
             await parts.executor.attach(run, Attach(worker, "key"))
         run = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
