@@ -353,7 +353,7 @@ def test_why_a_session_ended_outlives_its_run_in_memory(
             await parts.registry.commit(run)
         del run
         await parts.registry.get("run_2")
-        while len(parts.executor._resources):  # noqa: ASYNC110 - a timer, not an event
+        while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
             await asyncio.sleep(0.01)
         await parts.registry.close()
         assert runs_in_memory(parts) == ["run_2"]
