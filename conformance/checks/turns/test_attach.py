@@ -289,7 +289,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     # Vectors that are not there, some named as a member of objects in a language.
     ({"action": {"gripper": {"size": 1}}}, "/assumes/action/gripper"),
     ({"state": {"gripper": {}}}, "/assumes/state/gripper"),
-    ({"state": {"left/arm~1": {}}}, "/assumes/state/left~1arm~01"),
+    ({"state": {"left/arm~1/~": {}}}, "/assumes/state/left~1arm~01~1~0"),
     ({"action": {"constructor": {}}}, "/assumes/action/constructor"),
     ({"state": {"__class__": {}}}, "/assumes/state/__class__"),
 ]

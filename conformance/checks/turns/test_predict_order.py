@@ -251,7 +251,7 @@ def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) ->
     # Names that objects of a language have, and one that RFC 6901 writes otherwise.
     for name in ("gripper", *NAMES_OF_LANGUAGES):
         expect_invalid_values(worker, good | {name: [0.0]}, f"/{name}")
-    expect_invalid_values(worker, good | {"a/b~": [0.0]}, "/a~1b~0")
+    expect_invalid_values(worker, good | {"a/b~/~": [0.0]}, "/a~1b~0~1~0")
     for missing in good:
         others = {name: vector for name, vector in good.items() if name != missing}
         expect_invalid_values(worker, others, "", f"/{missing}")

@@ -60,6 +60,20 @@ def starts_stopped_runs_on_restart() -> None:
     put(registry, "STATES_AFTER_RESTART", after)
 
 
+@mutant("CRASH-002")
+def leaves_runs_running_on_restart() -> None:
+    """No worker plays the run, it says that it is played, and a drain never ends."""
+    after: dict[Any, Any] = {**STATES_AFTER_RESTART, "running": "running"}
+    put(registry, "STATES_AFTER_RESTART", after)
+    right = effects.lose_sessions
+
+    def wrong(run: Run) -> None:
+        if run.state != "running":
+            right(run)
+
+    put(effects, "lose_sessions", wrong)
+
+
 @mutant("CRASH-004")
 def forgets_a_drain_on_restart() -> None:
     """A run that was to stop is played on after a crash."""
