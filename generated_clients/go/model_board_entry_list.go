@@ -5,5 +5,5 @@ package proctor
 // BoardEntryList is a message of the protocol.
 type BoardEntryList struct {
 	Entries []BoardEntry `json:"entries"`
-	NextCursor NullableString `json:"next_cursor"`
+	NextCursor NullableString `json:"next_cursor" validate:"regexp=^[A-Za-z0-9_-]{1\\,128}$"`
 }

@@ -5,5 +5,5 @@ package proctor
 // EpisodeList is a message of the protocol.
 type EpisodeList struct {
 	Episodes []Episode `json:"episodes"`
-	NextCursor NullableString `json:"next_cursor"`
+	NextCursor NullableString `json:"next_cursor" validate:"regexp=^[A-Za-z0-9_-]{1\\,128}$"`
 }

@@ -20,5 +20,5 @@ type Ranking struct {
 	// Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes.
 	DifferingEnough NullableInt32 `json:"differing_enough"`
 	Rows []RankedEntry `json:"rows"`
-	NextCursor NullableString `json:"next_cursor"`
+	NextCursor NullableString `json:"next_cursor" validate:"regexp=^[A-Za-z0-9_-]{1\\,128}$"`
 }

@@ -5,5 +5,5 @@ package proctor
 // RecordImportList is a message of the protocol.
 type RecordImportList struct {
 	Imports []RecordImport `json:"imports"`
-	NextCursor NullableString `json:"next_cursor"`
+	NextCursor NullableString `json:"next_cursor" validate:"regexp=^[A-Za-z0-9_-]{1\\,128}$"`
 }

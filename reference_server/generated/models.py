@@ -197,7 +197,7 @@ class BoardEntry(BaseModel):
 class BoardEntryList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     entries: Annotated[list[BoardEntry], Field(max_length=1000)]
-    next_cursor: str | None
+    next_cursor: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{1,128}$")]
 
 
 class CalibrationOptions(BaseModel):
@@ -408,7 +408,7 @@ class Episode(BaseModel):
 class EpisodeList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     episodes: Annotated[list[Episode], Field(max_length=1000)]
-    next_cursor: str | None
+    next_cursor: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{1,128}$")]
 
 
 class EpisodeResult(BaseModel):
@@ -531,7 +531,7 @@ class HistoryLeaf(BaseModel):
 class HistoryPage(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     leaves: Annotated[list[HistoryLeaf], Field(max_length=1000)]
-    next_cursor: str | None
+    next_cursor: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{1,128}$")]
 
 
 class Image(BaseModel):
@@ -1140,7 +1140,7 @@ class Ranking(BaseModel):
         ),
     ]
     rows: Annotated[list[RankedEntry], Field(max_length=1000)]
-    next_cursor: str | None
+    next_cursor: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{1,128}$")]
 
 
 class RecordImport(BaseModel):
@@ -1188,7 +1188,7 @@ class RecordImport(BaseModel):
 class RecordImportList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     imports: Annotated[list[RecordImport], Field(max_length=1000)]
-    next_cursor: str | None
+    next_cursor: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{1,128}$")]
 
 
 class RecordReplay(BaseModel):
@@ -1313,7 +1313,7 @@ class Run(BaseModel):
 class RunList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     runs: Annotated[list[Run], Field(max_length=1000)]
-    next_cursor: str | None
+    next_cursor: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{1,128}$")]
 
 
 RunMode = TypeAliasType(

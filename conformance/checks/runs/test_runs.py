@@ -21,6 +21,7 @@ _RUNS_READ = 300
 _PAGES_READ = 300
 _LONG_PAGE = 60
 _LONGEST_PAGE = 1000
+_LONGEST_PAGES_READ = 3  # an account may have any number of runs
 _QUEUE_S = 0.4
 _SAME_TIME = timedelta(seconds=1)
 _DEFAULT_LIMIT = 100
@@ -113,9 +114,19 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
 
 
 def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> None:
-    """Expect a page that leaves one run of an account to name the next page."""
+    """Expect a page that leaves one run of an account to name the next page, and one
+    without a run to name none.
+    """
     read = partial(context.call, "list_runs", http_client=account)
     whole = expect.ok(read(params={"limit": _LONGEST_PAGE}))
+    page = whole
+    for _ in range(_LONGEST_PAGES_READ):
+        cursor = page["next_cursor"]
+        if cursor is None:
+            break
+        page = expect.ok(read(params={"limit": _LONGEST_PAGE, "cursor": cursor}))
+        if not page["runs"]:
+            expect.equal(page["next_cursor"], None, "`next_cursor` of an empty page")
     limit = len(whole["runs"]) - 1
     if whole["next_cursor"] is not None or limit < 1:
         return

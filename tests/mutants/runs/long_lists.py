@@ -43,6 +43,42 @@ def names_no_page_for_the_last_run() -> None:
     put(Handlers, "list_runs", wrong)
 
 
+@mutant("RUN-009")
+def never_ends_the_pages_of_runs() -> None:
+    """A script that reads all pages reads empty ones for ever."""
+    right = Handlers.list_runs
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        page = json.loads(bytes((await right(self, call)).body))
+        return call.answer(page | {"next_cursor": page["next_cursor"] or "0"})
+
+    put(Handlers, "list_runs", wrong)
+
+
+@mutant("SVC-003", "RUN-009")
+def ends_the_pages_of_runs_with_an_empty_cursor() -> None:
+    """A script that reads until null asks for a page with no cursor: the first one."""
+    right = Handlers.list_runs
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        page = json.loads(bytes((await right(self, call)).body))
+        return call.answer(page | {"next_cursor": page["next_cursor"] or ""})
+
+    put(Handlers, "list_runs", wrong)
+
+
+@mutant("EPI-006")
+def never_ends_the_pages_of_episodes() -> None:
+    """A script that reads all pages reads empty ones for ever."""
+    right = Handlers.list_episodes
+
+    async def wrong(self: Handlers, call: OperationCall) -> Response:
+        page = json.loads(bytes((await right(self, call)).body))
+        return call.answer(page | {"next_cursor": page["next_cursor"] or "1000000"})
+
+    put(Handlers, "list_episodes", wrong)
+
+
 @mutant("EPI-006")
 def sorts_episodes_as_text() -> None:
     """In a run of more than a hundred episodes the hundredth is listed as the third."""

@@ -8,7 +8,7 @@ import pprint
 import re  # noqa: F401
 import json
 
-from pydantic import BaseModel, ConfigDict, Field, StrictStr
+from pydantic import BaseModel, ConfigDict, Field, field_validator
 from typing import Any, ClassVar, Dict, List, Optional
 from typing_extensions import Annotated
 from proctor_client.models.episode import Episode
@@ -21,9 +21,19 @@ class EpisodeList(BaseModel):
     EpisodeList
     """ # noqa: E501
     episodes: Annotated[List[Episode], Field(max_length=1000)]
-    next_cursor: Optional[StrictStr]
+    next_cursor: Optional[Annotated[str, Field(strict=True)]]
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["episodes", "next_cursor"]
+
+    @field_validator('next_cursor', mode="before")
+    def next_cursor_validate_regular_expression(cls, value):
+        """Validates the regular expression"""
+        if value is None:
+            return value
+
+        if isinstance(value, str) and not re.match(r"^[A-Za-z0-9_-]{1,128}$", value):
+            raise ValueError(r"must validate the regular expression /^[A-Za-z0-9_-]{1,128}$/")
+        return value
 
     model_config = ConfigDict(
         validate_by_name=True,

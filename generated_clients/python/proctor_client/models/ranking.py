@@ -29,7 +29,7 @@ class Ranking(BaseModel):
     differing_min: Optional[StrictInt] = Field(description="Two entries that differ on fewer episodes can never be distinguished; null if the benchmark has fewer episodes.")
     differing_enough: Optional[StrictInt] = Field(description="Two entries that differ on so many episodes, all to the advantage of one, are distinguished, however the others fared; null if the benchmark has fewer episodes.")
     rows: Annotated[List[RankedEntry], Field(max_length=1000)]
-    next_cursor: Optional[StrictStr]
+    next_cursor: Optional[Annotated[str, Field(strict=True)]]
     additional_properties: Dict[str, Any] = {}
     __properties: ClassVar[List[str]] = ["benchmark_id", "manifest_sha256", "episodes_total", "ranked", "comparisons", "alpha", "differing_min", "differing_enough", "rows", "next_cursor"]
 
@@ -38,6 +38,16 @@ class Ranking(BaseModel):
         """Validates the regular expression"""
         if isinstance(value, str) and not re.match(r"^[0-9a-f]{64}$", value):
             raise ValueError(r"must validate the regular expression /^[0-9a-f]{64}$/")
+        return value
+
+    @field_validator('next_cursor', mode="before")
+    def next_cursor_validate_regular_expression(cls, value):
+        """Validates the regular expression"""
+        if value is None:
+            return value
+
+        if isinstance(value, str) and not re.match(r"^[A-Za-z0-9_-]{1,128}$", value):
+            raise ValueError(r"must validate the regular expression /^[A-Za-z0-9_-]{1,128}$/")
         return value
 
     model_config = ConfigDict(
