@@ -43,40 +43,32 @@ def names_no_page_for_the_last_run() -> None:
     put(Handlers, "list_runs", wrong)
 
 
-@mutant("RUN-009")
-def never_ends_the_pages_of_runs() -> None:
-    """A script that reads all pages reads empty ones for ever."""
-    right = Handlers.list_runs
+def _end_pages_with(cursor: str, operation: str) -> None:
+    right = getattr(Handlers, operation)
 
     async def wrong(self: Handlers, call: OperationCall) -> Response:
         page = json.loads(bytes((await right(self, call)).body))
-        return call.answer(page | {"next_cursor": page["next_cursor"] or "0"})
+        return call.answer(page | {"next_cursor": page["next_cursor"] or cursor})
 
-    put(Handlers, "list_runs", wrong)
+    put(Handlers, operation, wrong)
+
+
+@mutant("RUN-009")
+def never_ends_the_pages_of_runs() -> None:
+    """A script that reads all pages reads empty ones for ever."""
+    _end_pages_with("0", "list_runs")
 
 
 @mutant("SVC-003", "RUN-009")
 def ends_the_pages_of_runs_with_an_empty_cursor() -> None:
     """A script that reads until null asks for a page with no cursor: the first one."""
-    right = Handlers.list_runs
-
-    async def wrong(self: Handlers, call: OperationCall) -> Response:
-        page = json.loads(bytes((await right(self, call)).body))
-        return call.answer(page | {"next_cursor": page["next_cursor"] or ""})
-
-    put(Handlers, "list_runs", wrong)
+    _end_pages_with("", "list_runs")
 
 
 @mutant("EPI-006")
 def never_ends_the_pages_of_episodes() -> None:
     """A script that reads all pages reads empty ones for ever."""
-    right = Handlers.list_episodes
-
-    async def wrong(self: Handlers, call: OperationCall) -> Response:
-        page = json.loads(bytes((await right(self, call)).body))
-        return call.answer(page | {"next_cursor": page["next_cursor"] or "1000000"})
-
-    put(Handlers, "list_episodes", wrong)
+    _end_pages_with("1000000", "list_episodes")
 
 
 @mutant("EPI-006")
