@@ -31,8 +31,10 @@ def test_no_run_of_a_commit_is_repeated(
     with pytest.raises(KeyboardInterrupt):
         measure(5, at_once=1, load="quiet", options=[], commit="this")
     measure(5, at_once=2, load="quiet", options=[], commit="this")
+    measure(1, at_once=1, load="quiet", options=["--quick"], commit="this")
+    assert made.pop() == ("one", 0)
     assert sorted(made, key=lambda run: run[1]) == [
         *(("one", 0), ("one", 1), ("two", 2), ("two", 3), ("one", 4))
     ]
     lines = results.read_text().splitlines()
-    assert len(lines) == len(read_results("this")) == 5
+    assert len(lines) == len(read_results("this")) == 6

@@ -1,8 +1,9 @@
 """`make false-alarms`: how often the kit calls a right server wrong.
 
-Runs the whole kit again and again, each time with another seed, against every server of
-this repository; every second time all processors are kept busy meanwhile. Whatever is
-then violated, inconclusive, a kit error, or unverified without need is a false alarm.
+Runs the kit again and again, each time with another seed, against every server of this
+repository; every second time all processors are kept busy meanwhile. Options of the
+kit, behind `--`, are measured for themselves: `-- --quick`. Whatever is violated,
+inconclusive, a kit error, or unverified without need is a false alarm.
 
 Prints a line for each run and adds it to docs/contribute/false-alarms.jsonl. What is
 there is not run again until the kit, the text or a server changes, so that an
@@ -45,6 +46,7 @@ FIRST_SEED = 1000
 QUIET, BUSY = "quiet", "busy"
 _ALARM_CHARACTERS = 600  # of the text of an alarm: its end says what was wrong
 RunKey = tuple[str, int, str]  # server, seed, load
+WHOLE = "whole"  # a kit without further options
 RIGHT = ("passed", "not_applicable")
 # Among alarms, in the place of a rule's id: the kit could not judge at all.
 REPORT = "-"
@@ -130,8 +132,8 @@ def read_results(commit: str) -> list[dict[str, Any]]:
 
 
 def write_results(results: list[dict[str, Any]]) -> None:
-    """Write one line for each run, in the order of the seeds."""
-    ordered = sorted(results, key=lambda line: line["seed"])
+    """Write one line for each run, in the order of the options and the seeds."""
+    ordered = sorted(results, key=lambda line: (line["options"], line["seed"]))
     RESULTS.write_text("".join(json.dumps(line) + "\n" for line in ordered))
 
 
@@ -139,7 +141,11 @@ def measure(
     runs: int, at_once: int, load: str | None, options: list[str], commit: str
 ) -> None:
     """Make the runs that are missing of a commit, so many at once."""
-    known = {(r["server"], r["seed"], r["load"]) for r in read_results(commit)}
+    known = {
+        (r["server"], r["seed"], r["load"])
+        for r in read_results(commit)
+        if r["options"] == options
+    }
     with (
         tempfile.TemporaryDirectory() as directory,
         ThreadPoolExecutor(at_once) as executor,
@@ -186,20 +192,21 @@ def show(line: dict[str, Any]) -> None:
 
 
 def summarize(results: list[dict[str, Any]]) -> list[str]:
-    """Give a row of the table for each server and load."""
+    """Give a row of the table for each server, kit and load."""
     lines = [
-        "| server | processors | runs | with an alarm | rules | longest run |",
-        "|---|---|---|---|---|---|",
+        "| server | kit | processors | runs | with an alarm | rules | longest run |",
+        "|---|---|---|---|---|---|---|",
     ]
-    groups: dict[tuple[str, str], list[dict[str, Any]]] = {}
+    groups: dict[tuple[str, str, str], list[dict[str, Any]]] = {}
     for one in results:
-        groups.setdefault((one["server"], one["load"]), []).append(one)
-    for (server, load), group in sorted(groups.items()):
+        kit = " ".join(one["options"]) or WHOLE
+        groups.setdefault((one["server"], kit, one["load"]), []).append(one)
+    for (server, kit, load), group in sorted(groups.items()):
         alarmed = [one for one in group if one["alarms"]]
         rules = sorted({id_ for one in alarmed for id_ in one["alarms"]})
         longest_s = max(one["elapsed_s"] for one in group)
         lines.append(
-            f"| {server} | {load} | {len(group)} | {len(alarmed)} "
+            f"| {server} | {kit} | {load} | {len(group)} | {len(alarmed)} "
             f"| {' '.join(rules) or '–'} | {longest_s:.0f} s |"
         )
     return lines
@@ -210,11 +217,12 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
     lines = [
         "# False alarms",
         "",
-        "How often the whole kit called a right server wrong, or could not decide.",
+        "How often the kit called a right server wrong, or could not decide.",
         "Written by `make false-alarms ARGS=--write`; kit and servers as they are",
         f"since commit {commit} of {date}, on {os.cpu_count()} processors, another",
-        "seed in each run. `quiet`: beside whatever the machine ran; `busy`: beside",
-        "one process more per processor that computes without end. All runs:",
+        "seed in each run. `whole`: the kit without options; otherwise those that it",
+        "had. `quiet`: beside whatever the machine ran; `busy`: beside one process",
+        "more per processor that computes without end. All runs:",
         f"[{RESULTS.name}]({RESULTS.name}).",
         "",
         *summarize(results),
@@ -227,7 +235,8 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
     ]
     alarmed = [one for one in results if one["alarms"]]
     for one in alarmed:
-        lines.append(f"- {one['server']}, seed {one['seed']}, {one['load']}:")
+        kit = " ".join(one["options"]) or WHOLE
+        lines.append(f"- {one['server']}, {kit}, seed {one['seed']}, {one['load']}:")
         lines += [f"  - {id_}: {text}" for id_, text in one["alarms"].items()]
     return "\n".join(lines) + "\n" * bool(alarmed)
 
