@@ -358,8 +358,9 @@ class RunRegistry:
         """What `view` makes of the run, once all of that is stored."""
         while True:
             await self._know_queue(run.run_id)
-            rendered = view(run)
-            if await self.is_stored(run):
+            rendered, played_number = view(run), run.played_number
+            # DEL-006: the first write of what was played gives its number.
+            if await self.is_stored(run) and run.played_number == played_number:
                 return rendered
             run = await self.get(run.run_id)
 

@@ -57,6 +57,22 @@ def test_unstored_results_are_not_shown(
     run_scenarios(tmp_path, scenario)
 
 
+def test_a_run_shows_its_number_once_it_is_stored_as_played(tmp_path: Path) -> None:
+    """The write gives the number that a reader waits for (DEL-006)."""
+
+    async def scenario(parts: ServerParts) -> None:
+        run = await parts.registry.add(calibration_run(played_number=None), None, "")
+        await parts.registry.is_stored(run)
+        run.is_played = True
+        parts.registry.commit_later(run)
+        shown = await parts.registry.render_when_stored(
+            run, lambda head: (head.is_played, head.played_number)
+        )
+        assert shown == (True, 1)
+
+    run_scenarios(tmp_path, scenario)
+
+
 def test_a_read_does_not_wait_for_later_writes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
