@@ -7,7 +7,13 @@ from typing import Any
 import pytest
 
 from tools.measurements import false_alarms
-from tools.measurements.false_alarms import FIRST_SEED, measure, read_results
+from tools.measurements.false_alarms import (
+    FIRST_SEED,
+    measure,
+    page,
+    read_results,
+    results_of,
+)
 
 SERVERS = {"reference": "one", "JavaScript": "two"}
 
@@ -24,7 +30,8 @@ def test_no_run_of_a_commit_is_repeated(
         return {"exit_code": 0, "elapsed_s": 0.1, "alarms": {}}
 
     results = tmp_path / "results.jsonl"
-    results.write_text(json.dumps({"commit": "older", "seed": FIRST_SEED}) + "\n")
+    older = {"commit": "older", "options": [], "seed": FIRST_SEED}
+    results.write_text(json.dumps(older) + "\n")
     monkeypatch.setattr(false_alarms, "RESULTS", results)
     monkeypatch.setattr(false_alarms, "start_commands", lambda _: SERVERS)
     monkeypatch.setattr(false_alarms, "run_kit", run_kit)
@@ -36,5 +43,28 @@ def test_no_run_of_a_commit_is_repeated(
     assert sorted(made, key=lambda run: run[1]) == [
         *(("one", 0), ("one", 1), ("two", 2), ("two", 3), ("one", 4))
     ]
-    lines = results.read_text().splitlines()
-    assert len(lines) == len(read_results("this")) == 6
+    assert len(results_of("this")) == 6
+    assert [one["commit"] for one in read_results()] == ["older", *["this"] * 6]
+
+
+def test_page_keeps_the_runs_of_earlier_commits() -> None:
+    alarms = {"RUN-001": "failed: why"}
+    results = [
+        run_of("older", ["--quick"], alarms),
+        run_of("this", []),
+        run_of("this", []),
+    ]
+    now, before = page(results, "this", "2026-11-28").split(
+        "Before it, of commit older"
+    )
+    assert "| one | whole | quiet | 2 | 0 | – | 3 s |" in now
+    assert "RUN-001" not in now
+    assert "| one | --quick | quiet | 1 | 1 | RUN-001 | 3 s |" in before
+    assert before.endswith(", seed 1, quiet:\n  - RUN-001: failed: why\n")
+
+
+def run_of(
+    commit: str, options: list[str], alarms: dict[str, str] | None = None
+) -> dict[str, Any]:
+    found = {"server": "one", "seed": 1, "load": "quiet", "elapsed_s": 3.0}
+    return found | {"commit": commit, "options": options, "alarms": alarms or {}}

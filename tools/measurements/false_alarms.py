@@ -123,18 +123,31 @@ def alarms_of(found: dict[str, Any]) -> dict[str, str]:
     return alarms
 
 
-def read_results(commit: str) -> list[dict[str, Any]]:
-    """Read what was measured of a commit."""
+def read_results() -> list[dict[str, Any]]:
+    """Read what was measured: of this commit, and of those before it."""
     if not RESULTS.exists():
         return []
-    lines = map(json.loads, RESULTS.read_text().splitlines())
-    return [line for line in lines if line["commit"] == commit]
+    return list(map(json.loads, RESULTS.read_text().splitlines()))
 
 
-def write_results(results: list[dict[str, Any]]) -> None:
-    """Write one line for each run, in the order of the options and the seeds."""
-    ordered = sorted(results, key=lambda line: (line["options"], line["seed"]))
-    RESULTS.write_text("".join(json.dumps(line) + "\n" for line in ordered))
+def results_of(commit: str) -> list[dict[str, Any]]:
+    """Read what was measured of a commit."""
+    return [line for line in read_results() if line["commit"] == commit]
+
+
+def sort_results() -> None:
+    """Write one line for each run, in the order of commits, options and seeds."""
+    results = read_results()
+    commits = commits_of(results)
+    results.sort(
+        key=lambda line: (commits.index(line["commit"]), line["options"], line["seed"])
+    )
+    RESULTS.write_text("".join(json.dumps(line) + "\n" for line in results))
+
+
+def commits_of(results: list[dict[str, Any]]) -> list[str]:
+    """Give the commits that were measured, the oldest first."""
+    return list(dict.fromkeys(line["commit"] for line in results))
 
 
 def measure(
@@ -143,7 +156,7 @@ def measure(
     """Make the runs that are missing of a commit, so many at once."""
     known = {
         (r["server"], r["seed"], r["load"])
-        for r in read_results(commit)
+        for r in results_of(commit)
         if r["options"] == options
     }
     with (
@@ -167,7 +180,7 @@ def measure(
             show(line)
 
         list(executor.map(run, missing))
-    write_results(read_results(commit))  # without those of other commits
+    sort_results()
 
 
 def planned_runs(
@@ -213,7 +226,8 @@ def summarize(results: list[dict[str, Any]]) -> list[str]:
 
 
 def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
-    """Write the page about a commit."""
+    """Write the page about a commit and those before it."""
+    earlier = [one for one in commits_of(results) if one != commit]
     lines = [
         "# False alarms",
         "",
@@ -225,7 +239,7 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "more per processor that computes without end. All runs:",
         f"[{RESULTS.name}]({RESULTS.name}).",
         "",
-        *summarize(results),
+        *summarize([one for one in results if one["commit"] == commit]),
         "",
         "What is too late on a busy machine is tried three times, each time with the",
         "tolerance of the network as it is then; it is *inconclusive* when it is late",
@@ -233,12 +247,23 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "begins the check again and is a *kit error* in the end, never a violation.",
         "",
     ]
+    lines += alarm_lines([one for one in results if one["commit"] == commit])
+    for before in reversed(earlier):
+        of_it = [one for one in results if one["commit"] == before]
+        lines += [f"Before it, of commit {before}:", "", *summarize(of_it), ""]
+        lines += alarm_lines(of_it)
+    return "\n".join(lines)
+
+
+def alarm_lines(results: list[dict[str, Any]]) -> list[str]:
+    """Give a list of the runs with an alarm, and what it said."""
+    lines: list[str] = []
     alarmed = [one for one in results if one["alarms"]]
     for one in alarmed:
         kit = " ".join(one["options"]) or WHOLE
         lines.append(f"- {one['server']}, {kit}, seed {one['seed']}, {one['load']}:")
         lines += [f"  - {id_}: {text}" for id_, text in one["alarms"].items()]
-    return "\n".join(lines) + "\n" * bool(alarmed)
+    return lines + [""] * bool(alarmed)
 
 
 def main() -> int:
@@ -252,10 +277,10 @@ def main() -> int:
     options = parser.parse_args()
     commit, date = read_commit(*JUDGED)
     measure(options.runs, options.j, options.load, options.kit, commit)
-    results = read_results(commit)
+    results = results_of(commit)
     print("\n".join(summarize(results)))
     if options.write:
-        PAGE.write_text(page(results, commit, date))
+        PAGE.write_text(page(read_results(), commit, date))
     return int(any(one["alarms"] for one in results))
 
 
