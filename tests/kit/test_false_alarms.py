@@ -43,7 +43,7 @@ def test_no_run_of_a_commit_is_repeated(
     assert sorted(made, key=lambda run: run[1]) == [
         *(("one", 0), ("one", 1), ("two", 2), ("two", 3), ("one", 4))
     ]
-    assert len(results_of("this")) == 6
+    assert len(results_of(read_results(), "this")) == 6
     assert [one["commit"] for one in read_results()] == ["older", *["this"] * 6]
 
 

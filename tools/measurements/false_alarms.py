@@ -130,9 +130,14 @@ def read_results() -> list[dict[str, Any]]:
     return list(map(json.loads, RESULTS.read_text().splitlines()))
 
 
-def results_of(commit: str) -> list[dict[str, Any]]:
-    """Read what was measured of a commit."""
-    return [line for line in read_results() if line["commit"] == commit]
+def results_of(results: list[dict[str, Any]], commit: str) -> list[dict[str, Any]]:
+    """Give what was measured of a commit."""
+    return [line for line in results if line["commit"] == commit]
+
+
+def kit_of(line: dict[str, Any]) -> str:
+    """Name the kit of a run by its options."""
+    return " ".join(line["options"]) or WHOLE
 
 
 def sort_results() -> None:
@@ -156,7 +161,7 @@ def measure(
     """Make the runs that are missing of a commit, so many at once."""
     known = {
         (r["server"], r["seed"], r["load"])
-        for r in results_of(commit)
+        for r in results_of(read_results(), commit)
         if r["options"] == options
     }
     with (
@@ -212,8 +217,8 @@ def summarize(results: list[dict[str, Any]]) -> list[str]:
     ]
     groups: dict[tuple[str, str, str], list[dict[str, Any]]] = {}
     for one in results:
-        kit = " ".join(one["options"]) or WHOLE
-        groups.setdefault((one["server"], kit, one["load"]), []).append(one)
+        key = one["server"], kit_of(one), one["load"]
+        groups.setdefault(key, []).append(one)
     for (server, kit, load), group in sorted(groups.items()):
         alarmed = [one for one in group if one["alarms"]]
         rules = sorted({id_ for one in alarmed for id_ in one["alarms"]})
@@ -239,7 +244,7 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "more per processor that computes without end. All runs:",
         f"[{RESULTS.name}]({RESULTS.name}).",
         "",
-        *summarize([one for one in results if one["commit"] == commit]),
+        *summarize(results_of(results, commit)),
         "",
         "What is too late on a busy machine is tried three times, each time with the",
         "tolerance of the network as it is then; it is *inconclusive* when it is late",
@@ -247,9 +252,9 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "begins the check again and is a *kit error* in the end, never a violation.",
         "",
     ]
-    lines += alarm_lines([one for one in results if one["commit"] == commit])
+    lines += alarm_lines(results_of(results, commit))
     for before in reversed(earlier):
-        of_it = [one for one in results if one["commit"] == before]
+        of_it = results_of(results, before)
         lines += [f"Before it, of commit {before}:", "", *summarize(of_it), ""]
         lines += alarm_lines(of_it)
     return "\n".join(lines)
@@ -260,8 +265,8 @@ def alarm_lines(results: list[dict[str, Any]]) -> list[str]:
     lines: list[str] = []
     alarmed = [one for one in results if one["alarms"]]
     for one in alarmed:
-        kit = " ".join(one["options"]) or WHOLE
-        lines.append(f"- {one['server']}, {kit}, seed {one['seed']}, {one['load']}:")
+        name = f"{one['server']}, {kit_of(one)}, seed {one['seed']}, {one['load']}"
+        lines.append(f"- {name}:")
         lines += [f"  - {id_}: {text}" for id_, text in one["alarms"].items()]
     return lines + [""] * bool(alarmed)
 
@@ -277,11 +282,12 @@ def main() -> int:
     options = parser.parse_args()
     commit, date = read_commit(*JUDGED)
     measure(options.runs, options.j, options.load, options.kit, commit)
-    results = results_of(commit)
-    print("\n".join(summarize(results)))
+    results = read_results()
+    now = results_of(results, commit)
+    print("\n".join(summarize(now)))
     if options.write:
-        PAGE.write_text(page(read_results(), commit, date))
-    return int(any(one["alarms"] for one in results))
+        PAGE.write_text(page(results, commit, date))
+    return int(any(one["alarms"] for one in now))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Submissions under test: the raw response, and a clean-up of the run."""
 
 import uuid
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -39,17 +40,29 @@ def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
     Other checks submit runs meanwhile, which may fill a page.
     """
     name = body["policy"]["name"]
+
+    def read(params: dict[str, Any]) -> Any:
+        call = partial(context.call, "list_runs", params=params)
+        return context.require(call, 200, "list_runs")
+
+    for runs in _pages_of_runs(read, _NEWEST_PAGES):
+        found = [r["run_id"] for r in runs if r["policy"]["name"] == name]
+        if found:
+            return found
+    return []
+
+
+def _pages_of_runs(
+    read: Callable[[dict[str, Any]], Any], pages_max: int
+) -> Iterator[list[dict[str, Any]]]:
+    """Give the runs of one page of `list_runs` after another, newest first."""
     params: dict[str, Any] = {"limit": 100}
-    found: list[str] = []
-    for _ in range(_NEWEST_PAGES):
-        page = context.require(
-            partial(context.call, "list_runs", params=params), 200, "list_runs"
-        )
-        found += [r["run_id"] for r in page["runs"] if r["policy"]["name"] == name]
-        if found or page["next_cursor"] is None:
-            break
+    for _ in range(pages_max):
+        page = read(params)
+        yield page["runs"]
+        if page["next_cursor"] is None:
+            return
         params = params | {"cursor": page["next_cursor"]}
-    return found
 
 
 def whole_submission(context: CheckContext) -> dict[str, Any]:
@@ -73,13 +86,14 @@ def whole_submission(context: CheckContext) -> dict[str, Any]:
 def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any]]:
     """Find runs in the pages of `list_runs`, newest first."""
     found: dict[str, dict[str, Any]] = {}
-    params: dict[str, Any] = {"limit": 100}
-    for _ in range(_PAGES_MAX):
-        page = expect.ok(context.call("list_runs", params=params))
-        found |= {r["run_id"]: r for r in page["runs"] if r["run_id"] in ids}
-        if ids <= set(found) or page["next_cursor"] is None:
+
+    def read(params: dict[str, Any]) -> Any:
+        return expect.ok(context.call("list_runs", params=params))
+
+    for runs in _pages_of_runs(read, _PAGES_MAX):
+        found |= {r["run_id"]: r for r in runs if r["run_id"] in ids}
+        if ids <= set(found):
             break
-        params["cursor"] = page["next_cursor"]
     missing = ids - set(found)
     if missing:
         raise SetUpFailed(f"`list_runs` does not show {missing}", breaks="RUN-009")

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import shlex
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from tests.support.forking.forked_servers import server_command
-from tests.support.paths import ROOT
+from tests.support.kit.kit_outcomes import kit_outcomes
 
 pytestmark = pytest.mark.slow("starts servers and kits")
 
@@ -30,13 +27,5 @@ def test_small_limits_of_an_account_are_judged(
 ) -> None:
     server = (*server_command(), *flags.split())
     command = ("--start-cmd", shlex.join(server), "--only", ",".join(rules))
-    done = subprocess.run(
-        [sys.executable, "-m", "conformance", *command, "--report", str(tmp_path)],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    report = json.loads((tmp_path / "report.json").read_text())
-    outcomes = {row["requirement_id"]: row["outcome"] for row in report["rows"]}
-    assert outcomes == dict.fromkeys(rules, "passed"), done.stdout
+    outcomes, printed = kit_outcomes(tmp_path, *command)
+    assert outcomes == dict.fromkeys(rules, "passed"), printed
