@@ -282,14 +282,15 @@ def test_push_009_slow_response_times_out(context: CheckContext) -> None:
 
 @requirement("PUSH-010")
 def test_push_010_invalid_actions_are_not_executed(context: CheckContext) -> None:
-    """The second of two actions has a vector that is too long; one action too many.
+    """One of two actions has a vector that is too long; one action too many.
 
-    Expect `policy_fault`, no attempt counted, nothing scored.
+    The right one would end the episode. Expect `policy_fault`, no attempt counted,
+    nothing scored.
     """
     with policy_server(context) as policy:
         good, bad = context.action(score=1, end=1), context.action(score=[1.0, 1.0])
         too_many = [good] * (context.benchmark["max_chunk"] + 1)
-        for actions in ([bad, good], too_many):
+        for actions in ([bad, good], [good, bad], too_many):
             chunk = partial(_reply_with, policy, actions)
             policy.on("predict", chunk)
             run = submit_push_run(context, policy, options={"max_faults": 1})

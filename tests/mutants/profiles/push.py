@@ -14,13 +14,14 @@ from reference_server.push.driver import Driver
 from reference_server.push.http_calls import Call, HttpCalls, PolicyFault
 from reference_server.push.policy_calls import ProctorPolicy
 from reference_server.rules import effects, lifecycle
+from reference_server.rules.action_space import action_errors
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run, Session
 from tests.mutants import mutant, put
 from tests.mutants.turns.predict import no_guard, replace_guard
 
 
-@mutant("PUSH-001")
+@mutant("PUSH-001", "PUSH-010")
 def plays_only_the_first_action_of_a_chunk() -> None:
     """A policy that answers chunks is scored for actions it did not choose."""
     right = ProctorPolicy.predict
@@ -206,6 +207,23 @@ def executes_the_beginning_of_a_chunk_that_is_too_long() -> None:
     async def wrong(self: ProctorPolicy, turn: Any) -> Any:
         answer = await right(self, turn)
         del answer.actions[self._run.manifest["max_chunk"] :]
+        return answer
+
+    put(ProctorPolicy, "predict", wrong)
+
+
+@mutant("PUSH-010")
+def executes_what_stands_before_an_invalid_action() -> None:
+    """A policy is scored for half an answer, and its author looks for the fault."""
+    right = ProctorPolicy.predict
+
+    async def wrong(self: ProctorPolicy, turn: Any) -> Any:
+        answer = await right(self, turn)
+        values, manifest = [a.values for a in answer.actions], self._run.manifest
+        for at in range(1, len(values)):
+            if action_errors(values[at : at + 1], manifest):
+                del answer.actions[at:]
+                break
         return answer
 
     put(ProctorPolicy, "predict", wrong)
