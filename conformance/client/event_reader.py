@@ -22,12 +22,15 @@ from conformance.exchanges.answer import Answer
 from conformance.verdicts.expect import (
     SetUpBody,
     SetUpFailed,
+    TooLate,
     Violation,
     describe_answer,
 )
 
 # For what has no limit of its own: longer than a busy machine needs.
 ANSWER_TIMEOUT_S = 5.0
+# Within this time a change is sent (EVT-004).
+_DUE_S = 1.0
 # Delay before it reconnects, whatever `retry` says: checks have little time.
 _RETRY_S = 0.2
 _END_OF_LINE = re.compile(rb"\r\n|\n|\r")
@@ -150,15 +153,18 @@ class EventReader:
             self._has_ended.set()
         return True
 
-    def wait_for_end(self) -> bool:
-        """Wait for the end of a stream, at most ANSWER_TIMEOUT_S."""
-        return self._has_ended.wait(ANSWER_TIMEOUT_S)
+    def expect_end(self, what: str) -> None:
+        """Expect the end of a stream within ANSWER_TIMEOUT_S."""
+        if not self._has_ended.wait(ANSWER_TIMEOUT_S):
+            observed = f"none within {ANSWER_TIMEOUT_S:g} s"
+            raise TooLate(what, ANSWER_TIMEOUT_S, _DUE_S, observed)
 
     def first_status(self) -> int:
         """Give the status of the first answer; at most ANSWER_TIMEOUT_S."""
         self._has_answer.wait(ANSWER_TIMEOUT_S)
         if self._status is None:
-            raise Violation("an answer", f"none within {ANSWER_TIMEOUT_S:g} s")
+            observed = f"none within {ANSWER_TIMEOUT_S:g} s"
+            raise TooLate("an answer", ANSWER_TIMEOUT_S, _DUE_S, observed)
         return self._status
 
     def _next(self, within_s: float) -> Event | Answer | None:
@@ -197,7 +203,8 @@ class EventReader:
                 )
             if found is None:
                 kinds = ", ".join(event.kind for event in events) or "no event"
-                raise Violation(f"an event {what}", f"{kinds} in {within_s:g} s")
+                observed = f"{kinds} in {within_s:g} s"
+                raise TooLate(f"an event {what}", within_s, _DUE_S, observed)
             events.append(found)
             if is_it(found):
                 return events

@@ -45,6 +45,7 @@ _CAPACITY_TIMEOUT_S = 5.0
 _CAPACITY_POLL_S = 0.1
 _ROUND_TRIPS = 12
 _ROUND_TRIP_TIMEOUT_S = 10.0
+_STALL_POLL_S = 0.1
 # The tolerance of timing checks, in round trips.
 TOLERANCE_ROUND_TRIPS = 20
 
@@ -292,19 +293,44 @@ class RequestContext:
 
         Gives by how much it varies, in seconds: much on a machine that is busy.
         """
-        round_trips: list[float] = []
-        for _ in range(_ROUND_TRIPS):
-            began_at = time.monotonic()
-            with (
-                contextlib.suppress(httpx.TransportError),
-                self.shared.connections.borrow() as connections,
-            ):
-                connections.get(f"{self._base_urls.first}/v1", _ROUND_TRIP_TIMEOUT_S)
-            round_trips.append(time.monotonic() - began_at)
-        round_trips.sort()
+        round_trips = sorted(self._measure_round_trip() for _ in range(_ROUND_TRIPS))
         longest_s = round_trips[-1]
         self.tolerance_s = max(self.tolerance_s, TOLERANCE_ROUND_TRIPS * longest_s)
         return longest_s - round_trips[_ROUND_TRIPS // 2]
+
+    @contextlib.contextmanager
+    def watch_for_stalls(self) -> Iterator[list[float]]:
+        """Ask for something cheap again and again, in a thread, until the block ends.
+
+        Gives a list, which holds then how long each answer took, in seconds: for how
+        long the server, this machine or the kit did nothing at all.
+        """
+        took_s: list[float] = []
+        is_over = threading.Event()
+
+        def measure() -> None:
+            while not is_over.is_set():
+                began_at = time.monotonic()
+                self._measure_round_trip()
+                is_over.wait(_STALL_POLL_S)
+                took_s.append(time.monotonic() - began_at - _STALL_POLL_S)
+
+        thread = threading.Thread(target=measure, daemon=True)
+        thread.start()
+        try:
+            yield took_s
+        finally:
+            is_over.set()
+            thread.join()
+
+    def _measure_round_trip(self) -> float:
+        began_at = time.monotonic()
+        with (
+            contextlib.suppress(httpx.TransportError),
+            self.shared.connections.borrow() as connections,
+        ):
+            connections.get(f"{self._base_urls.first}/v1", _ROUND_TRIP_TIMEOUT_S)
+        return time.monotonic() - began_at
 
     def _take_back(self, run_id: str | None, step: Callable[[], object]) -> None:
         if run_id not in self.adopted:

@@ -39,6 +39,8 @@ _TRIES = 3
 _PAUSE_S = 0.5
 # What is late by less than so many times the noise of a round trip proves nothing.
 _NOISE_FACTOR = 50
+# And what is late by less than two of the longest times without any answer.
+_STALL_FACTOR = 2
 _CHECK_CONTEXT = pytest.StashKey[CheckContext]()
 _SHARED = pytest.StashKey[SharedContext]()
 _BACKGROUND = pytest.StashKey["BackgroundChecks"]()
@@ -143,9 +145,11 @@ def _call_check(check: Callable[[CheckContext], None], context: CheckContext) ->
             time.sleep(_PAUSE_S)
             context.measure_noise()
     try:
-        return _call_once(check, context)
+        with context.watch_for_stalls() as stalls_s:
+            return _call_once(check, context)
     except expect.TooLate as error:
-        if error.late_s <= _NOISE_FACTOR * context.measure_noise():
+        noise_s = _NOISE_FACTOR * context.measure_noise()
+        if error.late_s <= max(noise_s, _STALL_FACTOR * max(stalls_s, default=0.0)):
             text = f"expected {error.expected}; observed {error.observed}"
             raise expect.Inconclusive(f"this machine is too busy: {text}") from error
         raise

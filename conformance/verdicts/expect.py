@@ -55,8 +55,14 @@ class Violation(AssertionError):
 class TooLate(Violation):
     """A limit of time was missed: the check is repeated, for a machine may be busy."""
 
-    def __init__(self, expected: str, took_s: float, limit_s: float) -> None:
-        super().__init__(expected, f"after {took_s:.2f} s")
+    def __init__(
+        self,
+        expected: str,
+        took_s: float,
+        limit_s: float,
+        observed: str | None = None,
+    ) -> None:
+        super().__init__(expected, observed or f"after {took_s:.2f} s")
         self.late_s = took_s - limit_s
 
 

@@ -291,7 +291,7 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
                     again.first_status(), 204, f"status at the last id, {state}"
                 )
             what = f"the end of the stream of a run that is {state}"
-            expect.true(reader.wait_for_end(), what, "none")
+            reader.expect_end(what)
         for earlier in ids_of(events)[:-1]:
             with follow_run(run, earlier) as again:
                 expect.equal(again.first_status(), 200, "status at an earlier id")

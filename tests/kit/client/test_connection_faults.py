@@ -4,6 +4,7 @@ import contextlib
 import errno
 import socket
 import threading
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -34,13 +35,17 @@ HAPROXY_400 = (
     b"<html><body><h1>400 Bad request</h1>\n"
     b"Your browser sent an invalid request.\n</body></html>\n"
 )
+_STALL_S = 0.4
 
 
 class OneAnswerPerConnection:
     """Answers once on each connection, then closes it at the next request."""
 
-    def __init__(self, answer: bytes = OK, answers: int = 1) -> None:
+    def __init__(
+        self, answer: bytes = OK, answers: int = 1, after_s: float = 0.0
+    ) -> None:
         self.requests: list[bytes] = []
+        self._after_s = after_s
         self._answer, self._answers = answer, answers
         self._listener = socket.create_server(("127.0.0.1", 0))
         self.url = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
@@ -62,6 +67,7 @@ class OneAnswerPerConnection:
                     return
                 received += part
             self.requests.append(received.split(b"\r\n")[0])
+            time.sleep(self._after_s)
             if number < self._answers:
                 connection.sendall(self._answer)
 
@@ -163,6 +169,25 @@ def test_what_is_late_is_repeated_and_then_a_violation(
             _call_check(answer_late, context)
         late_s[0] = 1.1
         with pytest.raises(TooLate):
+            _call_check(answer_late, context)
+
+
+def test_what_is_late_beside_a_stall_of_everything_is_not_decided(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("conformance.runner.pytest_plugin._PAUSE_S", 0)
+
+    def answer_late(_: CheckContext) -> None:
+        time.sleep(_STALL_S)  # as long as one answer to what is asked meanwhile
+        expect.in_time(1 + 1.5 * _STALL_S, 1, "an answer")
+
+    with open_context(OneAnswerPerConnection()) as context:
+        monkeypatch.setattr(context, "measure_noise", lambda: 0.0)
+        with pytest.raises(TooLate):
+            _call_check(answer_late, context)
+    with open_context(OneAnswerPerConnection(after_s=_STALL_S)) as context:
+        monkeypatch.setattr(context, "measure_noise", lambda: 0.0)
+        with pytest.raises(Inconclusive, match="busy"):
             _call_check(answer_late, context)
 
 

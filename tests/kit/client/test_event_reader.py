@@ -104,7 +104,7 @@ def test_a_reader_reconnects_until_status_204() -> None:
         with follow_run(run) as reader:
             reader.until(lambda event: event.id == "3", "with the id 3")
             assert reader.first_status() == 200
-            assert reader.wait_for_end()
+            reader.expect_end("the end of the stream")
             with pytest.raises(Violation, match="status 204"):
                 reader.until(lambda _: True, "after the last")
         assert [event.id for event in reader.received] == ["1", "2", "3"]

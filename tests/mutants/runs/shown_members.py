@@ -6,8 +6,8 @@ from typing import Any
 
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.rules import comparison
-from reference_server.rules.run import RunHead
+from reference_server.rules import comparison, effects
+from reference_server.rules.run import Run, RunHead, Session
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.service import RunService
@@ -95,6 +95,17 @@ def lists_runs_without_their_progress() -> None:
         return found
 
     put(RunService, "list_runs", wrong)
+
+
+@mutant("RUN-020")
+def dates_a_result_at_the_start_of_its_turn() -> None:
+    """A long chunk that ended an episode seems to have taken no time."""
+    right = effects.end_turn
+
+    def wrong(run: Run, session: Session, played: Any, now: float, clipped: int) -> Any:
+        return right(run, session, played, now - played.timing.simulate_s, clipped)
+
+    put(effects, "end_turn", wrong)
 
 
 @mutant("RUN-020")
