@@ -8,6 +8,7 @@ Any other exception is an error of the kit.
 
 import itertools
 import json
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -216,10 +217,17 @@ def true(condition: object, what: str, observed: Any = None) -> None:
         )
 
 
-def in_time(took_s: float, limit_s: float, what: str) -> None:
-    """Expect what `what` describes within a limit of time, in seconds."""
+def in_time(
+    took_s: float, limit_s: float, what: str, *, may_be_noise: bool = True
+) -> None:
+    """Expect what `what` describes within a limit of time, in seconds.
+
+    may_be_noise: whether a busy machine may miss the limit in every try. It may not
+    where the limit is that of something long that is to be left out.
+    """
     if took_s > limit_s:
-        raise TooLate(f"{what} within {limit_s:.2f} s", took_s, limit_s)
+        expected = f"{what} within {limit_s:.2f} s"
+        raise TooLate(expected, took_s, limit_s if may_be_noise else -math.inf)
 
 
 def require(answer: Answer, status: int, step: str) -> Any:

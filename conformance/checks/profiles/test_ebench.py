@@ -259,9 +259,8 @@ def test_ebe_015_a_pickle_that_calls_is_refused(context: CheckContext) -> None:
     for call in calls:
         answer = ebench_run.try_step({"0": {"action": call}})
         expect.refused(answer, "malformed_body")
-        expect.true(
-            answer.elapsed_s < wait_s, "an answer at once", f"{answer.elapsed_s:.1f} s"
-        )
+        what = "an answer at once"
+        expect.in_time(answer.elapsed_s, 0.9 * wait_s, what, may_be_noise=False)
     expect.refused(ebench_run.try_send("step", b"\x80\x03]"), "malformed_body")
     expect.equal(
         count(expect_workers(ebench_run.try_step({"0": action()}))["0"]),

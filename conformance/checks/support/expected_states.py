@@ -1,6 +1,7 @@
 """Expectations about the state of a run over time, as several checks have them."""
 
 import time
+from collections.abc import Iterator
 
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
@@ -9,7 +10,7 @@ from conformance.verdicts.expect import Inconclusive
 
 # Clocks of two machines may run at slightly different speeds.
 CLOCK_TOLERANCE = 0.95
-LOOKS_MIN = 100
+_LOOKS_MIN = 100
 # How long a long poll waits for a change.
 WAIT_S = 5
 # Timers of the server and of this machine may disagree by so much.
@@ -29,15 +30,21 @@ def expect_changed(
     expect.equal(expect.ok(polled)["state"], state, "state")
 
 
-def expect_state_soon(run: RunClient, state: str) -> None:
-    """Expect the run to reach a state without a request, soon.
+def looks(until: float, pause_s: float = 0.005) -> Iterator[None]:
+    """Look at something until a time; at least _LOOKS_MIN times.
 
-    What is seconds on a machine that is much too busy is measured in looks at the run.
+    What is seconds on a machine that is much too busy is measured in looks.
     """
-    deadline, looks = time.monotonic() + 5, 0
-    while run.get()["state"] != state:
-        looks += 1
-        if looks >= LOOKS_MIN and time.monotonic() > deadline:
-            break
-        time.sleep(0.005)
+    number = 0
+    while number < _LOOKS_MIN or time.monotonic() < until:
+        yield
+        number += 1
+        time.sleep(pause_s)
+
+
+def expect_state_soon(run: RunClient, state: str) -> None:
+    """Expect the run to reach a state without a request, soon."""
+    for _ in looks(time.monotonic() + 5):
+        if run.get()["state"] == state:
+            return
     expect.equal(run.body["state"], state, "state")

@@ -4,8 +4,9 @@ Everything here is set-up: it raises SetUpFailed or NotApplicable, never Violati
 except `expect_pointer`, which completes `expect.refused`.
 """
 
+import contextlib
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from conformance.client.check_context import CheckContext
@@ -18,6 +19,7 @@ from conformance.verdicts.expect import (
     NotApplicable,
     SetUpFailed,
     SetUpList,
+    Violation,
 )
 
 # Differs between two equal histories: when, how fast, and how often it was tried.
@@ -147,6 +149,25 @@ def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunC
     return _require_state(run, state.partition(" ")[0])
 
 
+@contextlib.contextmanager
+def unless_left_the_queue(state: str) -> Iterator[None]:
+    """Excuse what a kit sees that is too slow for a run it has made in a state.
+
+    The state may be another one than `queued`: then nothing is excused.
+    """
+    began_at = time.monotonic()
+    try:
+        yield
+    except Violation as error:
+        if state == "queued" and time.monotonic() - began_at > _QUEUE_S:
+            raise _too_late_for(_QUEUE_S) from error
+        raise
+
+
+def _too_late_for(queue_s: float) -> Inconclusive:
+    return Inconclusive(f"the kit saw the run later than its queue_s of {queue_s:g}")
+
+
 def require_queued(
     state: str, began_at: float, queue_s: float, breaks: str | None = None
 ) -> None:
@@ -156,7 +177,7 @@ def require_queued(
     breaks: the rule of a server whose runs do not wait.
     """
     if state != "queued" and time.monotonic() - began_at > queue_s:
-        raise Inconclusive(f"the kit saw the run later than its queue_s of {queue_s:g}")
+        raise _too_late_for(queue_s)
     if state != "queued":
         text = f"run state is `{state}` although its option queue_s is {queue_s:g}"
         raise SetUpFailed(text, breaks=breaks)

@@ -252,7 +252,7 @@ def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> N
     take long ones at once.
 
     Expect each short turn to end long before the long one. As the machine may be slow
-    for a moment, there are three tries.
+    for a moment, there are three tries, three times.
     """
     run = context.submit("delay", "count", max_steps=10000)
     slow, quick = attach_workers(run, 2)
@@ -260,11 +260,8 @@ def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> N
     longest_s: list[float] = []
     while len(longest_s) < 3 and (not longest_s or longest_s[-1] > delay_s / 2):
         longest_s.append(longest_turn_beside(slow, quick, delay_s))
-    expect.true(
-        longest_s[-1] <= delay_s / 2,
-        f"turns of at most {delay_s / 2:g} s beside one of {delay_s:g} s",
-        longest_s,
-    )
+    what = f"each turn beside one of {delay_s:g} s"
+    expect.in_time(longest_s[-1], delay_s / 2, what, may_be_noise=False)
     if not context.shared.settings.quick:
         expect_no_wait_beside_many(context, delay_s)
 
@@ -287,8 +284,8 @@ def expect_no_wait_beside_many(context: CheckContext, delay_s: float) -> None:
         for turn in (*turns, answer):
             expect.require(turn, 200, "predict")
         took_s.append(answer.elapsed_s)
-    what = f"a turn of at most {delay_s / 2:g} s beside {len(slow)} of {delay_s:g} s"
-    expect.true(took_s[-1] <= delay_s / 2, what, took_s)
+    what = f"a turn beside {len(slow)} of {delay_s:g} s"
+    expect.in_time(took_s[-1], delay_s / 2, what, may_be_noise=False)
 
 
 @requirement("PRED-023")

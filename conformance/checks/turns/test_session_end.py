@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+from conformance.checks.support.expected_states import expect_state_soon
 from conformance.checks.support.given_states import (
     attach_workers,
     count,
@@ -21,16 +22,6 @@ from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
-
-SOON_S = 5.0
-
-
-def expect_state_soon(run: RunClient, state: str) -> None:
-    """Expect the run to reach a state without a request of a worker."""
-    deadline = time.monotonic() + SOON_S
-    while run.get()["state"] != state and time.monotonic() < deadline:
-        time.sleep(0.02)
-    expect.equal(run.body["state"], state, "state")
 
 
 def play_until_done(worker: WorkerClient) -> None:
