@@ -593,7 +593,7 @@ def takes_any_etag_for_the_newest() -> None:
         wait_s = float(call.headers.get("prefer", "wait=0").removeprefix("wait="))
         headers = {**call.headers, "prefer": "wait=0"}
         now = await right(self, replace(call, headers=headers))
-        if now.status == 304:  # not for a run that does not exist
+        if now.status_code == 304:  # not for a run that does not exist
             await asyncio.sleep(min(wait_s, self.settings.wait_s_max))
         return now
 
