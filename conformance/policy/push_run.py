@@ -64,7 +64,7 @@ def submit_push_run(
     while len(policy.calls) == before and run.get()["state"] not in ENDED:
         if time.monotonic() > deadline:
             require_place(run)
-            raise Violation(
+            raise expect.missed(
                 f"a call of the policy server at {policy.url}",
                 f"none within {_FIRST_CALL_TIMEOUT_S:g} s in a run that is "
                 f"`{run.body['state']}`",
@@ -110,7 +110,7 @@ def expect_end(run: RunClient, state: str) -> dict[str, Any]:
     while (body := run.get())["state"] not in ENDED:
         if time.monotonic() > deadline:
             require_place(run)
-            raise Violation(
+            raise expect.missed(
                 f"a run that becomes `{state}`",
                 f"`{body['state']}` after {END_TIMEOUT_S:g} s",
             )
@@ -130,7 +130,7 @@ def expect_policy_fault(
     pause_s = _POLL_S
     while "policy_fault" not in (episode := run.episodes()[0]):
         if time.monotonic() > deadline:
-            raise Violation(
+            raise expect.missed(
                 f"`policy_fault` of an episode within {within_s:g} s",
                 expect.format_value(dict(episode)),
             )

@@ -14,7 +14,7 @@ from conformance.client.http_client import HttpClient
 from conformance.policy.push_run import is_local
 from conformance.policy.scripted_chat import ScriptedChat
 from conformance.verdicts import expect
-from conformance.verdicts.expect import SetUpFailed, Violation
+from conformance.verdicts.expect import SetUpFailed
 
 END_TIMEOUT_S = 15.0
 # Of `calibration`, as profiles/flageval.yaml has it.
@@ -121,7 +121,7 @@ class FlagEvalRequest:
         deadline = time.monotonic() + END_TIMEOUT_S
         while not (answer := self.progress())["finished"]:
             if time.monotonic() > deadline:
-                raise Violation(
+                raise expect.missed(
                     f"an end within {END_TIMEOUT_S:g} s", expect.format_value(answer)
                 )
             time.sleep(_POLL_S)

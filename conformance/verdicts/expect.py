@@ -230,6 +230,14 @@ def in_time(
         raise TooLate(expected, took_s, limit_s if may_be_noise else -math.inf)
 
 
+def missed(expected: str, observed: str) -> TooLate:
+    """Give what to raise when something has not come after a long wait.
+
+    It is waited for again: not even a machine that is much too busy misses it always.
+    """
+    return TooLate(expected, math.inf, 0.0, observed)
+
+
 def require(answer: Answer, status: int, step: str) -> Any:
     """Require success of a step that is not under test, or raise SetUpFailed."""
     if answer.status != status:
