@@ -17,6 +17,7 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, Violation
 
 END_TIMEOUT_S = 15.0
+FAULT_TIMEOUT_S = 8.0
 ENDED = ("completed", "failed", "stopped")
 _FIRST_CALL_TIMEOUT_S = 5.0
 _POLL_S = 0.01
@@ -123,7 +124,7 @@ def expect_end(run: RunClient, state: str) -> dict[str, Any]:
 
 
 def expect_policy_fault(
-    run: RunClient, within_s: float = END_TIMEOUT_S
+    run: RunClient, within_s: float = FAULT_TIMEOUT_S
 ) -> dict[str, Any]:
     """Expect `policy_fault` in the first episode, and give the episode."""
     deadline = time.monotonic() + within_s
