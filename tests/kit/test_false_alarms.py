@@ -1,20 +1,29 @@
 """The measurement of false alarms goes on where it was interrupted."""
 
+import contextlib
 import json
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import psutil
 import pytest
 
 from tools.measurements import false_alarms
 from tools.measurements.false_alarms import (
     FIRST_SEED,
+    halt_until_end,
+    halted,
     measure,
     page,
     read_results,
     results_of,
 )
 
+STARTS_ANOTHER = "import subprocess; subprocess.run(['sleep', '0.5'], check=True)"
 SERVERS = {"reference": "one", "JavaScript": "two"}
 
 
@@ -23,7 +32,7 @@ def test_no_run_of_a_commit_is_repeated(
 ) -> None:
     made: list[tuple[str, int]] = []
 
-    def run_kit(server: str, seed: int, _: list[str]) -> dict[str, Any]:
+    def run_kit(server: str, seed: int, *_: object) -> dict[str, Any]:
         if seed == FIRST_SEED + 2 and len(made) == 2:
             raise KeyboardInterrupt
         made.append((server, seed - FIRST_SEED))
@@ -45,6 +54,28 @@ def test_no_run_of_a_commit_is_repeated(
     ]
     assert len(results_of(read_results(), "this")) == 6
     assert [one["commit"] for one in read_results()] == ["older", *["this"] * 6]
+
+
+def test_a_halted_process_goes_on_until_its_end(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    halts: list[int] = []
+
+    @contextlib.contextmanager
+    def noted(process: psutil.Process) -> Iterator[None]:
+        with halted(process):
+            while process.status() not in (psutil.STATUS_STOPPED, psutil.STATUS_ZOMBIE):
+                time.sleep(0.001)
+            halts.append(process.pid)
+            yield
+
+    monkeypatch.setattr(false_alarms, "_BETWEEN_HALTS_S", 0.02)
+    monkeypatch.setattr(false_alarms, "_LONGEST_HALT_S", 0.02)
+    monkeypatch.setattr(false_alarms, "halted", noted)
+    with subprocess.Popen([sys.executable, "-c", STARTS_ANOTHER]) as process:
+        halt_until_end(process, seed=1)
+        assert process.returncode == 0
+    assert len(set(halts)) == 2
 
 
 def test_page_keeps_the_runs_of_earlier_commits() -> None:

@@ -1,9 +1,11 @@
 """`make false-alarms`: how often the kit calls a right server wrong.
 
 Runs the kit again and again, each time with another seed, against every server of this
-repository; every second time all processors are kept busy meanwhile. Options of the
-kit, behind `--`, are measured for themselves: `-- --quick`. Whatever is violated,
-inconclusive, a kit error, or unverified without need is a false alarm.
+repository; every second time all processors are kept busy meanwhile. With `--load
+halted` the kit and its servers are stopped together instead, again and again, as a
+machine does that waits for its disk: what counts on time by the clock shows itself.
+Options of the kit, behind `--`, are measured for themselves: `-- --quick`. Whatever is
+violated, inconclusive, a kit error, or unverified without need is a false alarm.
 
 Prints a line for each run and adds it to docs/contribute/false-alarms.jsonl. What is
 there is not run again until the kit, the text or a server changes, so that an
@@ -24,10 +26,14 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from random import Random
 from typing import Any
+
+import psutil
 
 from tools.example_servers import GO, START_SERVER_JS, build_server_go
 from tools.measurements.git_commit import read_commit
@@ -43,7 +49,9 @@ JUDGED = (
     "requirements",
 )
 FIRST_SEED = 1000
-QUIET, BUSY = "quiet", "busy"
+QUIET, BUSY, HALTED = "quiet", "busy", "halted"
+# How long all processes of a halted run stand still, and how long they go on, mostly.
+_LONGEST_HALT_S, _BETWEEN_HALTS_S = 6.0, 4.0
 _ALARM_CHARACTERS = 600  # of the text of an alarm: its end says what was wrong
 RunKey = tuple[str, int, str]  # server, seed, load
 WHOLE = "whole"  # a kit without further options
@@ -77,29 +85,63 @@ def keep_processors_busy() -> Iterator[None]:
             process.wait()
 
 
+def halt_until_end(process: subprocess.Popen[bytes], seed: int) -> None:
+    """Stop a process and all that it has started, again and again, until it ends."""
+    random = Random(seed)
+    while True:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(random.expovariate(1 / _BETWEEN_HALTS_S))
+            return
+        with contextlib.suppress(psutil.NoSuchProcess), contextlib.ExitStack() as halts:
+            started = psutil.Process(process.pid)
+            for one in (started, *started.children(recursive=True)):
+                halts.enter_context(halted(one))
+            time.sleep(random.uniform(0, _LONGEST_HALT_S))
+
+
+@contextlib.contextmanager
+def halted(process: psutil.Process) -> Iterator[None]:
+    """Let a process, which may have ended, stand still."""
+    with contextlib.suppress(psutil.NoSuchProcess):
+        process.suspend()
+    try:
+        yield
+    finally:
+        with contextlib.suppress(psutil.NoSuchProcess):
+            process.resume()
+
+
 def read_report(
-    report: Path, seed: int, options: Sequence[str], **tokens: str
+    report: Path,
+    seed: int,
+    options: Sequence[str],
+    *,
+    is_halted: bool = False,
+    **tokens: str,
 ) -> dict[str, Any]:
     """Run the kit with these options; give its report, which is also in a folder.
 
-    tokens: variables of its environment.
+    is_halted: again and again. tokens: variables of its environment.
     """
     command = [sys.executable, "-m", "conformance", "--report", str(report)]
-    subprocess.run(
+    with subprocess.Popen(
         [*command, "--seed", str(seed), *options],
         cwd=ROOT,
         env=os.environ | tokens,
         stdout=subprocess.DEVNULL,
-        check=False,
-    )
+    ) as kit:
+        if is_halted:
+            halt_until_end(kit, seed)
     found: dict[str, Any] = json.loads((report / "report.json").read_text())
     return found
 
 
-def run_kit(server: str, seed: int, options: list[str]) -> dict[str, Any]:
+def run_kit(server: str, seed: int, load: str, options: list[str]) -> dict[str, Any]:
     """Judge a server; give the exit code, the time, and each row that is an alarm."""
-    with tempfile.TemporaryDirectory() as report:
-        found = read_report(Path(report), seed, ["--start-cmd", server, *options])
+    busy = keep_processors_busy if load == BUSY else contextlib.nullcontext
+    with tempfile.TemporaryDirectory() as report, busy():
+        judged = ["--start-cmd", server, *options]
+        found = read_report(Path(report), seed, judged, is_halted=load == HALTED)
         alarms = alarms_of(found)
         if alarms:  # to find the cause
             kept = f"{Path(shlex.split(server)[-1]).name}-{seed}"
@@ -175,9 +217,7 @@ def measure(
 
         def run(key: RunKey) -> None:
             server, seed, under = key
-            busy = keep_processors_busy if under == BUSY else contextlib.nullcontext
-            with busy():
-                result = run_kit(commands[server], seed, options)
+            result = run_kit(commands[server], seed, under, options)
             line = {"server": server, "seed": seed, "load": under}
             line |= {"commit": commit, "options": options, **result}
             with RESULTS.open("a") as file:
@@ -200,7 +240,7 @@ def planned_runs(
 def show(line: dict[str, Any]) -> None:
     """Print a run, and what was wrong in it."""
     print(
-        f"{line['server']:<10} seed {line['seed']} {line['load']:<5} "
+        f"{line['server']:<10} seed {line['seed']} {line['load']:<6} "
         f"{line['elapsed_s']:6.1f} s  exit code {line['exit_code']}  "
         f"{len(line['alarms'])} false alarms",
         flush=True,
@@ -241,8 +281,9 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         f"since commit {commit} of {date}, on {os.cpu_count()} processors, another",
         "seed in each run. `whole`: the kit without options; otherwise those that it",
         "had. `quiet`: beside whatever the machine ran; `busy`: beside one process",
-        "more per processor that computes without end. All runs:",
-        f"[{RESULTS.name}]({RESULTS.name}).",
+        "more per processor that computes without end; `halted`: kit and servers",
+        f"stopped together, every {_BETWEEN_HALTS_S:g} s or so, for up to",
+        f"{_LONGEST_HALT_S:g} s. All runs: [{RESULTS.name}]({RESULTS.name}).",
         "",
         *summarize(results_of(results, commit)),
         "",
@@ -275,7 +316,7 @@ def main() -> int:
     """Returns 1 when any run of this commit has a false alarm."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--runs", type=int, default=12)
-    parser.add_argument("--load", choices=[QUIET, BUSY], help="of all runs")
+    parser.add_argument("--load", choices=[QUIET, BUSY, HALTED], help="of all runs")
     parser.add_argument("-j", type=int, default=1, help="runs at once")
     parser.add_argument("--write", action="store_true", help="rewrite the page")
     parser.add_argument("kit", nargs="*", help="further options of the kit")
