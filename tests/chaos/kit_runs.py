@@ -106,7 +106,7 @@ class KitRuns:
         before = self._kills.count if self._kills else 0
         report = self._directory / f"report-{seed}"
         given = ["--url", self._cluster.url, *options]
-        found = read_report(report, seed, given, **TOKENS)
+        found = read_report(report, seed, given, TOKENS)
         wrong = alarms_of(found)
         kills = self._kills.count - before if self._kills else 0
         print(

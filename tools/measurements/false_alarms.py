@@ -27,7 +27,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
@@ -115,19 +115,19 @@ def read_report(
     report: Path,
     seed: int,
     options: Sequence[str],
+    tokens: Mapping[str, str] | None = None,
     *,
     is_halted: bool = False,
-    **tokens: str,
 ) -> dict[str, Any]:
     """Run the kit with these options; give its report, which is also in a folder.
 
-    is_halted: again and again. tokens: variables of its environment.
+    tokens: variables of its environment. is_halted: again and again.
     """
     command = [sys.executable, "-m", "conformance", "--report", str(report)]
     with subprocess.Popen(
         [*command, "--seed", str(seed), *options],
         cwd=ROOT,
-        env=os.environ | tokens,
+        env=os.environ | dict(tokens or {}),
         stdout=subprocess.DEVNULL,
     ) as kit:
         if is_halted:
