@@ -289,9 +289,9 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "",
         "What is too late on a busy machine is tried three times, each time with the",
         "tolerance of the network as it is then; it is *inconclusive* when it is late",
-        "by less than the noise explains, or than twice the longest time in which nothing",
-        "was answered. A connection that fails on this side of it begins the check again",
-        "and is a *kit error* in the end, never a violation.",
+        "by less than the noise explains, or than twice the longest time in which",
+        "nothing was answered. A connection that fails on this side of it begins the",
+        "check again and is a *kit error* in the end, never a violation.",
         "",
     ]
     lines += alarm_lines(results_of(results, commit))
