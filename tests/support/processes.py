@@ -2,22 +2,19 @@
 
 import contextlib
 import os
-import subprocess
 from pathlib import Path
+
+import psutil
 
 from tests.support.waiting import wait_until
 
 
 def descendants(pid: int) -> set[int]:
-    """Ids of all processes that this one and its children started."""
-    listed = subprocess.run(
-        ["ps", "-e", "-o", "pid=,ppid="], check=True, capture_output=True, text=True
-    ).stdout
-    parents = {int(p): int(q) for p, q in map(str.split, listed.splitlines())}
-    found = {pid}
-    while more := {p for p, q in parents.items() if q in found} - found:
-        found |= more
-    return found - {pid}
+    """Ids of all that a process and its children started; none if it is gone."""
+    with contextlib.suppress(psutil.NoSuchProcess):
+        children = psutil.Process(pid).children(recursive=True)
+        return {child.pid for child in children}
+    return set()
 
 
 def process_commands() -> list[str]:
