@@ -64,9 +64,12 @@ robosuite-check: robosuite; @.venv-robosuite/bin/python -m pytest tests/sim/benc
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
 lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*checks.py ## Run the tests that need LeRobot
 
+tested := setup programs .venv-cluster/ready .venv-site/ready lint generate-check
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
-	@$(pytest) -m "not slow"
-test: setup programs .venv-cluster/ready .venv-site/ready lint generate-check ## The same with all tests; mutants by their own rows
+	@$(pytest) -m "not slow and not release"
+test: $(tested) ## The gate: the same with slow tests, and a sample of mutants and clients
+	@$(pytest) -m "not release"
+test-all: $(tested) ## Everything, every mutant by all rows: before a release, nightly; hours
 	@$(pytest)
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .

@@ -16,11 +16,13 @@ from tests.support.fast_tests import (  # noqa: E402 - after the line above
 )
 from tests.support.server.databases import database, postgresql  # noqa: E402
 from tests.support.servers import ReferenceServer  # noqa: E402
+from tests.support.tiers import pytest_configure  # noqa: E402
 
 __all__ = [  # hooks and fixtures
     "database",
     "postgresql",
     "pytest_collection_modifyitems",
+    "pytest_configure",
     "pytest_pyfunc_call",
     "pytest_runtest_protocol",
 ]

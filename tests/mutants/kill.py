@@ -1,10 +1,9 @@
 """`python -m tests.mutants.kill [NAME…]`: run the kit against mutants, compare.
 
-A mutant is killed when the kit fails exactly the requirements that it breaks. On every
-run of the tests the kit judges a mutant by its own rows (`own`), each of which has to
-fail. By all rows (`all`), of which no other may fail, a run judges a twelfth of the
-mutants, which the committed spec, kit and server choose; `make kill-matrix` judges all
-of them so and writes the page PAGE.
+A mutant is killed when the kit fails exactly the requirements that it breaks. Judged by
+its own rows (`own`), each of them has to fail; by all rows (`all`), no other may fail.
+selection.py says which mutants `make test` judges, and by which rows; `make test-all`
+and `make kill-matrix` judge all by all rows, and the latter writes PAGE.
 
 The rows MODEL-… say that all rules hold together, so whatever breaks one rule may break
 them as well: they have to fail where a mutant names them, may fail with it, and are
@@ -16,8 +15,6 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import functools
-import hashlib
 import json
 import shlex
 import subprocess
@@ -27,7 +24,6 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
 
 from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES
@@ -35,13 +31,11 @@ from reference_sim.mujoco.rendering import RenderingUnavailable, find_backend
 from tests.mutants import Mutant, load
 from tests.mutants.fork_servers import PLAIN, Commands, fork_servers
 from tests.mutants.seeded_rows import seeded_rows
+from tests.mutants.selection import Rows
 from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "contribute" / "kill-matrix.md"
-# One run of the tests in so many judges a mutant by all rows.
-ROTATION = 12
-Rows = Literal["own", "all"]
 # Long enough for every wait in the kit to time out one after another.
 KIT_TIMEOUT_S = 600
 # Profiles that are off unless asked for, and those with code of their own.
@@ -95,29 +89,6 @@ class Kill:
             f"SURVIVED {self.mutant.name} ({judged}): "
             f"missed {missed}, foreign {unexpected}, kit's exit code {self.exit_code}"
         )
-
-
-@functools.cache
-def _trees() -> str:
-    """The ids of what judges and what is judged, as committed; empty without git.
-
-    A corrected mutant is judged again by the rows that it failed.
-    """
-    trees = [f"HEAD:{folder}" for folder in ("spec", "conformance", "reference_server")]
-    done = subprocess.run(
-        ["git", "rev-parse", *trees],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    return done.stdout.strip()
-
-
-def rows_of_this_commit(name: str) -> Rows:
-    """By which rows a run of the tests judges a mutant."""
-    digest = hashlib.sha256(f"{_trees()} {name}".encode()).digest()
-    return "own" if int.from_bytes(digest) % ROTATION else "all"
 
 
 def run_mutant(mutant: Mutant, rows: Rows, commands: Commands = PLAIN) -> Kill:

@@ -10,10 +10,26 @@ import pytest
 
 from tests.mutants import Mutant, load
 from tests.mutants.fork_servers import Commands, fork_servers
-from tests.mutants.kill import PAGE, rows_of_this_commit, run_mutant
+from tests.mutants.kill import PAGE, run_mutant
 from tests.mutants.seeded_rows import seeded_rows
+from tests.mutants.selection import Rows, select
 
 MUTANTS = load()
+SELECTION = select(MUTANTS)
+
+
+def judged_mutants() -> Iterator[object]:
+    """Every mutant by all rows; those that this commit selects, by the rows chosen.
+
+    What the selection leaves out is judged by `make test-all` alone.
+    """
+    left_out = pytest.mark.release(SELECTION.explain(len(MUTANTS)))
+    for name in sorted(MUTANTS):
+        chosen = SELECTION.rows.get(name)
+        if chosen == "own":
+            yield pytest.param(name, "own", id=f"{name}-own")
+        marks = () if chosen == "all" else left_out
+        yield pytest.param(name, "all", id=f"{name}-all", marks=marks)
 
 
 @pytest.fixture(scope="module")
@@ -43,12 +59,12 @@ def _apply(mutant: Mutant) -> NoReturn:
 
 
 @pytest.mark.slow("a server and a kit each")
-@pytest.mark.parametrize("name", sorted(MUTANTS))
+@pytest.mark.parametrize(("name", "rows"), list(judged_mutants()))
 def test_mutant_is_killed_by_exactly_what_it_breaks(
-    name: str, commands: Commands
+    name: str, rows: Rows, commands: Commands
 ) -> None:
     """The kit against one mutant. Expect its ids and no others judged to fail."""
-    kill = run_mutant(MUTANTS[name], rows_of_this_commit(name), commands)
+    kill = run_mutant(MUTANTS[name], rows, commands)
     assert kill.is_exact, str(kill)
 
 
