@@ -40,11 +40,13 @@ DEFAULTS = {"hideGenerationTimestamp": True, "enumUnknownDefaultCase": True}
 JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
 MODELS = Path("reference_server", "generated", "models.py")
 CATALOGUE = Path("reference_server", "generated", "problem_codes.py")
+PARAMETERS = Path("reference_server", "generated", "parameters.py")
 TURNS = Path("reference_client", "generated", "messages.py")
 VERSIONS = tuple(
     Path(package, "generated", "protocol_version.py")
     for package in ("reference_client", "reference_server")
 )
+SINGLE_FILES = (MODELS, CATALOGUE, PARAMETERS, TURNS, *VERSIONS)
 CLIENTS = Path("generated_clients")
 BIN = Path(sys.executable).parent
 STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
@@ -83,6 +85,14 @@ from __future__ import annotations
 from typing import Any
 
 PROBLEMS: dict[str, dict[str, Any]] = '''
+PARAMETERS_HEADER = '''"""The parameters of the operations, as spec/ describes them.
+
+Written by `make generate`; never edited. A whole value matches its pattern. Of numbers,
+the pattern bounds the digits and QUERY_RANGES the value: the least and the largest.
+"""
+'''
+# How JSON writes a number that is not negative, with bounds on its digits.
+NUMBER_PATTERN = r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?"
 PYTHON_OPTIONS = (
     *("--input-file-type", "openapi", "--target-python-version", "3.11"),
     *("--enum-field-as-literal", "all"),
@@ -183,6 +193,56 @@ def write_catalogue(out: Path) -> None:
     target = out / CATALOGUE
     target.write_text(f"{CATALOGUE_HEADER}{problems!r}\n")
     format_python(target)
+
+
+def write_parameters(out: Path) -> None:
+    """The patterns of all parameters, of the protocol and of the profiles' own APIs."""
+    schemas: dict[tuple[str, str], dict[str, Any]] = {}
+    for file in (SPEC, *sorted(SPEC.parent.glob("profiles/*.yaml"))):
+        for parameter in described_parameters(yaml.safe_load(file.read_text())):
+            place, name = parameter["in"], parameter["name"]
+            key = (place, name.lower() if place == "header" else name)
+            if schemas.setdefault(key, parameter["schema"]) != parameter["schema"]:
+                raise GenerationError(f"{key} has two schemas; one is in {file.name}")
+    text = PARAMETERS_HEADER
+    for place in ("path", "header", "query"):
+        patterns = {
+            name: as_pattern(schema)
+            for (where, name), schema in sorted(schemas.items())
+            if where == place
+        }
+        # Written raw: a backslash stands as it does in the specification.
+        rows = "".join(f'"{name}": r"{p}",\n' for name, p in patterns.items())
+        text += f"{place.upper()}_PATTERNS: dict[str, str] = {{\n{rows}}}\n"
+    ranges = {
+        name: (schema["minimum"], schema["maximum"])
+        for (where, name), schema in sorted(schemas.items())
+        if where == "query" and schema["type"] != "string"
+    }
+    text += f"QUERY_RANGES: dict[str, tuple[int, int]] = {ranges!r}\n"
+    (out / PARAMETERS).write_text(text)
+    format_python(out / PARAMETERS)
+
+
+def described_parameters(document: dict[str, Any]) -> list[dict[str, Any]]:
+    """Every parameter that a document describes itself, where it is used or shared."""
+    described = list(document.get("components", {}).get("parameters", {}).values())
+    for item in document["paths"].values():
+        described += item.get("parameters", [])
+        for method in item.keys() - {"parameters"}:
+            described += item[method].get("parameters", [])
+    return [parameter for parameter in described if "$ref" not in parameter]
+
+
+def as_pattern(schema: dict[str, Any]) -> str:
+    """A schema of text as the regular expression that its whole value matches."""
+    if "pattern" in schema:
+        return str(schema["pattern"]).removeprefix("^").removesuffix("$")
+    if schema["type"] == "integer":
+        return f"[0-9]{{1,{len(str(schema['maximum']))}}}"
+    if schema["type"] == "number":
+        return NUMBER_PATTERN
+    return f"(?s:.{{{schema.get('minLength', 0)},{schema['maxLength']}}})"
 
 
 def write_versions(out: Path) -> None:
@@ -336,11 +396,11 @@ def apply_patch(target: Path, patch: dict[str, str]) -> None:
 
 def write_all(out: Path) -> None:
     """Everything at once; the first error is raised."""
-    for path in (MODELS, TURNS, CATALOGUE, *VERSIONS):
+    for path in SINGLE_FILES:
         (out / path).parent.mkdir(parents=True, exist_ok=True)
     writers = (
         *(write_committed_clients, write_models, write_turns),
-        *(write_catalogue, write_versions),
+        *(write_catalogue, write_parameters, write_versions),
     )
     with ThreadPoolExecutor(len(writers)) as pool:
         for writing in [pool.submit(write, out) for write in writers]:
@@ -349,8 +409,7 @@ def write_all(out: Path) -> None:
 
 def generated(root: Path) -> set[Path]:
     """Generated files under a root, relative to it."""
-    single = (MODELS, CATALOGUE, TURNS, *VERSIONS)
-    found = {path for path in single if (root / path).exists()}
+    found = {path for path in SINGLE_FILES if (root / path).exists()}
     for config in CONFIGS:
         for file in (root / CLIENTS / config.stem).rglob("*"):
             path = file.relative_to(root)

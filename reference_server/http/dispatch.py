@@ -20,6 +20,12 @@ from pydantic import BaseModel
 from starlette.requests import Request
 from starlette.responses import Response
 
+from reference_server.generated.parameters import (
+    HEADER_PATTERNS,
+    QUERY_PATTERNS,
+    QUERY_RANGES,
+)
+from reference_server.generated.parameters import PATH_PATTERNS as DESCRIBED_PATHS
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec, large_bodies
 from reference_server.http.allowed_hosts import AllowedHosts
@@ -39,49 +45,18 @@ VERSION_CHARS_MAX = 9
 # No operation has as many; the rest is not even split.
 QUERY_PARAMETERS_MAX = 32
 
-# name → (pattern, code): path parameters of unknown form name nothing that exists, but
-# a worker id is the client's own choice and so its own mistake (ERR-018, ATT-013).
+# A worker id is the choice of the client, so a wrong one is its own mistake
+# (ATT-013); any other path parameter of a wrong form names nothing (ERR-018).
+_PATH_CODES = {"worker_id": "invalid_request"}
+# name → (pattern, code of the refusal)
 PATH_PATTERNS: dict[str, tuple[str, str]] = {
-    "benchmark_id": (r"[a-z][a-z0-9_]{0,63}", "not_found"),
-    "entry_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
-    "episode_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
-    "import_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
-    "run_id": (r"[A-Za-z0-9_-]{1,64}", "not_found"),
-    "worker_id": (r"[A-Za-z0-9_-]{1,64}", "invalid_request"),
-}
-HEADER_PATTERNS: dict[str, str] = {
-    "if-none-match": r"(?s:.{0,200})",
-    "idempotency-key": r"[\x21-\x7e]{1,128}",
-    "last-event-id": r"[A-Za-z0-9_-]{1,128}",
-    "prefer": r"wait=[0-9]{1,4}",
-    "run_id": r"[A-Za-z0-9_-]{1,64}",
-}
-QUERY_PATTERNS: dict[str, str] = {
-    "baseline": r"[A-Za-z0-9_-]{1,64}",
-    "benchmark_id": r"[a-z][a-z0-9_]{0,63}",
-    "cursor": r"[A-Za-z0-9_-]{1,128}",
-    "leaf_index": r"[0-9]{1,15}",
-    "limit": r"[0-9]{1,4}",
-    "manifest_sha256": r"[0-9a-f]{64}",
-    "new_size": r"[0-9]{1,15}",
-    "old_size": r"[0-9]{1,15}",
-    "request_id": r"[A-Za-z0-9_.-]{1,1040}",
-    "request_ids": r"[A-Za-z0-9_.,-]{1,8000}",
-    "render_mode": r"(?s:.{0,20})",
-    "run_id": r"[A-Za-z0-9_-]{1,64}",
-    "runs": r"[A-Za-z0-9_-]{1,64}(,[A-Za-z0-9_-]{1,64}){0,15}",
-    "session_id": r"(?s:.{1,128})",
-    "subframes": r"(?s:.{0,20})",
-    "tolerance": r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?",
-    "tree_size": r"[0-9]{1,15}",
-    "user_id": r"(?s:.{0,200})",
+    name: (pattern, _PATH_CODES.get(name, "not_found"))
+    for name, pattern in DESCRIBED_PATHS.items()
 }
 # Where a request's scope has the account of its caller, for the log.
 ACCOUNT = "proctor.account"
 # And the name of its operation, for the metrics.
 OPERATION = "proctor.operation"
-# What a pattern cannot say of a number: the least and the largest.
-QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ SLOWEST_TESTS = 25
 REPORTED_RUN_MIN_S = 30.0
 # A folder below this is not worth a line.
 FOLDER_MIN_S = 1.0
-_LEFT_OUT = "left_out"  # what a worker process tells the one that reports
+_LEFT_OUT = "left_out"  # what a worker process sends to the one that reports
 
 
 class TierReport:

@@ -17,17 +17,11 @@ import openapi_spec_validator
 import pytest
 import yaml
 
-from reference_server.http.dispatch import (
-    HEADER_PATTERNS,
-    PATH_PATTERNS,
-    QUERY_PATTERNS,
-)
 from reference_server.http.handlers import Handlers
 from reference_server.settings import Settings
 from tests.support.paths import SPEC
 from tests.support.repository.specification import (
     DOCUMENT,
-    PARAMETER_SCHEMAS,
     Json,
     load,
     operations,
@@ -354,30 +348,3 @@ def test_a_route_speaks_what_is_described(at: tuple[str, str]) -> None:
     answers = described["responses"].values()
     written = [tuple(answer["content"]) for answer in answers if "content" in answer]
     assert set(written) == ({route.writes} if route.writes else set())
-
-
-PATTERNS = {
-    **{("path", name): pattern for name, (pattern, _) in PATH_PATTERNS.items()},
-    **{("query", name): pattern for name, pattern in QUERY_PATTERNS.items()},
-    **{("header", name): pattern for name, pattern in HEADER_PATTERNS.items()},
-}
-
-
-def as_pattern(schema: Json) -> str:
-    """A schema of text as the regular expression that its whole value matches."""
-    if "pattern" in schema:
-        return str(schema["pattern"]).removeprefix("^").removesuffix("$")
-    if schema["type"] == "integer":
-        return "[0-9]{1,4}"  # bounds are checked on the number
-    if schema["type"] == "number":
-        return r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?"
-    return f"(?s:.{{{schema.get('minLength', 0)},{schema['maxLength']}}})"
-
-
-@pytest.mark.parametrize("parameter", sorted(PARAMETER_SCHEMAS), ids="-".join)
-def test_a_parameter_is_checked_as_described(parameter: tuple[str, str]) -> None:
-    assert PATTERNS[parameter] == as_pattern(PARAMETER_SCHEMAS[parameter])
-
-
-def test_no_parameter_is_checked_that_is_not_described() -> None:
-    assert set(PATTERNS) <= set(PARAMETER_SCHEMAS)

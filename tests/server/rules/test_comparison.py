@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 from referencing import Registry, Resource
 
 from reference_server.generated import models
-from reference_server.http.dispatch import QUERY_RANGES
 from reference_server.rules import comparison
 from reference_server.rules.comparison import (
     TOLERANCE,
@@ -24,7 +23,7 @@ from reference_server.rules.comparison import (
 from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import ScoredEpisode
 from tests.support.paths import ROOT
-from tests.support.repository.specification import DOCUMENT, PARAMETER_SCHEMAS
+from tests.support.repository.specification import DOCUMENT
 from tests.support.server.score_equality import EXACTNESS, assert_same
 
 SPEC = ROOT / "spec"
@@ -220,11 +219,3 @@ def test_the_tolerance_is_the_one_described() -> None:
     (rule,) = [r for r in DOCUMENT["x-requirements"] if r["id"] == "CMP-008"]
     assert f"which is {TOLERANCE:g}" in rule["text"]
     assert f"{comparison.ROUNDING:g}".replace("e-0", "e-") in rule["text"]
-
-
-def test_bounds_of_numbers_are_those_described() -> None:
-    numbers = {
-        name: s for (_, name), s in PARAMETER_SCHEMAS.items() if s["type"] != "string"
-    }
-    bounds = {name: (s["minimum"], s["maximum"]) for name, s in numbers.items()}
-    assert bounds == QUERY_RANGES

@@ -16,6 +16,7 @@ PACKAGES = (
 GENERATED = {
     "generated_clients",
     "reference_client/generated/messages.py",
+    "reference_server/generated/parameters.py",
     "reference_server/generated/problem_codes.py",
     "reference_server/generated/models.py",
 }

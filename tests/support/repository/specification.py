@@ -49,11 +49,3 @@ def resolve(document: Json, node: Json) -> Json:
 
 
 DOCUMENT = load((SPEC / "openapi.yaml").read_text())
-# (place, lower-case name) → schema of a parameter, of all documents.
-PARAMETER_SCHEMAS = {
-    (parameter["in"], parameter["name"].lower()): parameter["schema"]
-    for document in (DOCUMENT, *(load(p.read_text()) for p in SPEC.glob("profiles/*")))
-    for _, _, described in operations(document)
-    for parameter in (resolve(document, p) for p in described.get("parameters", []))
-    if parameter["name"] != "Proctor-Version"
-}
