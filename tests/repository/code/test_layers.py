@@ -29,6 +29,7 @@ from tests.support.repository.imports import (
     imports,
     module_of,
     name_of,
+    nodes_of,
     tops,
 )
 from tests.support.server.runs import make_run
@@ -359,7 +360,7 @@ def test_a_function_fits_the_screen() -> None:
     sizes = {
         f"{name_of(path)}:{node.name}": (node.end_lineno or 0) - node.lineno + 1
         for path in HAND_WRITTEN
-        for node in ast.walk(ast.parse(path.read_text()))
+        for node in nodes_of(path)
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
     }
     assert len(sizes) > 500

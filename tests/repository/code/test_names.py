@@ -19,6 +19,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
 from tests.support.paths import ROOT
+from tests.support.repository.imports import nodes_of
 
 GENERATED = (
     "docs/*/kill-matrix.md",
@@ -255,7 +256,7 @@ def test_a_class_name_has_one_home() -> None:
     found = shared(
         (node.name, name)
         for name in python_files(*PACKAGES, "benchmarks", "tools")
-        for node in ast.walk(ast.parse((ROOT / name).read_text()))
+        for node in nodes_of(ROOT / name)
         if isinstance(node, ast.ClassDef) and not node.name.startswith("_")
     )
     allowed = declared(SAME_CLASS)
@@ -287,7 +288,7 @@ def imported_modules(name: str, modules: set[str]) -> set[str]:
         module.split(".") if name.endswith("/__init__.py") else module.split(".")[:-1]
     )
     found = set()
-    for node in ast.walk(ast.parse((ROOT / name).read_text())):
+    for node in nodes_of(ROOT / name):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):

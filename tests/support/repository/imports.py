@@ -4,6 +4,7 @@ Imports are read from the source text; no module is imported to find them.
 """
 
 import ast
+import functools
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -31,7 +32,18 @@ def is_ours(path: Path) -> bool:
     return not names & GENERATED
 
 
-HAND_WRITTEN = sorted(path for path in ROOT.rglob("*.py") if is_ours(path))
+def _python_files(folder: Path) -> Iterator[Path]:
+    """Environments and caches, which have most of the files, are never entered."""
+    for path in folder.iterdir():
+        if not is_ours(path):
+            continue
+        if path.is_dir():
+            yield from _python_files(path)
+        elif path.suffix == ".py":
+            yield path
+
+
+HAND_WRITTEN = sorted(_python_files(ROOT))
 
 
 def name_of(path: Path) -> str:
@@ -42,10 +54,17 @@ def module_of(path: Path) -> str:
     return name_of(path).removesuffix(".py").removesuffix("/__init__").replace("/", ".")
 
 
-def imports(path: Path, module: str) -> set[str]:
+@functools.cache
+def nodes_of(path: Path) -> tuple[ast.AST, ...]:
+    """The syntax of a file; many tests look through all files, each is parsed once."""
+    return tuple(ast.walk(ast.parse(path.read_text())))
+
+
+@functools.cache
+def imports(path: Path, module: str) -> frozenset[str]:
     """Every module that a file imports, wherever in it; `a.b` for `from a import b`."""
     found: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_text())):
+    for node in nodes_of(path):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
@@ -56,7 +75,7 @@ def imports(path: Path, module: str) -> set[str]:
             called = ast.unparse(node.func).rpartition(".")[2]
             if called in ("import_module", "__import__", "importorskip"):
                 found |= {ast.unparse(node.args[0]).strip("'")}
-    return found
+    return frozenset(found)
 
 
 def tops(path: Path) -> set[str]:
