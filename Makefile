@@ -81,7 +81,7 @@ programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tes
 client: .venv-generate/ready ## Write a client in LANGUAGE=csharp or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pages that follow from spec/ and the code
-site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html
+site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html; records exchanges (minutes)
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop

@@ -2,8 +2,9 @@
 
 The pages are written into build/site/source, from the specification, the kit, the
 mutants and the documents of this repository; Sphinx, in an environment of its own,
-makes HTML of them. A link that leads nowhere fails the build. The result needs no
-server and no network: open index.html.
+makes HTML of them. Pages that measurements have written into build/ are shown, too. A
+link that leads nowhere fails the build. The result needs no server and no network: open
+index.html.
 """
 
 from __future__ import annotations
@@ -11,11 +12,13 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 from tools.npm_package import provide_file
 from tools.site import operation_pages, overview_pages, rule_pages
 from tools.site.markdown import convert
+from tools.site.recorded import Recorded, read_recorded
 from tools.traceability import ROOT, traces
 
 HERE = Path(__file__).resolve().parent
@@ -25,38 +28,50 @@ LIBRARY = ROOT / ".venv-site" / "mermaid.min.js"
 COPIED = ("docs", "spec")
 FILES = {".md", ".yaml", ".json", ".txt", ".svg", ".png"}
 EXAMPLES = "examples/README.md"
+INDEX = "docs/README.md"
+MEASURED = "build"
 
 
-def documents() -> dict[str, Path]:
-    """Path in the site → file of the repository; pages and what they link to."""
+def documents(measured: Path) -> dict[str, Path]:
+    """Path in the site → its file: pages and what they link to.
+
+    measured: the folder of pages that measurements have written; they are optional.
+    """
     paths = [path for name in COPIED for path in sorted((ROOT / name).rglob("*"))]
-    found = {
+    pages = {
         path.relative_to(ROOT).as_posix(): path
         for path in paths
         if path.suffix in FILES
     }
-    return found | {EXAMPLES: ROOT / EXAMPLES}
+    built = {
+        f"{MEASURED}/{path.name}": path
+        for path in sorted(measured.glob("*"))
+        if path.suffix in (".md", ".svg")
+    }
+    return pages | built | {EXAMPLES: ROOT / EXAMPLES}
 
 
-def contents() -> str:
+def contents(names: Iterable[str]) -> str:
     """docs/README.md lists every page; so does the navigation."""
     listed = [
-        name.removeprefix("docs/").removesuffix(".md")
-        for name in documents()
-        if name.startswith("docs/") and name.endswith(".md") and "README" not in name
+        f"/{name.removesuffix('.md')}"
+        for name in names
+        if name.endswith(".md")
+        and (name == EXAMPLES or name.startswith(("docs/", f"{MEASURED}/")))
+        and name != INDEX
     ]
-    pages = "\n".join([*listed, f"../{EXAMPLES.removesuffix('.md')}"])
+    pages = "\n".join(listed)
     return f"\n```{{toctree}}\n:hidden:\n\n{pages}\n```\n"
 
 
-def write_source(directory: Path) -> None:
+def write_source(directory: Path, recorded: Recorded, measured: Path) -> None:
     """Write every page into a folder."""
     generated = {
-        **overview_pages.pages(),
-        **rule_pages.pages(),
-        **operation_pages.pages(),
+        **overview_pages.pages(recorded),
+        **rule_pages.pages(recorded),
+        **operation_pages.pages(recorded),
     }
-    copied = documents()
+    copied = documents(measured)
     files = {*generated, *copied}
     for name, path in copied.items():
         target = directory / name
@@ -65,18 +80,18 @@ def write_source(directory: Path) -> None:
             shutil.copyfile(path, target)
         else:
             text = convert(path.read_text(), name, files, traces())
-            target.write_text(text + (contents() if name == "docs/README.md" else ""))
+            target.write_text(text + (contents(copied) if name == INDEX else ""))
     for name, text in generated.items():
         target = directory / name
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(convert(text, name, files, traces()))
 
 
-def build(directory: Path = BUILD) -> Path:
+def build(directory: Path, recorded: Recorded, measured: Path) -> Path:
     """Build the site; the folder of its pages. SystemExit where a link is dead."""
     source, html = directory / "source", directory / "html"
     shutil.rmtree(source, ignore_errors=True)
-    write_source(source)
+    write_source(source, recorded, measured)
     provide_file("site-npm.txt", "dist/mermaid.min.js", LIBRARY)
     static = source / "_static"
     shutil.copytree(HERE / "static", static)
@@ -95,4 +110,4 @@ def build(directory: Path = BUILD) -> Path:
 
 
 if __name__ == "__main__":
-    print(f"site: {build() / 'index.html'}")
+    print(f"site: {build(BUILD, read_recorded(), ROOT / MEASURED) / 'index.html'}")

@@ -1,25 +1,15 @@
 """Worked exchanges: for each rule a request and its answer, as the kit saw them.
 
-`python -m tools.site.exchanges` runs the kit against the reference server and writes
-exchanges.json; a test records them again and compares. What differs between two
-recordings by nature (ids that the server draws, times, measured durations) is replaced
-by a fixed value of the same form, so that everything else can be held equal.
-
-Of the requests of a check, the one is shown that the rule is about, and beside a
-refusal the same operation where it is accepted.
+The requests and answers are read from a report of the kit. Of the requests of a check,
+the one is shown that the rule is about, and beside a refusal the same operation where
+it is accepted. Long bodies and lists are cut.
 """
 
 from __future__ import annotations
 
-import argparse
 import json
 import re
-import shlex
-import subprocess
-import sys
-import tempfile
-from collections.abc import Iterator, Mapping
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -27,75 +17,22 @@ import msgspec
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import Requirement, load_ledger
 
-ROOT = Path(__file__).resolve().parents[2]
-STORED = Path(__file__).with_name("exchanges.json")
-SEED = 1
-SERVER = shlex.join([sys.executable, "-m", "reference_server"])
 BODY_LENGTH = 1500  # of a body that is shown, in characters
-LIST_LENGTH = 8  # of a list in a body that is shown
+TEXT_LENGTH = 300  # of a text in a body
+LIST_LENGTH = 8  # of a list in a body
+WHOLE = 4096  # the kit keeps so many bytes of a body
 HEADERS = {
     *("accept", "content-type", "idempotency-key", "if-none-match", "prefer"),
     *("proctor-version", "last-event-id", "allow", "etag", "location", "retry-after"),
     *("www-authenticate", "cache-control"),
 }
-# A member whose value the server draws or measures -> what is shown instead.
-DRAWN = {
-    "run_id": "run_1",
-    "baseline": "run_1",
-    "session_id": "session-1",
-    "next_cursor": "cursor-1",
-    "attach_key": "attach-1",
-    "keyid": "key-1",
-    "public_key": "key",
-    "manifest_sha256": "0" * 64,
-}
-# Counts that depend on what the kit had done before.
-COUNTED = {"attempts_by_submitter": 1, "runs_played_before": 0}
-HEX = re.compile(r"\b[0-9a-f]{32}\b")
-UUID = re.compile(r"\b[0-9a-f]{8}(?:-[0-9a-f]{4}){3}-[0-9a-f]{12}\b")
-EVENT = re.compile(r"\b(\d+)-(?:none|[0-9a-f]{16})-[0-9a-f]{8}\b")
-SESSION = re.compile(r"(session_id=)[\w-]+")
-WHOLE = 4096  # the kit keeps so many bytes of a body
-# Rules whose exchange is another one in each recording, and why.
-OF_CHANCE = {
-    "ATT-007": "requests race",
-    "ATT-008": "requests race",
-    "EPI-008": "workers race for episodes",
-    "EVT-003": "a stream is read as long as something comes",
-    "EVT-006": "a stream is read as long as something comes",
-    "ERR-010": "as many methods are tried as --quick allows",
-    "PRED-006": "requests race",
-    "PRED-015": "as many bodies are generated as --quick allows",
-    "PRED-016": "as many bodies are generated as --quick allows",
-}
-TIME = re.compile(r"\b\d{4}-\d\d-\d\dT[\d:.]+(?:Z|[+-]\d\d:\d\d)")
-RUN = re.compile(r"run_[0-9a-f]{24}")
 BASE = re.compile(r"https?://127\.0\.0\.1:\d+")
-MEASURED = re.compile(r"_s$")
+SHOWN_BASE = "http://127.0.0.1:8460"  # every recording has a port of its own
 
 Plain = dict[str, Any]
 
 
-def record(rules: list[str] | None = None, *, quick: bool = False) -> Plain:
-    """Run the kit and give its worked exchanges: id → the exchanges of that rule.
-
-    Raises RuntimeError where the kit does not find the server conformant.
-    """
-    with tempfile.TemporaryDirectory(prefix="proctor-exchanges-") as directory:
-        command = [sys.executable, "-m", "conformance", "--start-cmd", SERVER]
-        command += ["--seed", str(SEED), "--exchanges", "--report", directory]
-        command += ["--only", ",".join(rules)] if rules else []
-        command += ["--quick", "-n", "1"] if quick else []
-        done = subprocess.run(
-            command, cwd=ROOT, capture_output=True, text=True, check=False
-        )
-        if done.returncode != 0:
-            raise RuntimeError(done.stdout[-3000:] + done.stderr[-1000:])
-        report = json.loads((Path(directory) / "report.json").read_text())
-    return worked_exchanges(report)
-
-
-def worked_exchanges(report: Mapping[str, Any]) -> Plain:
+def worked_exchanges(report: Mapping[str, Any]) -> dict[str, list[Plain]]:
     """The worked exchanges of a report, by rule; rules without any are left out."""
     rules = load_ledger()
     return {
@@ -150,11 +87,11 @@ def _operation(exchange: Plain) -> str:
 
 
 def _shown(exchange: Plain) -> Plain:
-    """An exchange as it is stored."""
+    """An exchange as a page shows it."""
     shown: Plain = {
         "operation": _operation(exchange),
         "method": exchange["method"],
-        "path": _fixed_text(BASE.sub("", exchange["url"])),
+        "path": BASE.sub("", exchange["url"]),
         "token": exchange["token_name"] or "",
         "request_headers": _headers(exchange["request_headers"]),
         "request_body": _body(exchange["request_headers"], exchange["request_body"]),
@@ -166,13 +103,11 @@ def _shown(exchange: Plain) -> Plain:
 
 
 def _headers(headers: Mapping[str, str]) -> dict[str, str]:
-    shown = {}
-    for name, value in sorted(headers.items()):
-        if name.lower() in HEADERS:
-            drawn = {"idempotency-key": "key-1", "etag": '"tag-1"'}
-            drawn["if-none-match"] = drawn["etag"]
-            shown[name] = drawn.get(name.lower(), _fixed_text(value))[:200]
-    return shown
+    return {
+        name: BASE.sub(SHOWN_BASE, value)[:200]
+        for name, value in sorted(headers.items())
+        if name.lower() in HEADERS
+    }
 
 
 def _body(headers: Mapping[str, str], latin: str) -> Any:
@@ -183,60 +118,26 @@ def _body(headers: Mapping[str, str], latin: str) -> Any:
     data = latin.encode("latin-1")
     try:
         if "msgpack" in kind:
-            return _fixed(msgspec.to_builtins(msgspec.msgpack.decode(data)))
-        return _fixed(json.loads(data))
+            return _shortened(msgspec.to_builtins(msgspec.msgpack.decode(data)))
+        return _shortened(json.loads(data))
     except (ValueError, TypeError, RecursionError, msgspec.MsgspecError):
         pass
     text = data.decode("utf-8", "replace")
     if not re.fullmatch(r"[\s!-~\u00a0-\u2fff]*", text):
         return f"({kind.partition(';')[0] or 'bytes'})"
-    return _cut(_fixed_text(text))
+    return _cut(text, BODY_LENGTH)
 
 
-def _cut(text: str) -> str:
-    return text if len(text) <= BODY_LENGTH else f"{text[:BODY_LENGTH]} …"
+def _cut(text: str, length: int) -> str:
+    text = BASE.sub(SHOWN_BASE, text)
+    return text if len(text) <= length else f"{text[:length]} …"
 
 
-def _fixed(value: Any, name: str = "") -> Any:
-    """The value without what the server draws or measures, and with short lists."""
+def _shortened(value: Any) -> Any:
+    """The value with short lists and texts."""
     if isinstance(value, dict):
-        return {str(key): _fixed(item, str(key)) for key, item in value.items()}
+        return {str(key): _shortened(item) for key, item in value.items()}
     if isinstance(value, list):
-        shown = [_fixed(item, name) for item in value[:LIST_LENGTH]]
-        return [*shown, "…"] if len(value) > LIST_LENGTH else shown
-    if isinstance(value, str):
-        fixed = DRAWN.get(name) or _fixed_text(value)
-        return fixed if len(fixed) <= 300 else f"{fixed[:300]} …"
-    if isinstance(value, float) and MEASURED.search(name) and value != round(value, 3):
-        return 0.001
-    return COUNTED.get(name, value)
-
-
-def _fixed_text(text: str) -> str:
-    text = SESSION.sub(r"\1session-1", text)
-    text = EVENT.sub(r"event-\1", UUID.sub("name-1", HEX.sub("0" * 32, text)))
-    text = RUN.sub("run_1", BASE.sub("http://127.0.0.1:8460", text))
-    return TIME.sub("2026-01-01T00:00:00.000Z", text)
-
-
-def differences(stored: Plain, recorded: Plain) -> Iterator[str]:
-    """The rules that both have and whose exchanges are not the same."""
-    for rule in sorted(stored.keys() & recorded.keys() - OF_CHANCE.keys()):
-        if stored[rule] != recorded[rule]:
-            yield rule
-
-
-def main() -> None:
-    """Record and write the file, or take a report that was written with --exchanges."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--report", type=Path, help="a report.json with exchanges")
-    arguments = parser.parse_args()
-    if arguments.report:
-        found = worked_exchanges(json.loads(arguments.report.read_text()))
-    else:
-        found = record()
-    STORED.write_text(json.dumps(found, indent=1, ensure_ascii=False) + "\n")
-
-
-if __name__ == "__main__":
-    main()
+        items = [_shortened(item) for item in value[:LIST_LENGTH]]
+        return [*items, "…"] if len(value) > LIST_LENGTH else items
+    return _cut(value, TEXT_LENGTH) if isinstance(value, str) else value

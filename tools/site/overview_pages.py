@@ -12,7 +12,8 @@ from conformance.specification.document import load_spec
 from conformance.specification.ledger import PROFILES
 from tools.diagrams import lifecycle_diagram, lifecycle_table
 from tools.site.markdown import picture, table
-from tools.site.rule_pages import exchange_text, exchanges, verdicts
+from tools.site.recorded import Recorded
+from tools.site.rule_pages import exchange_text
 from tools.traceability import ROOT, traces
 
 VECTORS = ROOT / "spec" / "vectors"
@@ -65,18 +66,18 @@ sequenceDiagram
 """
 
 
-def pages() -> dict[str, str]:
+def pages(recorded: Recorded) -> dict[str, str]:
     """Path → text."""
     return {
-        "index.md": start_page(),
+        "index.md": start_page(recorded),
         "how-it-works.md": how_it_works_page(),
         "scoring-examples.md": scoring_page(),
-        "calibration-examples.md": calibration_page(),
-        "implementations.md": implementations_page(),
+        "calibration-examples.md": calibration_page(recorded),
+        "implementations.md": implementations_page(recorded),
     }
 
 
-def start_page() -> str:
+def start_page(recorded: Recorded) -> str:
     """The entry, with the contents of the site."""
     spec = load_spec()
     summary = [
@@ -84,7 +85,7 @@ def start_page() -> str:
         ["operations", f"[{len(spec.operations)}](operations/index.md)"],
         ["codes of refusals", f"[{len(spec.problems)}](operations/problems.md)"],
         ["profiles", str(len(PROFILES))],
-        ["certified servers", f"[{len(verdicts())}](implementations.md)"],
+        ["judged servers", f"[{len(recorded.verdicts)}](implementations.md)"],
     ]
     return f"""# Proctor {spec.version}
 
@@ -221,7 +222,7 @@ def _number(value: Any) -> str:
     return json.dumps(value)
 
 
-def calibration_page() -> str:
+def calibration_page(recorded: Recorded) -> str:
     """Exchanges of the rules on the benchmark `calibration`."""
     lines = [
         (
@@ -230,16 +231,16 @@ def calibration_page() -> str:
             "server.\n"
         )
     ]
-    for id_, found in exchanges().items():
+    for id_, found in recorded.exchanges.items():
         if id_.startswith("CAL-") and id_ in traces():
             lines += [f"## {id_}\n", f"{traces()[id_].rule.text}\n"]
             lines += [exchange_text(found[0])]
     return "\n".join(lines)
 
 
-def implementations_page() -> str:
+def implementations_page(recorded: Recorded) -> str:
     """Who was judged, and with what result."""
-    judged = verdicts()
+    judged = recorded.verdicts
     lines = [
         (
             "# Implementations\n\nServers that the kit has judged by all of its rules. "

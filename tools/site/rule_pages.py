@@ -1,7 +1,7 @@
 """A page for each rule and one for each area, from the places that carry its id.
 
 Sentence and operations come from spec/, the reason and what breaks it from the mutants,
-the way it is checked from the kit, the exchange from a recording.
+the way it is checked from the kit, the exchange and the verdicts from its reports.
 """
 
 from __future__ import annotations
@@ -9,32 +9,31 @@ from __future__ import annotations
 import json
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from http import HTTPStatus
-from pathlib import Path
 from typing import Any
 
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import POLICY, load_areas
 from tests.mutants import load as load_mutants
-from tools.site.exchanges import STORED
 from tools.site.markdown import cell, link_to_rule, table
+from tools.site.recorded import Recorded
 from tools.traceability import NO_MUTANT, ROOT, Trace, listed_checks, traces
 
-VERDICTS = Path(__file__).with_name("implementations.json")
 CHANGELOG = ROOT / "spec" / "CHANGELOG.md"
 VERSION = re.compile(r"^## (\d[\d.]*),? *(.*)$", re.MULTILINE)
 SPAN = re.compile(r"([A-Z]{2,6})-(\d{3})(?: to \1-(\d{3}))?")
 ALL = "every operation"
 
 
-def pages() -> dict[str, str]:
+def pages(recorded: Recorded) -> dict[str, str]:
     """Path → text of all pages about rules."""
     rules = list(traces())
     written = {
         f"rules/{id_}.md": rule_page(
             traces()[id_],
+            recorded,
             before=rules[place - 1] if place else None,
             after=rules[place + 1] if place + 1 < len(rules) else None,
         )
@@ -77,7 +76,9 @@ def area_page(area: str, found: list[Trace]) -> str:
     return "\n".join(lines)
 
 
-def rule_page(trace: Trace, *, before: str | None, after: str | None) -> str:
+def rule_page(
+    trace: Trace, recorded: Recorded, *, before: str | None, after: str | None
+) -> str:
     """Everything that is known of one rule."""
     rule = trace.rule
     around = [f"[{load_areas()[rule.area]}]({rule.area}.md#{rule.id.lower()})"]
@@ -86,11 +87,11 @@ def rule_page(trace: Trace, *, before: str | None, after: str | None) -> str:
     sections = {
         "Why": _why(trace),
         "Operations": _operations(rule.id),
-        "A worked exchange": _exchange(rule.id),
+        "A worked exchange": _exchange(recorded.exchanges.get(rule.id, [])),
         "How it is checked": _checked(trace),
         "What breaks it": _broken(trace),
         "Where the reference server decides it": _decided(trace),
-        "Implementations": _implementations(rule.id),
+        "Implementations": _implementations(rule.id, recorded),
     }
     text = "\n".join(f"## {title}\n\n{body}\n" for title, body in sections.items())
     about = f"**{rule.level}** · {profile_of(rule.profile)} · since {since(rule.id)}"
@@ -184,21 +185,13 @@ def _operations(id_: str) -> str:
     return ", ".join(f"[`{name}`](/operations/{name}.md)" for name in names) + "\n"
 
 
-@cache
-def exchanges() -> dict[str, list[dict[str, Any]]]:
-    """The recorded exchanges, by rule."""
-    found: dict[str, list[dict[str, Any]]] = json.loads(STORED.read_text())
-    return found
-
-
-def _exchange(id_: str) -> str:
-    shown = exchanges().get(id_)
-    if not shown:
+def _exchange(exchanges: Sequence[Mapping[str, Any]]) -> str:
+    if not exchanges:
         return "None is recorded for this rule.\n"
-    first, *others = [exchange_text(one) for one in shown]
+    first, *others = [exchange_text(one) for one in exchanges]
     note = (
-        "Recorded from the reference server while the kit checked the rule; ids, times "
-        "and durations are replaced.\n"
+        "Recorded from the reference server while the kit checked the rule; long "
+        "bodies and lists are cut.\n"
     )
     counterpart = ["The same operation where it is accepted:\n", *others]
     return "\n".join([note, first, *(counterpart if others else [])])
@@ -301,17 +294,10 @@ def _decided(trace: Trace) -> str:
     return "\n".join(f"- `{p.file}`: `{p.name}`" for p in trace.deciding) + "\n"
 
 
-@cache
-def verdicts() -> dict[str, dict[str, Any]]:
-    """Server → its whole judgement, as tools/site/implementations.py stored it."""
-    found: dict[str, dict[str, Any]] = json.loads(VERDICTS.read_text())
-    return found
-
-
-def _implementations(id_: str) -> str:
+def _implementations(id_: str, recorded: Recorded) -> str:
     rows = [
         [name, one["rules"][id_].replace("_", " ")]
-        for name, one in verdicts().items()
+        for name, one in recorded.verdicts.items()
         if id_ in one["rules"]
     ]
     if not rows:

@@ -22,7 +22,6 @@ from tests.support.paths import ROOT
 from tests.support.repository.imports import nodes_of
 
 GENERATED = (
-    "docs/*/kill-matrix.md",
     "generated_clients/*",
     "reference_client/generated/*",
     "reference_record/pages/static/vendor/*",  # of third parties

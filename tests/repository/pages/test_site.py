@@ -1,8 +1,7 @@
-"""The site: its exchanges are what the server answers, its links lead somewhere."""
+"""The site: it shows what the kit recorded, and its links lead somewhere."""
 
 from __future__ import annotations
 
-import json
 import re
 import subprocess
 from html import unescape
@@ -15,14 +14,19 @@ import pytest
 from conformance.specification.ledger import load_ledger
 from tools import npm_package
 from tools.site import __main__ as site
-from tools.site import exchanges
+from tools.site import recorded as recorded_reports
+from tools.site.exchanges import worked_exchanges
 from tools.site.markdown import convert
-from tools.site.rule_pages import since, verdicts
+from tools.site.recorded import Recorded, judge, summarize
+from tools.site.rule_pages import since
 
 FILES = {"guide/a.md", "spec/b.md"}
 RULES = {"PRED-002"}
-# Areas whose checks are quick and whose exchanges show most operations.
-RECORDED_AGAIN = ["ATT", "DET", "RUN-00", "STOP"]
+# A few whose checks are quick.
+RECORDED_RULES = [
+    *("ATT-001", "ATT-002", "BEN-001", "CAL-002", "DET-001"),
+    *("PRED-002", "PRED-003", "RUN-001", "STOP-001", "SVC-001"),
+]
 HREF = re.compile(r'(?:href|src)="([^"]+)"')
 ANCHOR = re.compile(r'\bid="([^"]+)"')
 
@@ -48,42 +52,54 @@ def test_pages_are_converted(text: str, wanted: str) -> None:
     assert convert(text, "guide/a.md", FILES, RULES) == wanted
 
 
-def test_stored_exchanges_are_of_rules() -> None:
-    stored = json.loads(exchanges.STORED.read_text())
-    assert stored.keys() <= load_ledger().keys()
-    assert len(stored) > 300
+@pytest.fixture(scope="module")
+def report() -> dict[str, Any]:
+    """What the kit says of a few rules of the reference server."""
+    return judge(RECORDED_RULES, quick=True)
 
 
-def test_a_refusal_is_shown_beside_its_counterpart() -> None:
-    refused, accepted = json.loads(exchanges.STORED.read_text())["PRED-003"]
+@pytest.fixture(scope="module")
+def recorded(report: dict[str, Any]) -> Recorded:
+    whole = report | {"only": [], "quick": False}
+    return Recorded(worked_exchanges(report), {"A server": summarize("a", whole)})
+
+
+@pytest.mark.slow("runs the kit on the reference server")
+def test_rules_have_worked_exchanges(recorded: Recorded) -> None:
+    assert recorded.exchanges.keys() == set(RECORDED_RULES)
+
+
+@pytest.mark.slow("runs the kit on the reference server")
+def test_a_refusal_is_shown_beside_its_counterpart(recorded: Recorded) -> None:
+    refused, accepted = recorded.exchanges["PRED-003"]
     assert refused["answer_body"]["code"] == "seq_conflict"
     assert accepted["status"] == 200
     assert refused["operation"] == accepted["operation"] == "predict"
 
 
-def test_differences_are_found() -> None:
-    stored: dict[str, Any] = {"PRED-003": [1], "ATT-007": [1], "RUN-001": [1]}
-    recorded = {"PRED-003": [2], "ATT-007": [2], "RUN-001": [1]}
-    assert list(exchanges.differences(stored, recorded)) == ["PRED-003"]
+@pytest.mark.slow("runs the kit on the reference server")
+def test_only_whole_runs_are_verdicts_on_a_server(report: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match="a whole run"):
+        summarize("a", report)
 
 
-def test_verdicts_are_of_whole_runs_of_several_servers() -> None:
-    assert len(verdicts()) >= 3
-    for one in verdicts().values():
-        assert one["conclusion"] == "conformant"
-        assert one["rules"].keys() <= load_ledger().keys()
+def test_a_report_is_kept_until_the_code_changes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    digests = iter("aab")
+    judged: list[dict[str, Any]] = []
+    monkeypatch.setattr(recorded_reports, "REPORT", tmp_path / "build" / "report.json")
+    monkeypatch.setattr(recorded_reports, "_digest", lambda: next(digests))
+    monkeypatch.setattr(
+        recorded_reports, "judge", lambda: judged.append("") or {"n": 1}
+    )
+    reports = [recorded_reports._reference_report() for _ in range(3)]
+    assert reports == [{"n": 1}] * 3
+    assert len(judged) == 2
 
 
 def test_a_rule_has_the_version_that_names_it() -> None:
     assert since("PRED-001").startswith("1.0.0")
-
-
-@pytest.mark.slow("runs the kit on the reference server")
-def test_exchanges_are_what_the_server_answers() -> None:
-    stored = json.loads(exchanges.STORED.read_text())
-    recorded = exchanges.record(RECORDED_AGAIN, quick=True)
-    assert len(recorded) > 30
-    assert list(exchanges.differences(stored, recorded)) == []
 
 
 def dead_links(html: Path) -> list[str]:
@@ -104,10 +120,16 @@ def dead_links(html: Path) -> list[str]:
 
 
 @pytest.mark.slow("builds the whole site")
-def test_site_has_no_dead_link_and_needs_no_network(tmp_path: Path) -> None:
-    html = site.build(tmp_path)
+def test_site_has_no_dead_link_and_needs_no_network(
+    tmp_path: Path, recorded: Recorded
+) -> None:
+    measured = tmp_path / "measured"
+    measured.mkdir()
+    (measured / "attack.md").write_text("# Attack\n\n[rules](../spec/scoring.md)\n")
+    html = site.build(tmp_path, recorded, measured)
     pages = {path.relative_to(html).as_posix() for path in html.rglob("*.html")}
     assert {f"rules/{id_}.html" for id_ in load_ledger()} <= pages
+    assert "build/attack.html" in pages
     assert dead_links(html) == []
     loaded = re.compile(r'(?:src|<link[^>]+href)="(?:https?:)?//')
     assert {p for p in pages if loaded.search((html / p).read_text())} == set()
