@@ -88,14 +88,16 @@ def test_a_report_is_kept_until_the_code_changes(
 ) -> None:
     digests = iter("aab")
     judged: list[dict[str, Any]] = []
+
+    def judge_again() -> dict[str, Any]:
+        judged.append({"number": len(judged)})
+        return judged[-1]
+
     monkeypatch.setattr(recorded_reports, "REPORT", tmp_path / "build" / "report.json")
     monkeypatch.setattr(recorded_reports, "_digest", lambda: next(digests))
-    monkeypatch.setattr(
-        recorded_reports, "judge", lambda: judged.append("") or {"n": 1}
-    )
+    monkeypatch.setattr(recorded_reports, "judge", judge_again)
     reports = [recorded_reports._reference_report() for _ in range(3)]
-    assert reports == [{"n": 1}] * 3
-    assert len(judged) == 2
+    assert reports == [{"number": 0}, {"number": 0}, {"number": 1}]
 
 
 def test_a_rule_has_the_version_that_names_it() -> None:
