@@ -1,12 +1,12 @@
 """Every rule of the specification, from its sentence to the code that decides it.
 
-`make docs` writes docs/contribute/traceability.md: one row for each rule, with the file
-that states it in spec/, the functions of the server and the simulators that cite its
-id, the check that judges it and the mutants that break it. `gaps()` lists what is
-missing in either direction; a test fails while there is one.
+`make docs` writes build/traceability.md: one row for each rule, with the file that
+states it in spec/, the functions of the server and the simulators that cite its id, the
+check that judges it and the mutants that break it. `gaps()` lists what is missing in
+either direction; a test fails while there is one.
 
-`python -m tools.traceability PRED-002` prints the places of one rule with their lines,
-which the page leaves out because they change with every commit; `--gaps` prints gaps.
+`python -m tools.traceability PRED-002` prints the places of one rule with their lines;
+`--gaps` prints gaps.
 
 Python files are read as text and never imported, except the lifecycle table and the
 mutants, which are data. The kit lists its checks itself, in a process of its own.
@@ -31,9 +31,9 @@ from conformance.specification.document import load_spec
 from conformance.specification.ledger import POLICY, Requirement, load_ledger
 from reference_server.rules.lifecycle import TRANSITIONS
 from tests.mutants import load as load_mutants
+from tools.built_pages import write_page
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE = ROOT / "docs" / "contribute" / "traceability.md"
 TABLE = "reference_server/rules/lifecycle.py"
 DECIDING = ("reference_record", "reference_server", "reference_sim")
 CITING = (*DECIDING, "reference_client", "conformance", "tests", "tools", "docs")
@@ -94,6 +94,13 @@ class Trace:
     headers: list[Place] = field(default_factory=list)
     check: Place | None = None
     mutants: list[str] = field(default_factory=list)
+
+    @property
+    def no_mutant(self) -> str | None:
+        """Why no mutant breaks it, if that is known."""
+        if self.rule.profile == POLICY:
+            return "obeyed by policy servers; mutants are of the evaluation server"
+        return NO_MUTANT.get(self.rule.id)
 
     @property
     def no_line(self) -> str | None:
@@ -256,7 +263,7 @@ def _gaps_of(trace: Trace) -> Iterator[str]:
         yield f"{rule.id}: cited by {trace.deciding[0]}, and excused as not decided"
     if trace.check is None and rule.is_observable:
         yield f"{rule.id}: no check judges it"
-    excused = rule.id in NO_MUTANT or rule.profile == POLICY or not rule.is_observable
+    excused = trace.no_mutant is not None or not rule.is_observable
     if not trace.mutants and not excused:
         yield f"{rule.id}: no mutant breaks it"
     if trace.mutants and rule.id in NO_MUTANT:
@@ -268,8 +275,7 @@ def _texts() -> Iterator[tuple[str, str]]:
     paths = [ROOT / "README.md", *python_files(*CITING)]
     paths += sorted((ROOT / "docs").rglob("*.md"))
     for path in paths:
-        if path != PAGE:
-            yield path.relative_to(ROOT).as_posix(), path.read_text()
+        yield path.relative_to(ROOT).as_posix(), path.read_text()
 
 
 def _unknown_ids() -> Iterator[str]:
@@ -291,7 +297,7 @@ def _ranges() -> Iterator[str]:
 HEADER = """\
 # Traceability
 
-Written by `make docs`; a test fails when this page is out of date or a row has a gap.
+Written by `make docs`. A test fails when a row has a gap.
 
 Each rule is *stated* in `spec/`, *decided* in `reference_server/` or `reference_sim/`,
 *judged* by one check of the kit, and *broken on purpose* by mutants. `git grep ID`
@@ -320,11 +326,11 @@ def page() -> str:
 def _row(trace: Trace) -> str:
     rule = trace.rule
     name = trace.spec_file.removeprefix("spec/")
-    link = f"[{name}](../../{trace.spec_file})"
+    link = f"[{name}](../{trace.spec_file})"
     decided = [_linked(place) for place in trace.deciding] or [_why(trace.no_line)]
     judged = _linked(trace.check) if trace.check else _why(rule.why)
     broken = [f"`{name}`" for name in sorted(trace.mutants)]
-    broken = broken or [_why(NO_MUTANT.get(rule.id)) if rule.is_observable else "–"]
+    broken = broken or [_why(trace.no_mutant) if rule.is_observable else "–"]
     text = _shorten(rule.text).replace("|", "\\|")
     return (
         f"| {rule.id} | {text} | {link} | {'<br>'.join(decided)} | {judged} "
@@ -338,7 +344,7 @@ def _why(reason: str | None) -> str:
 
 def _linked(place: Place) -> str:
     short = place.file.removeprefix("reference_").removeprefix("conformance/checks/")
-    return f"[{short}](../../{place.file}) `{place.name}`"
+    return f"[{short}](../{place.file}) `{place.name}`"
 
 
 def _shorten(text: str) -> str:
@@ -382,7 +388,7 @@ def main() -> int:
         print("\n".join(found))
         print(f"{len(found)} gaps in {len(traces())} rules", file=sys.stderr)
         return 1 if found else 0
-    PAGE.write_text(page())
+    write_page("traceability.md", page())
     return 0
 
 

@@ -19,7 +19,7 @@ from conformance.specification.ledger import POLICY, load_areas
 from tests.mutants import load as load_mutants
 from tools.site.markdown import cell, link_to_rule, table
 from tools.site.recorded import Recorded
-from tools.traceability import NO_MUTANT, ROOT, Trace, listed_checks, traces
+from tools.traceability import ROOT, Trace, listed_checks, traces
 
 CHANGELOG = ROOT / "spec" / "CHANGELOG.md"
 VERSION = re.compile(r"^## (\d[\d.]*),? *(.*)$", re.MULTILINE)
@@ -126,7 +126,7 @@ def _why(trace: Trace) -> str:
     said = sentences_about(trace.rule.id)
     lines = ["Where a server breaks it:\n", *(f"- {one}" for one in impacts)]
     if not impacts:
-        reason = NO_MUTANT.get(trace.rule.id) or trace.rule.why
+        reason = trace.no_mutant or trace.rule.why
         lines = [f"No broken server shows it: {reason}." if reason else "–"]
     if said:
         lines += ["", "The specification explains:", ""]
