@@ -35,7 +35,7 @@ from tests.mutants.selection import Rows
 from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).parents[2]
-PAGE = ROOT / "docs" / "contribute" / "kill-matrix.md"
+PAGE = ROOT / "build" / "kill-matrix.md"
 # Long enough for every wait in the kit to time out one after another.
 KIT_TIMEOUT_S = 600
 # Profiles that are off unless asked for, and those with code of their own.
@@ -240,6 +240,7 @@ def main() -> int:
             kills.append(kill)
             print(kill, flush=True)
     if options.write:
+        PAGE.parent.mkdir(exist_ok=True)
         PAGE.write_text(matrix(kills, "commit {} of {}".format(*read_commit())))
     exact = sum(kill.is_exact for kill in kills)
     what = "mutants with a seed" if options.seeds else "mutants"

@@ -10,7 +10,7 @@ import pytest
 
 from tests.mutants import Mutant, load
 from tests.mutants.fork_servers import Commands, fork_servers
-from tests.mutants.kill import PAGE, run_mutant
+from tests.mutants.kill import run_mutant
 from tests.mutants.seeded_rows import seeded_rows
 from tests.mutants.selection import Rows, select
 
@@ -66,16 +66,6 @@ def test_mutant_is_killed_by_exactly_what_it_breaks(
     """The kit against one mutant. Expect its ids and no others judged to fail."""
     kill = run_mutant(MUTANTS[name], rows, commands)
     assert kill.is_exact, str(kill)
-
-
-def test_matrix_shows_every_mutant() -> None:
-    """The page is rewritten by `make kill-matrix` when a mutant changes."""
-    rows = {
-        line.split("|")[1].strip(" `"): set(line.split("|")[3].split())
-        for line in PAGE.read_text().splitlines()
-        if line.startswith("| `")
-    }
-    assert rows == {name: set(mutant.kills) for name, mutant in MUTANTS.items()}
 
 
 def test_rows_that_draw_from_the_seed_are_found() -> None:
