@@ -78,24 +78,15 @@ def test_a_halted_process_goes_on_until_its_end(
     assert len(set(halts)) == 2
 
 
-def test_page_keeps_the_runs_of_earlier_commits() -> None:
+def test_page_shows_runs_and_alarms() -> None:
     alarms = {"RUN-001": "failed: why"}
-    results = [
-        run_of("older", ["--quick"], alarms),
-        run_of("this", []),
-        run_of("this", []),
-    ]
-    now, before = page(results, "this", "2026-11-28").split(
-        "Before it, of commit older"
-    )
-    assert "| one | whole | quiet | 2 | 0 | – | 3 s |" in now
-    assert "RUN-001" not in now
-    assert "| one | --quick | quiet | 1 | 1 | RUN-001 | 3 s |" in before
-    assert before.endswith(", seed 1, quiet:\n  - RUN-001: failed: why\n")
+    results = [run_of(["--quick"], alarms), run_of([]), run_of([])]
+    text = page(results, "this", "2026-11-28")
+    assert "| one | whole | quiet | 2 | 0 | – | 3 s |" in text
+    assert "| one | --quick | quiet | 1 | 1 | RUN-001 | 3 s |" in text
+    assert text.endswith(", seed 1, quiet:\n  - RUN-001: failed: why\n")
 
 
-def run_of(
-    commit: str, options: list[str], alarms: dict[str, str] | None = None
-) -> dict[str, Any]:
-    found = {"server": "one", "seed": 1, "load": "quiet", "elapsed_s": 3.0}
-    return found | {"commit": commit, "options": options, "alarms": alarms or {}}
+def run_of(options: list[str], alarms: dict[str, str] | None = None) -> dict[str, Any]:
+    line = {"server": "one", "seed": 1, "load": "quiet", "elapsed_s": 3.0}
+    return line | {"options": options, "alarms": alarms or {}}

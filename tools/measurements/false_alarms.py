@@ -7,12 +7,11 @@ machine does that waits for its disk: what counts on time by the clock shows its
 Options of the kit, behind `--`, are measured for themselves: `-- --quick`. Whatever is
 violated, inconclusive, a kit error, or unverified without need is a false alarm.
 
-Prints a line for each run and adds it to docs/contribute/false-alarms.jsonl. What is
-there is not run again until the kit, the text or a server changes, so that an
-interrupted measurement goes on, on another machine, too. What the kit and the server
-wrote in a run with a false alarm is kept in var/false-alarms. With --write, the figures
-go to docs/contribute/false-alarms.md. Exit code 1 after a false alarm. Knows no rule
-and no server but by its command.
+Prints a line for each run and adds it to var/false-alarms/runs.jsonl. What is there is
+not run again until the kit, the text or a server changes, so that an interrupted
+measurement goes on. What the kit and the server wrote in a run with a false alarm is
+kept beside it. The figures go to build/false-alarms.md. Exit code 1 after a false
+alarm. Knows no rule and no server but by its command.
 """
 
 from __future__ import annotations
@@ -35,13 +34,13 @@ from typing import Any
 
 import psutil
 
+from tools.built_pages import write_page
 from tools.example_servers import GO, START_SERVER_JS, build_server_go
 from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs" / "contribute" / "false-alarms.md"
-RESULTS = PAGE.with_suffix(".jsonl")
 ALARMED = ROOT / "var" / "false-alarms"  # reports of the runs with an alarm
+RESULTS = ALARMED / "runs.jsonl"
 # What a run depends on: the results are those of the last commit that changed it.
 JUDGED = (
     *("spec", "conformance", "reference_server", "reference_sim", "reference_record"),
@@ -166,7 +165,7 @@ def alarms_of(found: dict[str, Any]) -> dict[str, str]:
 
 
 def read_results() -> list[dict[str, Any]]:
-    """Read what was measured: of this commit, and of those before it."""
+    """Read what was measured on this machine: of this commit, and of earlier ones."""
     if not RESULTS.exists():
         return []
     return list(map(json.loads, RESULTS.read_text().splitlines()))
@@ -180,21 +179,6 @@ def results_of(results: list[dict[str, Any]], commit: str) -> list[dict[str, Any
 def kit_of(line: dict[str, Any]) -> str:
     """Name the kit of a run by its options."""
     return " ".join(line["options"]) or WHOLE
-
-
-def sort_results() -> None:
-    """Write one line for each run, in the order of commits, options and seeds."""
-    results = read_results()
-    commits = commits_of(results)
-    results.sort(
-        key=lambda line: (commits.index(line["commit"]), line["options"], line["seed"])
-    )
-    RESULTS.write_text("".join(json.dumps(line) + "\n" for line in results))
-
-
-def commits_of(results: list[dict[str, Any]]) -> list[str]:
-    """Give the commits that were measured, the oldest first."""
-    return list(dict.fromkeys(line["commit"] for line in results))
 
 
 def measure(
@@ -220,12 +204,12 @@ def measure(
             result = run_kit(commands[server], seed, under, options)
             line = {"server": server, "seed": seed, "load": under}
             line |= {"commit": commit, "options": options, **result}
+            RESULTS.parent.mkdir(parents=True, exist_ok=True)
             with RESULTS.open("a") as file:
                 file.write(json.dumps(line) + "\n")
             show(line)
 
         list(executor.map(run, missing))
-    sort_results()
 
 
 def planned_runs(
@@ -271,21 +255,20 @@ def summarize(results: list[dict[str, Any]]) -> list[str]:
 
 
 def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
-    """Write the page about a commit and those before it."""
-    earlier = [one for one in commits_of(results) if one != commit]
+    """Write the page about the runs of a commit."""
     lines = [
         "# False alarms",
         "",
         "How often the kit called a right server wrong, or could not decide.",
-        "Written by `make false-alarms ARGS=--write`; kit and servers as they are",
-        f"since commit {commit} of {date}, on {os.cpu_count()} processors, another",
-        "seed in each run. `whole`: the kit without options; otherwise those that it",
-        "had. `quiet`: beside whatever the machine ran; `busy`: beside one process",
-        "more per processor that computes without end; `halted`: kit and servers",
-        f"stopped together, every {_BETWEEN_HALTS_S:g} s or so, for up to",
-        f"{_LONGEST_HALT_S:g} s. All runs: [{RESULTS.name}]({RESULTS.name}).",
+        "Written by `make false-alarms`; kit and servers as they are since commit",
+        f"{commit} of {date}, on {os.cpu_count()} processors, another seed in each",
+        "run. `whole`: the kit without options; otherwise those that it had. `quiet`:",
+        "beside whatever the machine ran; `busy`: beside one process more per",
+        "processor that computes without end; `halted`: kit and servers stopped",
+        f"together, every {_BETWEEN_HALTS_S:g} s or so, for up to",
+        f"{_LONGEST_HALT_S:g} s.",
         "",
-        *summarize(results_of(results, commit)),
+        *summarize(results),
         "",
         "What is too late on a busy machine is tried three times, each time with the",
         "tolerance of the network as it is then; it is *inconclusive* when it is late",
@@ -293,13 +276,9 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
         "nothing was answered. A connection that fails on this side of it begins the",
         "check again and is a *kit error* in the end, never a violation.",
         "",
+        *alarm_lines(results),
     ]
-    lines += alarm_lines(results_of(results, commit))
-    for before in reversed(earlier):
-        of_it = results_of(results, before)
-        lines += [f"Before it, of commit {before}:", "", *summarize(of_it), ""]
-        lines += alarm_lines(of_it)
-    return "\n".join(lines)
+    return "\n".join(lines) + "\n"
 
 
 def alarm_lines(results: list[dict[str, Any]]) -> list[str]:
@@ -310,7 +289,7 @@ def alarm_lines(results: list[dict[str, Any]]) -> list[str]:
         name = f"{one['server']}, {kit_of(one)}, seed {one['seed']}, {one['load']}"
         lines.append(f"- {name}:")
         lines += [f"  - {id_}: {text}" for id_, text in one["alarms"].items()]
-    return lines + [""] * bool(alarmed)
+    return lines
 
 
 def main() -> int:
@@ -319,17 +298,14 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=12)
     parser.add_argument("--load", choices=[QUIET, BUSY, HALTED], help="of all runs")
     parser.add_argument("-j", type=int, default=1, help="runs at once")
-    parser.add_argument("--write", action="store_true", help="rewrite the page")
     parser.add_argument("kit", nargs="*", help="further options of the kit")
     options = parser.parse_args()
     commit, date = read_commit(*JUDGED)
     measure(options.runs, options.j, options.load, options.kit, commit)
-    results = read_results()
-    now = results_of(results, commit)
-    print("\n".join(summarize(now)))
-    if options.write:
-        PAGE.write_text(page(results, commit, date))
-    return int(any(one["alarms"] for one in now))
+    results = results_of(read_results(), commit)
+    print("\n".join(summarize(results)))
+    write_page("false-alarms.md", page(results, commit, date))
+    return int(any(one["alarms"] for one in results))
 
 
 if __name__ == "__main__":
