@@ -3,5 +3,5 @@
 tests/mutants/ breaks one rule at a time, on purpose. Here a program changes one place
 of a server in another language, whatever it means, and the kit judges the result as a
 black box. What the kit does not notice is read by a person, who writes the reason into
-triage.toml. `make mutation` runs it; docs/contribute/mutation.md shows the result.
+triage.toml. `make mutation` runs it and writes build/mutation.md.
 """

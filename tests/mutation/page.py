@@ -1,4 +1,4 @@
-"""`python -m tests.mutation.page`: write docs/contribute/mutation.md from the results.
+"""`python -m tests.mutation.page`: write build/mutation.md from the results.
 
 Counts for each server and operator, and each survivor with its reason. Reads the
 results of campaigns and the triage; judges nothing.
@@ -13,10 +13,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from tests.mutation.campaign import Record, read_results, results_of
 from tests.mutation.operators import OPERATORS
 from tests.mutation.syntax import MutantSource
-from tests.mutation.targets import ROOT, TARGETS, Target
+from tests.mutation.targets import TARGETS, Target
 from tests.mutation.triage import Reason, read_triage
+from tools.built_pages import write_page
 
-PAGE = ROOT / "docs" / "contribute" / "mutation.md"
 GOAL = 0.97
 HEAD = """# Mutation testing
 
@@ -46,7 +46,7 @@ server that does not start and rules without a verdict, and each has one languag
 """
 
 
-def write_page(sections: Sequence[str]) -> str:
+def whole_page(sections: Sequence[str]) -> str:
     """The whole page."""
     return "\n".join([HEAD, *sections]).rstrip() + "\n"
 
@@ -178,7 +178,7 @@ def main() -> int:
         judged = [records[one.id] for one in made if one.id in records]
         reached = score(judged, reasons)
         is_done &= reached is None or reached >= GOAL
-    PAGE.write_text(write_page([one for one in sections if one]))
+    write_page("mutation.md", whole_page([one for one in sections if one]))
     return 0 if is_done else 1
 
 

@@ -1,4 +1,4 @@
-"""`python -m tests.mutation.written.unseen_bugs_page`: write its page.
+"""`python -m tests.mutation.written.unseen_bugs_page`: write build/unseen-bugs.md.
 
 What the kit noticed of bugs that people wrote when it had not seen them, and what it
 notices today. Judges nothing.
@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from tests.mutation.campaign import Record
 from tests.mutation.page import as_cell
-from tests.mutation.targets import ROOT, TARGETS, Target
+from tests.mutation.targets import TARGETS, Target
 from tests.mutation.triage import Reason, read_triage
 from tests.mutation.written.written_bugs import (
     WrittenBug,
@@ -19,17 +19,17 @@ from tests.mutation.written.written_bugs import (
     read_bugs,
     results_of_written,
 )
+from tools.built_pages import write_page
 
-PAGE = ROOT / "docs" / "contribute" / "unseen-bugs.md"
 NOTICED = ("killed", "unusable")
 HEAD = """# Bugs that the kit had not seen
 
 Bugs that were written without a look at the kit, each against a rule of the text and
-seen by a client, put into a server one at a time. `first` is what the kit said when it
-had not seen the bug: that is how much it notices of what others get wrong. `now` is
-what it said the last time, after checks were extended.
+seen by a client, put into a server one at a time. `first` is the first verdict that
+this machine has: where no check was changed for the bugs, it shows how much the kit
+notices of what others get wrong. `now` is the last one.
 
-They are in `tests/mutation/written/`, and so is what the kit said. To judge them again:
+The bugs are in `tests/mutation/written/`. To judge them again:
 
     make mutation WRITTEN=1 SERVER=js ARGS='--again killed,survived,undecided,unusable'
 
@@ -37,11 +37,6 @@ The kit names the first rule that it finds violated; it may be another one than 
 was written against. `not noticed`: the kit called the server conformant. `undecided`:
 it found no rule violated, and could not judge some.
 """
-
-
-def write_written_page(sections: Sequence[str]) -> str:
-    """The whole page."""
-    return "\n".join([HEAD, *sections]).rstrip() + "\n"
 
 
 def section_of_written(
@@ -52,6 +47,8 @@ def section_of_written(
 ) -> str:
     """What the kit said of the bugs of one server."""
     judged = [bug for bug in bugs if bug.mutant.id in results]
+    if not judged:
+        return ""
     first = [results[bug.mutant.id][0] for bug in judged]
     last = [results[bug.mutant.id][-1] for bug in judged]
     free = [bug for bug in judged if _is_free(bug, reasons)]
@@ -114,7 +111,7 @@ def main() -> int:
             )
             for bug in bugs
         )
-    PAGE.write_text(write_written_page(sections))
+    write_page("unseen-bugs.md", "\n".join([HEAD, *sections]).rstrip() + "\n")
     return 0 if is_done else 1
 
 

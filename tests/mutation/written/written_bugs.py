@@ -1,8 +1,9 @@
 """Bugs that people wrote without a look at the kit, and what the kit says of each.
 
 There is a file of bugs for each server: each is one replacement in one file, and
-breaks rules that it names. Beside it stands what the kit said, one line of JSON for
-each time: the first line of a bug is of a kit that had not seen it.
+breaks rules that it names. What the kit says of them is in var/mutation/, one line of
+JSON for each time: judge new bugs before a check is changed for them, so that the first
+line of a bug is of a kit that had not seen it.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.mutation.campaign import Record
+from tests.mutation.campaign import RESULTS, Record
 from tests.mutation.syntax import Edit, MutantSource
 from tests.mutation.targets import ROOT, Target
 
@@ -30,7 +31,7 @@ class WrittenBug:
 
 def results_of_written(target: Target) -> Path:
     """The file of what the kit said of a server's bugs."""
-    return FOLDER / f"{target.name}.jsonl"
+    return RESULTS / f"written-{target.name}.jsonl"
 
 
 def read_bugs(target: Target, folder: Path = FOLDER) -> list[WrittenBug]:
@@ -60,6 +61,8 @@ def read_bugs(target: Target, folder: Path = FOLDER) -> list[WrittenBug]:
 def read_all_results(path: Path) -> dict[str, list[Record]]:
     """The records of each bug, the first one first."""
     records: dict[str, list[Record]] = {}
+    if not path.exists():
+        return records
     for line in path.read_text().splitlines():
         record = Record(**json.loads(line))
         records.setdefault(record.id, []).append(record)
