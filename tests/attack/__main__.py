@@ -1,7 +1,7 @@
 """`python -m tests.attack`: attack the reference server, and judge it.
 
 Prints a line for each attack and a verdict for each promise; exit code 1 when one is
-broken. With --write, both go to docs/reliability.md.
+broken. Both go to build/attack.md.
 """
 
 from __future__ import annotations
@@ -26,7 +26,6 @@ def main() -> int:
     parser.add_argument(
         "--part", type=float, default=1.0, help="of the size of the form, 0 to 1"
     )
-    parser.add_argument("--write", action="store_true", help="rewrite its page")
     options = parser.parse_args()
     names = [n.strip() for n in options.only.split(",") if n.strip()] or list(ATTACKS)
     if unknown := set(names) - set(ATTACKS):
@@ -41,12 +40,11 @@ def main() -> int:
         print(reliability_page.console_line(result), flush=True)
     print(*reliability_page.promise_lines(results), sep="\n")
     print(f"{time.monotonic() - began_at:.0f} s, seed {options.seed}")
-    if options.write:
-        results.sort(key=lambda result: names.index(result.attack.name))
-        form = f"the {'long' if options.long else 'short'} form"
-        if options.part != 1:
-            form = f"a part of {options.part:g} of {form}"
-        reliability_page.write(results, form=form, seed=options.seed, load=load)
+    results.sort(key=lambda result: names.index(result.attack.name))
+    form = f"the {'long' if options.long else 'short'} form"
+    if options.part != 1:
+        form = f"a part of {options.part:g} of {form}"
+    reliability_page.write(results, form=form, seed=options.seed, load=load)
     return int(any(result.broken for result in results))
 
 

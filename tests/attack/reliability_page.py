@@ -1,4 +1,4 @@
-"""Shows results: lines for the console, tables for docs/reliability.md."""
+"""Shows results: lines for the console, tables for build/attack.md."""
 
 from __future__ import annotations
 
@@ -9,12 +9,9 @@ from datetime import UTC, datetime
 
 from tests.attack.server_usage import MB
 from tests.attack.verdicts import PROMISES, Latency, Promise, Result
-from tests.support.paths import DOCS
+from tools.built_pages import write_page
 from tools.measurements.git_commit import read_commit
 
-PAGE = DOCS / "reliability.md"
-# Written by hand: what was run in the long form. Writing the page leaves it.
-LONG_RUNS = "\n## Long runs\n"
 COLUMNS = (
     "attack", "what is sent", "bound", "sent", "`GET /v1`, ms", "turn, ms", "start, s",
     "memory, MB", "descriptors", "threads", "verdict",
@@ -90,15 +87,18 @@ def _mb(size: int) -> str:
 
 
 def write(results: Sequence[Result], *, form: str, seed: int, load: float) -> None:
-    """form: what was run. load: average of running processes when it began."""
+    """Write the page.
+
+    form: what was run. load: average of running processes when it began.
+    """
     commit, _ = read_commit()
     date = datetime.now(UTC).date().isoformat()
     head = (
-        "# Reliability\n\n"
+        "# A server under attack\n\n"
         "What the reference server keeps while it is attacked. `make attack` runs the\n"
         "attacks on this machine alone and judges the server; `LONG=1` is the long\n"
         "form, `ONLY=` chooses attacks, `SEED=` repeats random choices.\n\n"
-        f"Written by `make attack ARGS=--write`: {form} on commit {commit}\n"
+        f"Written by `make attack`: {form} on commit {commit}\n"
         f"of {date}, seed {seed}, {os.cpu_count()} processors; load before "
         f"it {load:.1f}.\n\n"
     )
@@ -107,9 +107,6 @@ def write(results: Sequence[Result], *, form: str, seed: int, load: float) -> No
         for name, promise in PROMISES.items()
         for verdict, worst in [_judge_promise(name, promise, results)]
     ]
-    rows.append(
-        "| No row of `make bench` is slower by more than 3 % | by `make bench` | – |"
-    )
     promises = [
         "## Promises\n",
         "| promise | worst of all attacks | verdict |",
@@ -125,9 +122,7 @@ def write(results: Sequence[Result], *, form: str, seed: int, load: float) -> No
         "|---|---|---|--:|--:|--:|--:|--:|--:|--:|---|",
         *map(_row, results),
     ]
-    _, heading, long_runs = PAGE.read_text().partition(LONG_RUNS)
-    text = head + "\n".join([*promises, *attacks]) + "\n"
-    PAGE.write_text(text + heading + long_runs)
+    write_page("attack.md", head + "\n".join([*promises, *attacks]) + "\n")
 
 
 def _row(result: Result) -> str:

@@ -6,7 +6,6 @@ Bounds on latency are not judged here: the machine of a test is busy with others
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import Any, Self, cast
 
 import pytest
@@ -254,17 +253,3 @@ def test_errors_of_the_server_are_counted(status: int, code: str, wrong: int) ->
     body = b'{"code": "%s"}' % code.encode() if code else b""
     report.add_answer(Answer(status, b"", body))
     assert (report.sent, report.wrong_5xx) == (1, wrong)
-
-
-def test_writing_the_page_keeps_what_was_written_by_hand(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(reliability_page, "PAGE", tmp_path / "page.md")
-    kept = f"{reliability_page.LONG_RUNS}\nBy hand.\n"
-    reliability_page.PAGE.write_text(f"# Old\n{kept}")
-    for _ in range(2):
-        reliability_page.write([_result()], form="the short form", seed=1, load=0.5)
-        text = reliability_page.PAGE.read_text()
-        assert text.startswith("# Reliability\n")
-        assert text.endswith(f"| kept |\n{kept}")
-        assert text.count("By hand.") == 1

@@ -1,7 +1,7 @@
 """`python -m tests.chaos`: break a cluster again and again while it is used, judge it.
 
-Prints a line for each round; exit code 1 when a promise was broken. With --write, the
-table goes to docs/reliability.md.
+Prints a line for each round; exit code 1 when a promise was broken. The table goes to
+build/chaos.md.
 """
 
 from __future__ import annotations
@@ -49,8 +49,7 @@ def main() -> int:
     )
     print(*chaos_page.summary(kept.rounds, conditions), sep="\n")
     print(f"{time.monotonic() - began_at:.0f} s")
-    if options.write:
-        chaos_page.write(kept.rounds, conditions)
+    chaos_page.write(kept.rounds, conditions)
     return int(any(ended) or any(one.findings for one in kept.rounds))
 
 
@@ -129,7 +128,6 @@ def _options() -> argparse.Namespace:
         default="local",
         help="processes of the nodes, or on a Ray cluster whose machines fail, too",
     )
-    parser.add_argument("--write", action="store_true", help="rewrite its table")
     options = parser.parse_args()
     if options.clusters > 1 and not options.long:
         parser.error("several clusters share the rounds of --long only")

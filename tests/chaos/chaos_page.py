@@ -1,4 +1,4 @@
-"""Shows rounds: a line for the console, a table for docs/reliability.md."""
+"""Shows rounds: a line for the console, a table for build/chaos.md."""
 
 from __future__ import annotations
 
@@ -8,15 +8,13 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 
-from tests.attack import reliability_page
 from tests.attack.verdicts import percentile
 from tests.chaos.chaos_campaign import NODES
 from tests.chaos.chaos_faults import FAULTS, PROMISED
 from tests.chaos.chaos_rounds import Counts, Round, broken_so_far
+from tools.built_pages import write_page
 from tools.measurements.git_commit import read_commit
 
-# The last part of the page; what precedes it is left as it is.
-HEADING = "\n## A cluster\n"
 GOING_P99_S = 10.0
 # What of a finding says nothing about results.
 TRACEBACK = re.compile(r"node \d+: Traceback")
@@ -70,10 +68,10 @@ def write(rounds: Sequence[Round], conditions: Conditions) -> None:
     commit, _ = read_commit()
     date = datetime.now(UTC).date().isoformat()
     head = (
-        f"{HEADING}\n{NODES} [nodes](host/cluster.md) over one PostgreSQL, behind a "
-        "balancer without affinity, on this\nmachine alone. `make chaos` plays rounds: "
-        "a fault while players play, its repair, then a\nverdict about all that was "
-        "answered and all that was written:\n\n"
+        f"# A cluster that is broken\n\n{NODES} [nodes](../docs/host/cluster.md) over "
+        "one PostgreSQL, behind a balancer without affinity, on this\nmachine alone. "
+        "`make chaos` plays rounds: a fault while players play, its repair, then a\n"
+        "verdict about all that was answered and all that was written:\n\n"
         "1. What was acknowledged exists once, as it was acknowledged.\n"
         "2. The steps of the simulator are the actions that were sent.\n"
         "3. The score is the mean of the results.\n"
@@ -100,8 +98,7 @@ def write(rounds: Sequence[Round], conditions: Conditions) -> None:
     text = head + "\n\n".join(summary(rounds, conditions)) + "\n\n"
     text += "\n".join(_promises(rounds)) + "\n\n"
     text += "\n".join(_table(rounds)) + "\n"
-    page = reliability_page.PAGE
-    page.write_text(page.read_text().partition(HEADING)[0] + text)
+    write_page("chaos.md", text)
 
 
 def _promises(rounds: Sequence[Round]) -> Iterator[str]:

@@ -15,7 +15,6 @@ import pytest
 
 from reference_record.formats.envelope import sign_envelope
 from reference_record.keys import make_key
-from tests.attack import reliability_page
 from tests.attack.raw_client import Answer
 from tests.attack.watcher import History
 from tests.chaos import chaos_cluster, chaos_page
@@ -34,6 +33,7 @@ from tests.chaos.push_player import PushPlayer
 from tests.chaos.write_audit import RecordAudit, WriteAudit
 from tests.support.server.postgresql_server import LIBFAKETIME, PostgresqlServer
 from tests.support.servers import NotStarted, ReferenceServer
+from tools import built_pages
 
 # Those that need no time of their own: each ends as soon as all players go on.
 GATE = ("two nodes killed", "database process killed", "balancer – node cut")
@@ -220,38 +220,30 @@ def test_reading_a_push_run_is_no_progress(monkeypatch: pytest.MonkeyPatch) -> N
     assert [sample.kind for sample in player.samples] == ["progress"]
 
 
-def test_the_table_replaces_an_earlier_one_and_nothing_else(
+def test_the_page_shows_promises_and_faults(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(reliability_page, "PAGE", tmp_path / "page.md")
-    reliability_page.PAGE.write_text("# Reliability\n\n## Long runs\n\nBy hand.\n")
+    monkeypatch.setattr(built_pages, "BUILD", tmp_path)
     played = Round(0, FAULTS["node killed"], [0.5, 6.0], ["a result was lost"])
     played.count = 1
-    conditions = chaos_page.Conditions([1, 2], 2, 5.0, 0.5)
     assert "BROKEN" in chaos_page.round_line(played)
-    for _ in range(2):
-        chaos_page.write([played], conditions)
-        text = reliability_page.PAGE.read_text()
-        assert text.startswith("# Reliability\n\n## Long runs\n\nBy hand.\n\n## A clus")
-        assert text.count("## A cluster") == 1
-        assert (
-            "| 1,000 nodes killed: no result lost, doubled, rescored | 1 | **b" in text
-        )
-        assert "at most 10 s | 6.0 s | kept |" in text
-        assert "| The log of no node has a traceback | 0 | kept |" in text
-        assert "| node killed | SIGKILL, started when all go on | 1 | 0.5 |" in text
-        assert text.endswith("| 6.0 | 1 |\n")
+    chaos_page.write([played], chaos_page.Conditions([1, 2], 2, 5.0, 0.5))
+    text = (tmp_path / "chaos.md").read_text()
+    assert "| 1,000 nodes killed: no result lost, doubled, rescored | 1 | **b" in text
+    assert "at most 10 s | 6.0 s | kept |" in text
+    assert "| The log of no node has a traceback | 0 | kept |" in text
+    assert "| node killed | SIGKILL, started when all go on | 1 | 0.5 |" in text
+    assert text.endswith("| 6.0 | 1 |\n")
 
 
 def test_a_traceback_is_no_lost_result(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(reliability_page, "PAGE", tmp_path / "page.md")
-    reliability_page.PAGE.write_text("# Reliability\n")
+    monkeypatch.setattr(built_pages, "BUILD", tmp_path)
     found = ["node 2: Traceback (most recent call last): …"]
     played = Round(0, FAULTS["node killed"], [0.5], found, count=1000)
     chaos_page.write([played], chaos_page.Conditions([1], 2, 5.0, 0.5))
-    text = reliability_page.PAGE.read_text()
+    text = (tmp_path / "chaos.md").read_text()
     assert (
         "| 1,000 nodes killed: no result lost, doubled, rescored | 1,000 | kept" in text
     )
