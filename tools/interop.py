@@ -2,9 +2,8 @@
 
 Runs from the repository's root as `python -m tools.interop`. Without --url it judges
 the clients at a reference server of its own. The matrix goes to the console, as JUnit
-to report/interop.xml and, of a whole run, to docs/implement/interop.md. What was not
-run is never green. Ends with 1 if something failed, 2 if something or all was not run,
-else with 0.
+to report/interop.xml and to build/interop.md. What was not run is never green. Ends
+with 1 if something failed, 2 if something or all was not run, else with 0.
 """
 
 from __future__ import annotations
@@ -36,8 +35,8 @@ from tests.interop.scenarios import (
     UnexpectedResult,
 )
 from tests.support.servers import TOKENS, ReferenceServer
+from tools.built_pages import write_page
 
-PAGE = ROOT / "docs" / "implement" / "interop.md"
 JUNIT = ROOT / "report" / "interop.xml"
 PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
 NO_PART = "no part of it"
@@ -143,26 +142,14 @@ def page(matrix: Matrix) -> str:
     parts = [
         "# Every client, every scenario",
         "",
-        "Written by `make interop`, which builds the client of each language, plays",
-        "the scenarios against a reference server and judges what the client saw. A",
-        "gateway in between loses answers and kills the server. *not run* is no pass.",
+        "Written by `make interop`. [Clients](../docs/implement/clients.md#played)",
+        "says how to read it.",
         "",
         *table(matrix),
         "",
         *(f"- {why}" for why in sorted(whys)),
         *([""] if whys else []),
         f"Toolchains: {'; '.join(built)}.",
-        "",
-        "A client that `make client` writes in another language is not in this table.",
-        "",
-        "The programs are `generated_clients/<language>/interop/` and, for",
-        "`-evaluate`, `clients/<language>/interop/`; what they should see stands in",
-        "`tests/interop/scenarios.py`. – is no part of a program: the packages of",
-        "`clients/` have no messages of their own, and a generated client sends no",
-        "heartbeat by itself. `make interop URL=... TOKEN=...`",
-        "plays them against another server; the scenario `restart` needs",
-        "`RESTART_CMD='...'` there, which kills the server and starts it again.",
-        "`LANGUAGES=...` and `ONLY=...` choose. Builds stay in `.cache/interop/`.",
     ]
     return "\n".join(parts) + "\n"
 
@@ -253,12 +240,7 @@ def main() -> int:
         print("interop: nothing was played; no language has a part in what was chosen")
     JUNIT.parent.mkdir(exist_ok=True)
     JUNIT.write_bytes(junit(matrix))
-    if (
-        not arguments.url
-        and len(rows) == len(languages)
-        and len(names) == len(SCENARIOS)
-    ):
-        PAGE.write_text(page(matrix))
+    write_page("interop.md", page(matrix))
     return matrix.exit_code()
 
 

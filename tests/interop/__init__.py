@@ -1,4 +1,4 @@
 """Every client against a server: its proxy, scenarios and programs.
 
-docs/implement/interop.md is what they wrote.
+`make interop` plays them and writes build/interop.md.
 """
