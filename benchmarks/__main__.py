@@ -1,8 +1,8 @@
-"""`python -m benchmarks`: measures, writes results.json and docs/host/performance.md.
+"""`python -m benchmarks`: measures, writes build/benchmarks.json, build/performance.md.
 
 `make bench` runs all of it, on a machine that should have nothing else to do. With
 `--try` few rounds are played and nothing is written; `page` measures nothing and writes
-the page anew from results.json. storage_growth.py is a command of its own.
+the page anew from benchmarks.json. storage_growth.py is a command of its own.
 """
 
 from __future__ import annotations
@@ -96,15 +96,19 @@ def _round_trips(options: argparse.Namespace) -> None:
 
 
 def write() -> None:
-    """Write the page and the chart from results.json."""
+    """Write the page and the chart from benchmarks.json."""
     sections = results.read()
     if section := sections.get("round_trips"):
-        performance_page.put("round_trips", report.tables(section))
+        performance_page.put(
+            "round_trips", "Round trips", f"{chart.LINK}\n\n{report.tables(section)}"
+        )
         chart.FILE.write_text(chart.svg(section))
     if section := sections.get("throughput"):
-        performance_page.put("throughput", throughput.tables(section))
+        performance_page.put("throughput", "Throughput", throughput.tables(section))
     if section := sections.get("libraries"):
-        performance_page.put("libraries", tables.tables(section))
+        performance_page.put(
+            "libraries", "Libraries: HTTP and encoding", tables.tables(section)
+        )
 
 
 def _options() -> argparse.Namespace:

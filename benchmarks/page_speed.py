@@ -5,7 +5,7 @@
 over HTTP, each the first time after a start and again. Then 200 pages follow a run
 live, beside the same play without pages. CPU is that of the server's process.
 
-It writes the section `pages` of results.json and its part of docs/host/performance.md.
+It writes the section `pages` of build/benchmarks.json and of build/performance.md.
 """
 
 from __future__ import annotations
@@ -216,7 +216,7 @@ def live_pages(
 
 
 def report(body: dict[str, Any]) -> str:
-    """The part of docs/host/performance.md."""
+    """Its section of build/performance.md."""
     rows = [
         [
             name,
@@ -225,7 +225,7 @@ def report(body: dict[str, Any]) -> str:
             f"< {OPEN_S:g}",
             _verdict(first=one["first_s"] < OPEN_S, again=one["again_s"] < OPEN_S),
         ]
-        for name, one in sorted(body["opening"].items())  # as results.json has them
+        for name, one in sorted(body["opening"].items())  # as they are stored
     ]
     ranking = f"{RANKED} entries of {EPISODES_OF_AN_ENTRY:,} episodes, ranked anew"
     anew = body["ranking_s"]
@@ -278,7 +278,7 @@ def main() -> int:
     print(text)
     if not options.try_:
         results.update("pages", body)
-        performance_page.put("pages", text)
+        performance_page.put("pages", "Pages", text)
     return 0
 
 

@@ -1,10 +1,11 @@
-"""docs/host/performance.md: text between two marks is written by tools.
+"""build/performance.md: each tool that measures writes a section of its own.
 
     <!-- round_trips -->
     …
     <!-- /round_trips -->
 
-All other text is written by hand. Knows nothing about the measurements.
+docs/host/performance.md says what is measured and how. Knows nothing about the
+measurements.
 """
 
 from __future__ import annotations
@@ -13,18 +14,24 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-FILE = Path(__file__).resolve().parents[1] / "docs" / "host" / "performance.md"
+from tools.built_pages import BUILD
+
+FILE = BUILD / "performance.md"
+HEAD = """# Performance, measured here
+
+[What is measured, and how](../docs/host/performance.md).
+"""
 
 
-def put(part: str, text: str, file: Path = FILE) -> None:
-    """Replace the text between the marks. Raises ValueError if they are missing."""
-    old = file.read_text()
+def put(part: str, title: str, text: str, file: Path = FILE) -> None:
+    """Write a section, or replace it where the page has it already."""
+    page = file.read_text() if file.exists() else HEAD
     marks = f"<!-- {part} -->", f"<!-- /{part} -->"
-    between = re.compile(f"({marks[0]}\n).*?({marks[1]})", re.DOTALL)
-    new, count = between.subn(lambda found: f"{found[1]}\n{text}\n\n{found[2]}", old)
-    if count != 1:
-        raise ValueError(f"{file.name} has {count} places {marks[0]} … {marks[1]}")
-    file.write_text(new)
+    section = f"{marks[0]}\n\n## {title}\n\n{text}\n\n{marks[1]}\n"
+    written = re.compile(f"{marks[0]}\n.*?{marks[1]}\n", re.DOTALL)
+    page, count = written.subn(lambda _: section, page)
+    file.parent.mkdir(exist_ok=True)
+    file.write_text(page if count else f"{page}\n{section}")
 
 
 def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

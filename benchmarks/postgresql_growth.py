@@ -4,7 +4,8 @@ Databases of one PostgreSQL are filled with finished runs, a real server is star
 each, and the requests of storage_growth.py are sent to them in turn. Nothing is forced
 to disk, as in tests, so what writes costs less than it would: trust the ratios.
 
-It writes `growth_postgresql` of results.json and its part of docs/host/performance.md.
+It writes the section `growth_postgresql` of build/benchmarks.json and of
+build/performance.md.
 """
 
 from __future__ import annotations
@@ -93,7 +94,7 @@ def main() -> int:
     print(text)
     if not options.is_tried:
         results.update("growth_postgresql", {"measured_on": machine, "requests": body})
-        performance_page.put("growth_postgresql", text)
+        performance_page.put("growth_postgresql", "Growth on PostgreSQL", text)
     return 0
 
 

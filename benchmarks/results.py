@@ -1,4 +1,4 @@
-"""`results.json`: what was measured last, a section for each tool that measures.
+"""build/benchmarks.json: what was measured last, a section for each tool that measures.
 
     update("round_trips", {...})
 
@@ -18,7 +18,9 @@ import time
 from pathlib import Path
 from typing import Any
 
-FILE = Path(__file__).parent / "results.json"
+from tools.built_pages import BUILD
+
+FILE = BUILD / "benchmarks.json"
 DISTRIBUTIONS = (
     *("httptools", "msgspec", "mujoco", "numpy", "simplejpeg", "starlette"),
     *("uvicorn", "uvloop"),
@@ -32,6 +34,7 @@ def update(section: str, body: Json, file: Path = FILE) -> None:
 
     Blocks while another tool writes. A reader never sees half a file.
     """
+    file.parent.mkdir(exist_ok=True)
     folder = os.open(file.parent, os.O_RDONLY)
     try:
         fcntl.flock(folder, fcntl.LOCK_EX)

@@ -7,7 +7,7 @@ measures the server's memory before and after thousands of runs were read, playe
 submitted, and under a thousand idle long polls and event streams, and the bytes that a
 turn writes to disk.
 
-It writes the section `growth` of results.json and its part of docs/host/performance.md.
+It writes the section `growth` of build/benchmarks.json and of build/performance.md.
 """
 
 from __future__ import annotations
@@ -320,7 +320,7 @@ async def measure_waiting(
 
 
 def report(body: dict[str, Any]) -> str:
-    """The part of docs/host/performance.md."""
+    """Its section of build/performance.md."""
     names = [database_case.name for database_case in DATABASE_CASES]
     return "\n".join([requests_table(body["requests"], names), "", *sentences(body)])
 
@@ -410,7 +410,7 @@ def main() -> int:
     results.update("growth", {"measured_on": machine, **body})
     text = report(body)
     print(text)
-    performance_page.put("growth", text)
+    performance_page.put("growth", "Growth on SQLite", text)
     return 0
 
 

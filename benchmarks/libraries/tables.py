@@ -1,6 +1,6 @@
 """The report of the libraries: a table for each question, the chosen library first.
 
-Everything is computed from the section of results.json; the questions are described
+Everything is computed from its section of benchmarks.json; the questions are described
 here. Imports none of the libraries.
 """
 
@@ -17,7 +17,7 @@ Figures = Mapping[str, Mapping[str, float]]
 
 
 class Question(NamedTuple):
-    """columns: as results.json names them → head of the table."""
+    """columns: as benchmarks.json names them → head of the table."""
 
     title: str
     text: str

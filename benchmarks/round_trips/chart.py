@@ -1,7 +1,7 @@
-"""docs/host/round_trips.svg: p50 and p99 of every contender, a panel for each scenario.
+"""build/round_trips.svg: p50 and p99 of every contender, a panel for each scenario.
 
 One logarithmic axis for all panels; a bar ends at p50, a thin line at p99. Written as
-text: the shapes are rectangles, lines and words. Knows results.json's section only.
+text: the shapes are rectangles, lines and words. Knows its section of the results only.
 """
 
 from __future__ import annotations
@@ -9,12 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 from html import escape
-from pathlib import Path
 
 from benchmarks.results import Json
 from benchmarks.round_trips import report
+from tools.built_pages import BUILD
 
-FILE = Path(__file__).resolve().parents[2] / "docs" / "host" / "round_trips.svg"
+FILE = BUILD / "round_trips.svg"
+LINK = f"![Round trips]({FILE.name})"
 WIDTH, NAMES_WIDTH, MARGIN = 900, 330, 90
 ROW, HEAD, AXIS = 24, 34, 30
 OURS, PEER, LIMIT = "#1f6f50", "#8a93a0", "#c4a24a"

@@ -1,6 +1,6 @@
 """The report of the round trips: tables and targets.
 
-Everything is computed from the section of results.json, so that every figure in the
+Everything is computed from its section of benchmarks.json, so that every figure in the
 text was measured. The targets are the project's requirements; they are shown whether
 met or not.
 """

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks import performance_page, results
+from benchmarks import results
 from benchmarks.libraries import (
     capture,
     interleaved_timing,
@@ -232,7 +232,7 @@ def test_the_table_contains_every_figure() -> None:
     for question in tables.QUESTIONS.values():
         assert question.title in text
     assert "7 rounds, of 5 on loopback" in text
-    # results.json is sorted, which must change nothing.
+    # The stored file is sorted, which must change nothing.
     sorted_ = json.loads(json.dumps(section, sort_keys=True))
     assert tables.tables(sorted_) == text
 
@@ -257,10 +257,3 @@ def test_the_chosen_library_is_first_and_the_reference() -> None:
         "| half |  | 8.00 (2.00) |",
         "| slow | 30.0 (3.00) |  |",
     ]
-
-
-def test_library_results_are_on_the_performance_page() -> None:
-    shown = performance_page.FILE.read_text()
-    assert "<!-- libraries -->\n" in shown
-    if section := results.read().get("libraries"):
-        assert tables.tables(section) in shown
