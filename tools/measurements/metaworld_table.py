@@ -1,6 +1,6 @@
 """Meta-World's scripted experts, directly and through the protocol.
 
-It writes docs/evaluate/metaworld.md.
+It writes build/metaworld.md.
 
 Run by `make metaworld-table` in .venv-metaworld. Each of the 500 episodes is played
 twice: by a loop around Meta-World itself, in an environment made for it alone, and by
@@ -28,9 +28,9 @@ from proctor_client import ControlApi
 
 from reference_client import Observation, evaluate
 from reference_client.protocol.connection import Connection
+from tools.built_pages import write_page
 
-ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs" / "evaluate" / "metaworld.md"
+ROOT = Path(__file__).resolve().parents[2]
 BENCHMARK = tomllib.loads(
     (ROOT / "reference_sim" / "benchmarks" / "metaworld" / "benchmark.toml").read_text()
 )
@@ -199,8 +199,8 @@ def main() -> int:
         successes=successes,
         rate=successes / len(direct),
     )
-    PAGE.write_text(head + table(direct, served))
-    print(f"{successes} of {len(direct)} succeed, in both ways alike: {PAGE.name}")
+    print(f"{successes} of {len(direct)} succeed, in both ways alike")
+    write_page("metaworld.md", head + table(direct, served))
     return 0
 
 

@@ -72,7 +72,6 @@ MAY_SAY = {
     ("docs/*/*task*.md", "stage stages"): "the same",
     ("tools/experts.py", "stage stages"): "the same",
     ("reference_sim/benchmarks/metaworld/*", "door shelf"): "names of its tasks",
-    ("docs/evaluate/metaworld.md", "door shelf"): "names of its tasks",
     ("tests/sim/benchmarks/metaworld_checks.py", "door"): "an environment's name",
     ("reference_sim/benchmarks/mobile_bimanual/*", "shelf shelves"): "in its scene",
     ("conformance/*", "stage stages"): "a server is written in stages: --stage",
