@@ -17,8 +17,8 @@ from pathlib import Path
 
 from tools.npm_package import provide_file
 from tools.site import operation_pages, overview_pages, rule_pages
+from tools.site.kit_reports import KitReports, read_reports
 from tools.site.markdown import convert
-from tools.site.recorded import Recorded, read_recorded
 from tools.traceability import ROOT, traces
 
 HERE = Path(__file__).resolve().parent
@@ -64,12 +64,12 @@ def contents(names: Iterable[str]) -> str:
     return f"\n```{{toctree}}\n:hidden:\n\n{pages}\n```\n"
 
 
-def write_source(directory: Path, recorded: Recorded, measured: Path) -> None:
+def write_source(directory: Path, reports: KitReports, measured: Path) -> None:
     """Write every page into a folder."""
     generated = {
-        **overview_pages.pages(recorded),
-        **rule_pages.pages(recorded),
-        **operation_pages.pages(recorded),
+        **overview_pages.pages(reports),
+        **rule_pages.pages(reports),
+        **operation_pages.pages(reports),
     }
     copied = documents(measured)
     files = {*generated, *copied}
@@ -87,11 +87,11 @@ def write_source(directory: Path, recorded: Recorded, measured: Path) -> None:
         target.write_text(convert(text, name, files, traces()))
 
 
-def build(directory: Path, recorded: Recorded, measured: Path) -> Path:
+def build(directory: Path, reports: KitReports, measured: Path) -> Path:
     """Build the site; the folder of its pages. SystemExit where a link is dead."""
     source, html = directory / "source", directory / "html"
     shutil.rmtree(source, ignore_errors=True)
-    write_source(source, recorded, measured)
+    write_source(source, reports, measured)
     provide_file("site-npm.txt", "dist/mermaid.min.js", LIBRARY)
     static = source / "_static"
     shutil.copytree(HERE / "static", static)
@@ -110,4 +110,4 @@ def build(directory: Path, recorded: Recorded, measured: Path) -> Path:
 
 
 if __name__ == "__main__":
-    print(f"site: {build(BUILD, read_recorded(), ROOT / MEASURED) / 'index.html'}")
+    print(f"site: {build(BUILD, read_reports(), ROOT / MEASURED) / 'index.html'}")

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from conformance.specification.document import Operation, load_spec
+from tools.site.kit_reports import KitReports
 from tools.site.markdown import cell, link_to_rule, table
-from tools.site.recorded import Recorded
 from tools.site.rule_pages import exchange_text
 from tools.traceability import traces
 
@@ -15,11 +15,11 @@ Json = dict[str, Any]
 PLANES = {False: "control", True: "data"}
 
 
-def pages(recorded: Recorded) -> dict[str, str]:
+def pages(reports: KitReports) -> dict[str, str]:
     """Path → text of all pages about operations and messages."""
     operations = load_spec().operations
     written = {
-        f"operations/{name}.md": operation_page(operation, recorded)
+        f"operations/{name}.md": operation_page(operation, reports)
         for name, operation in operations.items()
     }
     written["operations/index.md"] = index_page(operations)
@@ -53,7 +53,7 @@ def index_page(operations: Mapping[str, Operation]) -> str:
     )
 
 
-def operation_page(operation: Operation, recorded: Recorded) -> str:
+def operation_page(operation: Operation, reports: KitReports) -> str:
     """One operation: parameters, bodies, answers, rules, an exchange."""
     described = _raw(operation)
     needs = "a token" if operation.needs_token else "no token"
@@ -74,7 +74,7 @@ def operation_page(operation: Operation, recorded: Recorded) -> str:
         "## Rules\n",
         _rules(described),
         "## A worked exchange\n",
-        _exchange(operation.operation_id, recorded),
+        _exchange(operation.operation_id, reports),
     ]
     return "\n".join(lines)
 
@@ -136,10 +136,10 @@ def _rules(described: Json) -> str:
     return table(["id", "rule"], rows)
 
 
-def _exchange(name: str, recorded: Recorded) -> str:
+def _exchange(name: str, reports: KitReports) -> str:
     accepted = [
         one
-        for found in recorded.exchanges.values()
+        for found in reports.exchanges.values()
         for one in found
         if one.get("operation") == name and one["status"] < 400
     ]

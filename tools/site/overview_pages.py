@@ -11,8 +11,8 @@ from typing import Any
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import PROFILES
 from tools.diagrams import lifecycle_diagram, lifecycle_table
+from tools.site.kit_reports import KitReports
 from tools.site.markdown import picture, table
-from tools.site.recorded import Recorded
 from tools.site.rule_pages import exchange_text
 from tools.traceability import ROOT, traces
 
@@ -66,18 +66,18 @@ sequenceDiagram
 """
 
 
-def pages(recorded: Recorded) -> dict[str, str]:
+def pages(reports: KitReports) -> dict[str, str]:
     """Path → text."""
     return {
-        "index.md": start_page(recorded),
+        "index.md": start_page(reports),
         "how-it-works.md": how_it_works_page(),
         "scoring-examples.md": scoring_page(),
-        "calibration-examples.md": calibration_page(recorded),
-        "implementations.md": implementations_page(recorded),
+        "calibration-examples.md": calibration_page(reports),
+        "implementations.md": implementations_page(reports),
     }
 
 
-def start_page(recorded: Recorded) -> str:
+def start_page(reports: KitReports) -> str:
     """The entry, with the contents of the site."""
     spec = load_spec()
     summary = [
@@ -85,7 +85,7 @@ def start_page(recorded: Recorded) -> str:
         ["operations", f"[{len(spec.operations)}](operations/index.md)"],
         ["codes of refusals", f"[{len(spec.problems)}](operations/problems.md)"],
         ["profiles", str(len(PROFILES))],
-        ["judged servers", f"[{len(recorded.verdicts)}](implementations.md)"],
+        ["judged servers", f"[{len(reports.verdicts)}](implementations.md)"],
     ]
     return f"""# Proctor {spec.version}
 
@@ -222,7 +222,7 @@ def _number(value: Any) -> str:
     return json.dumps(value)
 
 
-def calibration_page(recorded: Recorded) -> str:
+def calibration_page(reports: KitReports) -> str:
     """Exchanges of the rules on the benchmark `calibration`."""
     lines = [
         (
@@ -231,16 +231,16 @@ def calibration_page(recorded: Recorded) -> str:
             "server.\n"
         )
     ]
-    for id_, found in recorded.exchanges.items():
+    for id_, found in reports.exchanges.items():
         if id_.startswith("CAL-") and id_ in traces():
             lines += [f"## {id_}\n", f"{traces()[id_].rule.text}\n"]
             lines += [exchange_text(found[0])]
     return "\n".join(lines)
 
 
-def implementations_page(recorded: Recorded) -> str:
+def implementations_page(reports: KitReports) -> str:
     """Who was judged, and with what result."""
-    judged = recorded.verdicts
+    judged = reports.verdicts
     lines = [
         (
             "# Implementations\n\nServers that the kit has judged by all of its rules. "

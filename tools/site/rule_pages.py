@@ -17,8 +17,8 @@ from typing import Any
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import POLICY, load_areas
 from tests.mutants import load as load_mutants
+from tools.site.kit_reports import KitReports
 from tools.site.markdown import cell, link_to_rule, table
-from tools.site.recorded import Recorded
 from tools.traceability import ROOT, Trace, listed_checks, traces
 
 CHANGELOG = ROOT / "spec" / "CHANGELOG.md"
@@ -27,13 +27,13 @@ SPAN = re.compile(r"([A-Z]{2,6})-(\d{3})(?: to \1-(\d{3}))?")
 ALL = "every operation"
 
 
-def pages(recorded: Recorded) -> dict[str, str]:
+def pages(reports: KitReports) -> dict[str, str]:
     """Path → text of all pages about rules."""
     rules = list(traces())
     written = {
         f"rules/{id_}.md": rule_page(
             traces()[id_],
-            recorded,
+            reports,
             before=rules[place - 1] if place else None,
             after=rules[place + 1] if place + 1 < len(rules) else None,
         )
@@ -77,7 +77,7 @@ def area_page(area: str, found: list[Trace]) -> str:
 
 
 def rule_page(
-    trace: Trace, recorded: Recorded, *, before: str | None, after: str | None
+    trace: Trace, reports: KitReports, *, before: str | None, after: str | None
 ) -> str:
     """Everything that is known of one rule."""
     rule = trace.rule
@@ -87,11 +87,11 @@ def rule_page(
     sections = {
         "Why": _why(trace),
         "Operations": _operations(rule.id),
-        "A worked exchange": _exchange(recorded.exchanges.get(rule.id, [])),
+        "A worked exchange": _exchange(reports.exchanges.get(rule.id, [])),
         "How it is checked": _checked(trace),
         "What breaks it": _broken(trace),
         "Where the reference server decides it": _decided(trace),
-        "Implementations": _implementations(rule.id, recorded),
+        "Implementations": _implementations(rule.id, reports),
     }
     text = "\n".join(f"## {title}\n\n{body}\n" for title, body in sections.items())
     about = f"**{rule.level}** · {profile_of(rule.profile)} · since {since(rule.id)}"
@@ -190,7 +190,7 @@ def _exchange(exchanges: Sequence[Mapping[str, Any]]) -> str:
         return "None is recorded for this rule.\n"
     first, *others = [exchange_text(one) for one in exchanges]
     note = (
-        "Recorded from the reference server while the kit checked the rule; long "
+        "KitReports from the reference server while the kit checked the rule; long "
         "bodies and lists are cut.\n"
     )
     counterpart = ["The same operation where it is accepted:\n", *others]
@@ -294,10 +294,10 @@ def _decided(trace: Trace) -> str:
     return "\n".join(f"- `{p.file}`: `{p.name}`" for p in trace.deciding) + "\n"
 
 
-def _implementations(id_: str, recorded: Recorded) -> str:
+def _implementations(id_: str, reports: KitReports) -> str:
     rows = [
         [name, one["rules"][id_].replace("_", " ")]
-        for name, one in recorded.verdicts.items()
+        for name, one in reports.verdicts.items()
         if id_ in one["rules"]
     ]
     if not rows:

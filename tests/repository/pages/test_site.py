@@ -14,10 +14,10 @@ import pytest
 from conformance.specification.ledger import load_ledger
 from tools import npm_package
 from tools.site import __main__ as site
-from tools.site import recorded as recorded_reports
+from tools.site import kit_reports
 from tools.site.exchanges import worked_exchanges
+from tools.site.kit_reports import KitReports, judge, summarize
 from tools.site.markdown import convert
-from tools.site.recorded import Recorded, judge, summarize
 from tools.site.rule_pages import since
 
 FILES = {"guide/a.md", "spec/b.md"}
@@ -59,19 +59,19 @@ def report() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def recorded(report: dict[str, Any]) -> Recorded:
+def reports(report: dict[str, Any]) -> KitReports:
     whole = report | {"only": [], "quick": False}
-    return Recorded(worked_exchanges(report), {"A server": summarize("a", whole)})
+    return KitReports(worked_exchanges(report), {"A server": summarize("a", whole)})
 
 
 @pytest.mark.slow("runs the kit on the reference server")
-def test_rules_have_worked_exchanges(recorded: Recorded) -> None:
-    assert recorded.exchanges.keys() == set(RECORDED_RULES)
+def test_rules_have_worked_exchanges(reports: KitReports) -> None:
+    assert reports.exchanges.keys() == set(RECORDED_RULES)
 
 
 @pytest.mark.slow("runs the kit on the reference server")
-def test_a_refusal_is_shown_beside_its_counterpart(recorded: Recorded) -> None:
-    refused, accepted = recorded.exchanges["PRED-003"]
+def test_a_refusal_is_shown_beside_its_counterpart(reports: KitReports) -> None:
+    refused, accepted = reports.exchanges["PRED-003"]
     assert refused["answer_body"]["code"] == "seq_conflict"
     assert accepted["status"] == 200
     assert refused["operation"] == accepted["operation"] == "predict"
@@ -93,10 +93,10 @@ def test_a_report_is_kept_until_the_code_changes(
         judged.append({"number": len(judged)})
         return judged[-1]
 
-    monkeypatch.setattr(recorded_reports, "REPORT", tmp_path / "build" / "report.json")
-    monkeypatch.setattr(recorded_reports, "_digest", lambda: next(digests))
-    monkeypatch.setattr(recorded_reports, "judge", judge_again)
-    reports = [recorded_reports._reference_report() for _ in range(3)]
+    monkeypatch.setattr(kit_reports, "REPORT", tmp_path / "build" / "report.json")
+    monkeypatch.setattr(kit_reports, "_digest", lambda: next(digests))
+    monkeypatch.setattr(kit_reports, "judge", judge_again)
+    reports = [kit_reports._reference_report() for _ in range(3)]
     assert reports == [{"number": 0}, {"number": 0}, {"number": 1}]
 
 
@@ -123,12 +123,12 @@ def dead_links(html: Path) -> list[str]:
 
 @pytest.mark.slow("builds the whole site")
 def test_site_has_no_dead_link_and_needs_no_network(
-    tmp_path: Path, recorded: Recorded
+    tmp_path: Path, reports: KitReports
 ) -> None:
     measured = tmp_path / "measured"
     measured.mkdir()
     (measured / "attack.md").write_text("# Attack\n\n[rules](../spec/scoring.md)\n")
-    html = site.build(tmp_path, recorded, measured)
+    html = site.build(tmp_path, reports, measured)
     pages = {path.relative_to(html).as_posix() for path in html.rglob("*.html")}
     assert {f"rules/{id_}.html" for id_ in load_ledger()} <= pages
     assert "build/attack.html" in pages

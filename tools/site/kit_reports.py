@@ -39,14 +39,14 @@ Plain = dict[str, Any]
 
 
 @dataclass(frozen=True)
-class Recorded:
+class KitReports:
     """exchanges: rule → its exchanges. verdicts: server → what a page shows of it."""
 
     exchanges: Mapping[str, Sequence[Plain]]
     verdicts: Mapping[str, Plain]
 
 
-def read_recorded() -> Recorded:
+def read_reports() -> KitReports:
     """Judge the reference server if that is not done yet, and read all reports.
 
     Raises RuntimeError where the kit does not find the server conformant, ValueError
@@ -58,7 +58,7 @@ def read_recorded() -> Recorded:
         for path in sorted(IMPLEMENTATIONS.glob("*.json"))
     }
     verdicts = {name: summarize(name, one) for name, one in reports.items()}
-    return Recorded(worked_exchanges(report), verdicts)
+    return KitReports(worked_exchanges(report), verdicts)
 
 
 def _reference_report() -> Plain:
