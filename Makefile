@@ -56,7 +56,7 @@ add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d]
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
-metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python tools/measurements/metaworld_table.py $(ARGS) ## Play its experts both ways, rewrite their page
+metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools.measurements.metaworld_table ## Play its experts directly and through the protocol
 aloha: .venv-aloha/ready ## Install gym-aloha apart
 aloha-check: aloha; @.venv-aloha/bin/python -m pytest tests/sim/benchmarks/aloha_checks.py ## Run the tests that need gym-aloha
 robosuite: .venv-robosuite/ready ## Install robosuite apart
@@ -80,8 +80,8 @@ programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tes
 .venv/proxies/ready: .venv/ready tools/browser.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
 client: .venv-generate/ready ## Write a client in LANGUAGE=csharp or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
-docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pages that follow from spec/ and the code
-site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html; records exchanges (minutes)
+docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pictures in docs/, build the table of all rules
+site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html, in minutes
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
@@ -90,22 +90,22 @@ lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 	@sh tools/lock.sh $(ARGS)
 dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
 
-kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers, rewrite its page
+kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers
 false-alarms: setup ## Run the kit on right servers again and again
-#                   RUNS=200 BUSY=1 (every run on a busy machine) ARGS='-j 2 --write'
+#                   RUNS=200 BUSY=1 (every run on a busy machine) ARGS='-j 2'
 	@$(python) -m tools.measurements.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
-mutation: setup ## Judge the kit on machine-made changes of a server, rewrite its page
+mutation: setup ## Judge the kit on machine-made changes of a server
 #                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
 #                   WRITTEN=1 (bugs that people wrote) ARGS='--again survived'
 	@$(python) -m tests.mutation "$${SERVER:-js}" $${WRITTEN:+--written} --sample "$${SAMPLE:-0}" \
 		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
 	@$(python) -m tests.mutation.$${WRITTEN:+written.unseen_bugs_}page
 attack: setup ## Attack the reference server while others use it, judge it
-#                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1 ARGS=--write
+#                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1
 	@$(python) -m tests.attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
-chaos: setup; @$(python) -m tests.chaos --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; ARGS="--long --clusters 2 --write"
+chaos: setup; @$(python) -m tests.chaos --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; ARGS="--long --clusters 2"
 experts: setup; @$(python) tools/experts.py --write $(ARGS) ## Measure the scripted experts, rewrite their page
-bench: setup .venv-bench/ready ## Measure beside the alternatives, rewrite their page
+bench: setup .venv-bench/ready ## Measure beside the alternatives
 	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth && $(python) -m benchmarks.page_speed && $(python) -m benchmarks.recording_cost
 
 clean: ## Remove environments, caches, reports; not data in var/

@@ -4,7 +4,7 @@ Turns carry megabytes of pixels many times per second. They are MessagePack if t
 server supports it; a response is received into reused memory, and an image is a view of
 that memory: nothing is copied. With four raw images of 480 × 640, a turn takes 2.4 ms
 in all, 1.7 times the limit set by a bare TCP socket; decoding it takes 0.003 ms instead
-of 0.12 ms into dicts (docs/host/performance.md). The generated client, on urllib3 and
+of 0.12 ms into dicts (`make bench`). The generated client, on urllib3 and
 pydantic, would copy every body; it is used here for heartbeat and detach.
 
 This module repeats nothing: failures are exceptions, and retry_policy.py decides.

@@ -123,7 +123,6 @@ MORE_SIBLINGS = {
     "benchmarks/round_trips/contenders": "a file for each contender",
     "benchmarks/libraries": "a file for each library compared",
     "conformance/checks/profiles": "a file of checks for each profile",
-    "docs/evaluate": "a page for each thing that a policy author does",
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server": "a folder for each part, and what puts them together",
     "reference_server/rules": "a file for each subject that is decided",
