@@ -90,7 +90,9 @@ def write_source(directory: Path, reports: KitReports, measured: Path) -> None:
 def build(directory: Path, reports: KitReports, measured: Path) -> Path:
     """Build the site; the folder of its pages. SystemExit where a link is dead."""
     source, html = directory / "source", directory / "html"
-    shutil.rmtree(source, ignore_errors=True)
+    # A page that is gone from the repository has to go from an earlier site, too.
+    for folder in (source, html):
+        shutil.rmtree(folder, ignore_errors=True)
     write_source(source, reports, measured)
     provide_file("site-npm.txt", "dist/mermaid.min.js", LIBRARY)
     static = source / "_static"
