@@ -1,4 +1,4 @@
-"""What the kit said of servers, for the pages: worked exchanges and verdicts.
+"""Reports of the kit on servers, for the pages: worked exchanges and verdicts.
 
 The reference server is judged here, once for each state of the code; the report is kept
 in build/site/ and read again until the specification, the kit or the server changes.
@@ -52,17 +52,16 @@ def read_reports() -> KitReports:
     Raises RuntimeError where the kit does not find the server conformant, ValueError
     where a report is not one of a whole run.
     """
-    report = _reference_report()
-    reports = {REFERENCE: report} | {
+    reports = {REFERENCE: _reference_report()} | {
         path.stem: json.loads(path.read_text())
         for path in sorted(IMPLEMENTATIONS.glob("*.json"))
     }
-    verdicts = {name: summarize(name, one) for name, one in reports.items()}
-    return KitReports(worked_exchanges(report), verdicts)
+    verdicts = {name: summarize(name, report) for name, report in reports.items()}
+    return KitReports(worked_exchanges(reports[REFERENCE]), verdicts)
 
 
 def _reference_report() -> Plain:
-    """The kept report, or a new one."""
+    """Read the kept report, or make a new one where the code has changed."""
     digest = _digest()
     if REPORT.exists():
         kept: Plain = json.loads(REPORT.read_text())
@@ -77,7 +76,7 @@ def _reference_report() -> Plain:
 
 
 def _digest() -> str:
-    """Of the files whose change may change an exchange."""
+    """Hash the files whose change may change an exchange."""
     digest = hashlib.sha256()
     for pattern in RECORDED:
         for folder in sorted(ROOT.glob(pattern)):
@@ -89,7 +88,7 @@ def _digest() -> str:
 
 
 def judge(rules: Sequence[str] = (), *, quick: bool = False) -> Plain:
-    """Run the kit against the reference server; its report, with all exchanges.
+    """Run the kit against the reference server; return its report, with exchanges.
 
     rules: ids, or the beginnings of ids; all without them.
     """
@@ -108,7 +107,7 @@ def judge(rules: Sequence[str] = (), *, quick: bool = False) -> Plain:
 
 
 def summarize(name: str, report: Plain) -> Plain:
-    """What a page shows of a report."""
+    """Select what a page shows of a report."""
     is_excused = any(row["is_known_failure"] for row in report["rows"])
     if report["only"] or report["quick"] or report["stage"] or is_excused:
         raise ValueError(f"{name}: its report is not one of a whole run")

@@ -54,7 +54,7 @@ def test_pages_are_converted(text: str, wanted: str) -> None:
 
 @pytest.fixture(scope="module")
 def report() -> dict[str, Any]:
-    """What the kit says of a few rules of the reference server."""
+    """A report of the kit on a few rules of the reference server."""
     return judge(RECORDED_RULES, quick=True)
 
 
