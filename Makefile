@@ -91,15 +91,12 @@ lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
 dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
 
 kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers
-false-alarms: setup ## Run the kit on right servers again and again
-#                   RUNS=200 BUSY=1 (every run on a busy machine) ARGS='-j 2'
-	@$(python) -m tools.measurements.false_alarms $${RUNS:+--runs "$$RUNS"} $${BUSY:+--load busy} $(ARGS)
+false-alarms: setup; @$(python) -m tools.measurements.false_alarms $(ARGS) ## Run the kit on right servers again and again; ARGS='--runs 200 --load busy -j 2'
 mutation: setup ## Judge the kit on machine-made changes of a server
 #                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
 #                   WRITTEN=1 (bugs that people wrote) ARGS='--again survived'
 	@$(python) -m tests.mutation "$${SERVER:-js}" $${WRITTEN:+--written} --sample "$${SAMPLE:-0}" \
 		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
-	@$(python) -m tests.mutation.$${WRITTEN:+written.unseen_bugs_}page
 attack: setup ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1
 	@$(python) -m tests.attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)

@@ -1,4 +1,7 @@
-"""`python -m tests.mutation SERVER`: judge a sample of its mutants, go on if ended."""
+"""`python -m tests.mutation SERVER`: judge a sample of its mutants, go on if ended.
+
+The page of all results is written at the end.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +11,15 @@ import signal
 import sys
 
 from tests.mutation.campaign import Campaign, Record, choose, results_of
+from tests.mutation.page import build_page
 from tests.mutation.targets import TARGETS
 from tests.mutation.triage import read_triage
+from tests.mutation.written.unseen_bugs_page import build_written_page
 from tests.mutation.written.written_bugs import read_bugs, results_of_written
 
 
 def main() -> int:
-    """Returns 0 when all were judged, whatever the kit noticed."""
+    """Returns 0 when the results of all servers reach the goal."""
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("server", choices=TARGETS)
     arguments.add_argument("--sample", type=int, default=0, help="0: all mutants")
@@ -49,7 +54,8 @@ def main() -> int:
     campaign = Campaign(target, options.seed, options.jobs, results)
     with contextlib.suppress(KeyboardInterrupt):
         campaign.run(chosen, again, _print)
-    return 0
+    is_reached = build_written_page() if options.written else build_page()
+    return 0 if is_reached else 1
 
 
 def _print(record: Record) -> None:

@@ -1,4 +1,4 @@
-"""`python -m tests.mutation.page`: write build/mutation.md from the results.
+"""build/mutation.md, which `make mutation` writes from the results.
 
 Counts for each server and operator, and each survivor with its reason. Reads the
 results of campaigns and the triage; judges nothing.
@@ -6,7 +6,6 @@ results of campaigns and the triage; judges nothing.
 
 from __future__ import annotations
 
-import sys
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -22,7 +21,7 @@ HEAD = """# Mutation testing
 
 Machine-made changes of servers in other languages, one at a time, and what the kit says
 of each. `make mutation SERVER=js SAMPLE=150` judges a random sample and goes on where
-it was ended; `.venv/bin/python -m tests.mutation.page` writes this page.
+it was ended.
 
 | outcome | meaning |
 |---|---|
@@ -166,8 +165,8 @@ def as_cell(words: str) -> str:
     return " ".join(words.split()).replace("|", "\\|")
 
 
-def main() -> int:
-    """Write the page; 0 when each survivor has a reason and the goal is reached."""
+def build_page() -> bool:
+    """Write the page; return whether the goal is reached for each server."""
     reasons = read_triage()
     sections = []
     is_done = True
@@ -179,8 +178,4 @@ def main() -> int:
         reached = score(judged, reasons)
         is_done &= reached is None or reached >= GOAL
     write_page("mutation.md", whole_page([one for one in sections if one]))
-    return 0 if is_done else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return is_done

@@ -1,4 +1,4 @@
-"""`python -m tests.mutation.written.unseen_bugs_page`: write build/unseen-bugs.md.
+"""build/unseen-bugs.md, which `make mutation WRITTEN=1` writes from the results.
 
 What the kit noticed of bugs that people wrote when it had not seen them, and what it
 notices today. Judges nothing.
@@ -6,7 +6,6 @@ notices today. Judges nothing.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping, Sequence
 
 from tests.mutation.campaign import Record
@@ -95,25 +94,19 @@ def _reason(bug: WrittenBug, reasons: Mapping[str, Reason]) -> str:
     return as_cell(reasons[bug.mutant.id].text) if _is_free(bug, reasons) else ""
 
 
-def main() -> int:
-    """Returns 0 when the kit notices every bug that the text does not leave free."""
+def build_written_page() -> bool:
+    """Write the page; return whether each judged bug is noticed that is one."""
     reasons = read_triage()
     sections = []
-    is_done = True
+    is_noticed = True
     for target in TARGETS.values():
         bugs = read_bugs(target)
         results = read_all_results(results_of_written(target))
         sections.append(section_of_written(target, bugs, results, reasons))
-        is_done &= all(
-            bug.mutant.id in results
-            and (
-                results[bug.mutant.id][-1].outcome in NOTICED or _is_free(bug, reasons)
-            )
+        is_noticed &= all(
+            results[bug.mutant.id][-1].outcome in NOTICED or _is_free(bug, reasons)
             for bug in bugs
+            if bug.mutant.id in results
         )
     write_page("unseen-bugs.md", "\n".join([HEAD, *sections]).rstrip() + "\n")
-    return 0 if is_done else 1
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    return is_noticed
