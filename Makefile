@@ -15,7 +15,7 @@ help: ## Show this list
 
 setup: .venv/ready ## Install everything that is needed into .venv
 
-.venv/ready: requirements/dev.txt pyproject.toml tools/setup.sh
+.venv/ready: requirements/dev.txt requirements/hashes.txt pyproject.toml tools/setup.sh
 	$(environment) dev
 
 .venv-%/ready: requirements/%.txt .venv/ready; $(environment) $*
@@ -83,8 +83,8 @@ interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
 
-lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
-	@sh tools/lock.sh $(ARGS)
+lock: setup ## Resolve requirements/*.in into locks with hashes; ARGS=--upgrade
+	@$(python) -m tools.locks $(ARGS)
 dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
 
 kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers, rewrite its page
