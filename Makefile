@@ -66,7 +66,7 @@ lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*c
 
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow"
-test: setup programs .venv-cluster/ready .venv-site/ready lint generate-check ## The same with all tests; mutants by their own rows
+test: setup programs .venv-cluster/ready lint generate-check ## The same with all tests; mutants by their own rows
 	@$(pytest)
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .
@@ -78,7 +78,7 @@ programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tes
 client: .venv-generate/ready ## Write a client in LANGUAGE=csharp or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pages that follow from spec/ and the code
-site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html
+site: .venv-generate/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop

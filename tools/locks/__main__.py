@@ -40,7 +40,6 @@ LOCKS: dict[str, tuple[str, ...]] = {
     "robosuite": ("--overrides", "robosuite-overrides.txt"),
     "lerobot": ("--excludes", "lerobot-excludes.txt"),
     "bench": (),
-    "site": (),
 }
 # The bills of materials say by which package another one is required.
 PUBLISHED = ("kit", "client", "server")
