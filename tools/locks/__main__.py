@@ -26,6 +26,7 @@ from tools.locks.wheel_files import read_pylock
 
 # The versions of `dev`, where the tests of these packages run.
 _AS_DEV = ("--constraints", "dev.txt")
+_MUJOCO_3 = ("--overrides", "mujoco3-overrides.txt")
 # The options of uv for each environment, in the order in which they are resolved.
 LOCKS: dict[str, tuple[str, ...]] = {
     "dev": (),
@@ -34,10 +35,10 @@ LOCKS: dict[str, tuple[str, ...]] = {
     "server": _AS_DEV,
     "generate": _AS_DEV,
     "cluster": _AS_DEV,
-    # These need another MuJoCo, torch, or the peers of a benchmark.
-    "metaworld": ("--overrides", "metaworld-overrides.txt"),
-    "aloha": ("--overrides", "aloha-overrides.txt"),
-    "robosuite": ("--overrides", "robosuite-overrides.txt"),
+    "metaworld": _MUJOCO_3,
+    "aloha": _MUJOCO_3,
+    "robosuite": _MUJOCO_3,
+    # torch, and the peers of a benchmark, need other versions than ours.
     "lerobot": ("--excludes", "lerobot-excludes.txt"),
     "bench": (),
 }
