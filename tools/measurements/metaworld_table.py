@@ -29,7 +29,7 @@ from proctor_client import ControlApi
 from reference_client import Observation, evaluate
 from reference_client.protocol.connection import Connection
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "evaluate" / "metaworld.md"
 BENCHMARK = tomllib.loads(
     (ROOT / "reference_sim" / "benchmarks" / "metaworld" / "benchmark.toml").read_text()
