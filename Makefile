@@ -15,7 +15,7 @@ help: ## Show this list
 
 setup: .venv/ready ## Install everything that is needed into .venv
 
-.venv/ready: requirements/dev.txt pyproject.toml tools/setup.sh
+.venv/ready: requirements/dev.txt requirements/hashes.txt pyproject.toml tools/setup.sh
 	$(environment) dev
 
 .venv-%/ready: requirements/%.txt .venv/ready; $(environment) $*
@@ -64,7 +64,7 @@ robosuite-check: robosuite; @.venv-robosuite/bin/python -m pytest tests/sim/benc
 lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
 lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*checks.py ## Run the tests that need LeRobot
 
-tested := setup programs .venv-cluster/ready .venv-site/ready lint generate-check
+tested := setup programs .venv-cluster/ready lint generate-check
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
 	@$(pytest) -m "not slow and not release"
 test: $(tested) ## The gate: the same with slow tests, and a sample of mutants and clients
@@ -81,13 +81,13 @@ programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tes
 client: .venv-generate/ready ## Write a client in LANGUAGE=csharp or any other
 	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
 docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pictures in docs/, build the table of all rules
-site: .venv-site/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html, in minutes
+site: .venv-generate/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html, in minutes
 interop: setup ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
 
-lock: setup ## Resolve requirements/*.in into hashed locks; ARGS=--upgrade
-	@sh tools/lock.sh $(ARGS)
+lock: setup ## Resolve requirements/*.in into locks with hashes; ARGS=--upgrade
+	@$(python) -m tools.locks $(ARGS)
 dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
 
 kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes an environment equal to its lock: `sh tools/setup.sh dev` (.venv), `aloha`,
-# `bench`, `cluster`, `generate`, `lerobot`, `metaworld`, `own`, `robosuite` or `site`
+# `bench`, `cluster`, `generate`, `lerobot`, `metaworld`, `own` or `robosuite`
 # (.venv-NAME). uv does the work; here is what uv cannot do: pip brings uv itself, by the
 # hash in the lock, to a machine that has nothing but Python, and root on Debian or Ubuntu
 # gets the GL libraries that camera images need. PYTHON names the Python to use; otherwise
@@ -26,7 +26,7 @@ install_uv() {
     [ "$python" ] || stop "no Python 3.11 or newer that has the module venv; install one" \
         "(Debian, Ubuntu: apt-get install python3-venv) or name it: make PYTHON=..."
     "$python" -m venv --clear .venv
-    sed -n '/^uv==/,/[^\\]$/p' requirements/dev.txt > .venv/uv.txt
+    sed -n '/^uv==/,/[^\\]$/p' requirements/hashes.txt > .venv/uv.txt
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
         --require-hashes --no-deps --only-binary :all: --requirement .venv/uv.txt
 }
@@ -52,9 +52,13 @@ if [ ! -x "$uv" ]; then install_uv; fi
 if [ ! -x "$environment/bin/python" ]; then
     "$uv" venv --quiet --clear --python .venv/bin/python "$environment"
 fi
+lock=requirements/$name.txt
+if [ "$name" != own ]; then  # `make add` wrote the hashes into own.txt
+    lock=$environment/lock.txt
+    .venv/bin/python tools/locks/complete.py "$name" > "$lock"
+fi
 # The lock is complete: nothing is resolved, nothing is compiled.
-"$uv" pip sync --quiet --python "$environment" --require-hashes --no-build \
-    "requirements/$name.txt"
+"$uv" pip sync --quiet --python "$environment" --require-hashes --no-build "$lock"
 case $name in aloha | cluster | dev | lerobot | metaworld | own | robosuite)
     "$uv" pip install --quiet --python "$environment" --no-deps --no-build-isolation \
         --editable .

@@ -86,7 +86,7 @@ def test_with_pictures_does_not_change_the_turn(
 
 def versions_in(lock: str) -> dict[str, str]:
     text = (interleaved_rounds.ROOT / "requirements" / lock).read_text()
-    return dict(re.findall(r"^([a-z0-9-]+)==([^ ]+)", text, re.MULTILINE))
+    return dict(re.findall(r"^([a-z0-9-]+)==(\S+)", text, re.MULTILINE))
 
 
 def test_libraries_are_measured_in_the_locked_versions() -> None:

@@ -22,6 +22,7 @@ from pathlib import Path
 
 from tools.distributions.bill_of_materials import write_bill
 from tools.distributions.staging import DISTRIBUTIONS, ROOT, Distribution, copy_sources
+from tools.locks.complete import complete_lock
 
 _BUILD = (
     "import sys; from setuptools import build_meta as b; b.build_wheel(sys.argv[1])"
@@ -75,7 +76,7 @@ def _build(distribution: Distribution, to: Path, epoch: int) -> tuple[Path, ...]
             raise CannotBuild(f"{distribution.name}:\n{done.stdout}{done.stderr}")
         shutil.copyfile(built / wheel.name, wheel)
     lock, bill = to / f"{stem}-requirements.txt", to / f"{stem}.cdx.json"
-    shutil.copyfile(ROOT / "requirements" / distribution.lock, lock)
+    lock.write_text(complete_lock(distribution.lock), encoding="utf-8")
     write_bill(distribution, wheel, _sha256(wheel), epoch, bill)
     return wheel, lock, bill
 

@@ -28,8 +28,9 @@ from cyclonedx.model.license import LicenseExpression
 from cyclonedx.output.json import JsonV1Dot6
 from packageurl import PackageURL
 
-from tools.distributions.locks import LockedPackage, read_lock
-from tools.distributions.staging import ROOT, VERSION, Distribution
+from tools.distributions.locks import LockedPackage, parse_lock
+from tools.distributions.staging import VERSION, Distribution
+from tools.locks.complete import complete_lock
 
 # `htmx.min.js: htmx.org 2.0.8, Zero-Clause BSD`
 _SCRIPT = re.compile(
@@ -46,7 +47,7 @@ def write_bill(
     bill = Bom(serial_number=uuid.uuid5(uuid.NAMESPACE_URL, sha256))
     bill.metadata.component = subject
     bill.metadata.timestamp = datetime.fromtimestamp(epoch, UTC)
-    packages = read_lock(ROOT / "requirements" / distribution.lock)
+    packages = parse_lock(complete_lock(distribution.lock))
     found = [(package, _locked(package)) for package in packages]
     ours = [
         _component(name, VERSION)

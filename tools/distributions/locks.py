@@ -1,14 +1,13 @@
-"""Reads a lock of requirements/: packages, their hashes, and what required them.
+"""Reads a lock that has its hashes: packages, and which packages require them.
 
-A lock is what `uv pip compile` writes: a requirement with `==`, its hashes, and below
-it comments that say by which other packages it was required.
+Such a lock is what `uv pip compile` writes: a requirement with `==`, its hashes, and
+below it comments that name the packages that require it.
 """
 
 from __future__ import annotations
 
 import re
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
@@ -28,10 +27,10 @@ class LockedPackage:
     required_by: list[str] = field(default_factory=list)
 
 
-def read_lock(path: Path) -> list[LockedPackage]:
+def parse_lock(text: str) -> list[LockedPackage]:
     """Give the packages of a lock in its order. ValueError if a line is not known."""
     packages: list[LockedPackage] = []
-    for line in path.read_text(encoding="utf-8").splitlines():
+    for line in text.splitlines():
         if line and line[0] not in " #":
             packages.append(_begin(line.removesuffix("\\").strip()))
         elif found := _HASH.search(line):
@@ -39,7 +38,7 @@ def read_lock(path: Path) -> list[LockedPackage]:
         elif found := _VIA.fullmatch(line):
             packages[-1].required_by.append(found[1])
         elif line.strip() not in ("", "# via"):
-            raise ValueError(f"{path.name}: {line!r} is no line of a lock")
+            raise ValueError(f"a lock has no line such as {line!r}")
     return packages
 
 

@@ -26,8 +26,9 @@ _SPECIFICATION = ("*.md", "*.yaml", "profiles/*.yaml")
 class Distribution:
     """One wheel: its folders by their place in it, its lock, what it requires.
 
-    `requires` and `extras` hold names of requirements/*.in, and names of other
-    distributions, which are required in the same version.
+    `lock` is the name of a lock of requirements/, without `.txt`. `requires` and
+    `extras` hold names of requirements/*.in, and names of other distributions, which
+    are required in the same version.
     """
 
     name: str
@@ -46,7 +47,7 @@ DISTRIBUTIONS = (
     Distribution(
         "proctor-conformance",
         {"conformance": "conformance", "spec": "conformance/specification/files"},
-        "kit.txt",
+        "kit",
         ("kit.in",),
         {},
     ),
@@ -58,7 +59,7 @@ DISTRIBUTIONS = (
             "reference_record": "reference_record",
             "reference_sim": "reference_sim",
         },
-        "client.txt",
+        "client",
         ("client.in",),
         {
             "client": (),
@@ -74,7 +75,7 @@ DISTRIBUTIONS = (
     Distribution(
         "proctor-server",
         {"reference_server": "reference_server"},
-        "server.txt",
+        "server",
         ("server.in", "proctor-eval"),
         {
             "postgresql": ("postgresql.in",),

@@ -23,8 +23,8 @@ from tools.traceability import ROOT, traces
 
 HERE = Path(__file__).resolve().parent
 BUILD = ROOT / "build" / "site"
-SPHINX = ROOT / ".venv-site" / "bin" / "python"
-LIBRARY = ROOT / ".venv-site" / "mermaid.min.js"
+SPHINX = ROOT / ".venv-generate" / "bin" / "python"
+LIBRARY = ROOT / ".venv-generate" / "mermaid.min.js"
 COPIED = ("docs", "spec")
 FILES = {".md", ".yaml", ".json", ".txt", ".svg", ".png"}
 EXAMPLES = "examples/README.md"

@@ -26,6 +26,7 @@ from tests.support.repository.installed import (
 )
 from tools.distributions.staging import DISTRIBUTIONS, VERSION
 from tools.example_servers import NODE
+from tools.locks.complete import complete_lock
 
 CERTIFY = ROOT / "tools" / "certify"
 GITLAB = CERTIFY / "gitlab.yml"
@@ -183,7 +184,9 @@ def runner(tmp_path_factory: pytest.TempPathFactory) -> Runner:
     pip compares them with the lock, and would install what is missing.
     """
     made = Runner(tmp_path_factory.mktemp("runner"))
-    install_lock(ROOT / "requirements" / "kit.txt", made.temporary / "proctor-kit")
+    lock = made.temporary / "kit.txt"
+    lock.write_text(complete_lock("kit"))
+    install_lock(lock, made.temporary / "proctor-kit")
     installed = made.run(0, python=sys.executable)
     assert installed.returncode == 0, installed.stdout + installed.stderr
     return made

@@ -26,9 +26,10 @@ from conformance.specification.document import spec_name
 from tests.support.paths import ROOT
 from tests.support.repository.installed import Installed, build_wheels
 from tests.support.servers import TOKENS, ReferenceServer
-from tools.distributions.locks import read_lock
+from tools.distributions.locks import parse_lock
 from tools.distributions.staging import DISTRIBUTIONS, VERSION, Distribution
 from tools.example_servers import GO, build_server_go
+from tools.locks.complete import complete_lock
 
 slow = pytest.mark.slow("builds and installs wheels")
 PACKAGES = ("conformance", "reference_client", "reference_record", "reference_server")
@@ -165,7 +166,8 @@ def test_the_same_commit_gives_the_same_bytes(dist: Path, tmp_path: Path) -> Non
 
 @pytest.mark.parametrize("distribution", DISTRIBUTIONS, ids=NAMES)
 def test_locks_hold_what_is_required(distribution: Distribution) -> None:
-    locked = {package.name for package in read_lock(lock_of(distribution))}
+    lock = parse_lock(complete_lock(distribution.lock))
+    locked = {package.name for package in lock}
     for name in distribution.requires:
         if name.endswith(".in"):
             lines = (ROOT / "requirements" / name).read_text().splitlines()
@@ -173,19 +175,13 @@ def test_locks_hold_what_is_required(distribution: Distribution) -> None:
             assert {Requirement(text).name for text in texts if text} <= locked
 
 
-def lock_of(distribution: Distribution) -> Path:
-    return ROOT / "requirements" / distribution.lock
-
-
-def test_a_lock_is_read_with_hashes_and_origins(tmp_path: Path) -> None:
-    lock = tmp_path / "some.txt"
+def test_a_lock_is_read_with_hashes_and_origins() -> None:
     digest = "0" * 64
-    lock.write_text(
+    some, other = parse_lock(
         f"some-name==1.5 ; sys_platform != 'win32' \\\n    --hash=sha256:{digest}\n"
         f"    # via -r some.in\nother==2 \\\n    --hash=sha256:{digest}\n"
         "    # via\n    #   -r some.in\n    #   some-name\n"
     )
-    some, other = read_lock(lock)
     assert (some.name, some.version, some.hashes) == ("some-name", "1.5", [digest])
     assert some.marker == 'sys_platform != "win32"'
     assert (some.required_by, other.required_by) == (
@@ -194,14 +190,11 @@ def test_a_lock_is_read_with_hashes_and_origins(tmp_path: Path) -> None:
     )
 
 
-def test_a_lock_with_a_line_of_another_kind_is_refused(tmp_path: Path) -> None:
-    lock = tmp_path / "some.txt"
-    lock.write_text("some==1 \\\n    --no-such-option\n")
+def test_a_lock_with_a_line_of_another_kind_is_refused() -> None:
     with pytest.raises(ValueError, match="no-such-option"):
-        read_lock(lock)
-    lock.write_text("some>=1\n")
+        parse_lock("some==1 \\\n    --no-such-option\n")
     with pytest.raises(ValueError, match="not pinned"):
-        read_lock(lock)
+        parse_lock("some>=1\n")
 
 
 @slow
@@ -215,7 +208,7 @@ def test_bill_of_materials(dist: Path, distribution: Distribution) -> None:
     (digest,) = bill["metadata"]["component"]["hashes"]
     assert digest["content"] == hashlib.sha256(wheel).hexdigest()
     listed = {c["purl"]: c for c in bill["components"]}
-    for package in read_lock(lock_of(distribution)):
+    for package in parse_lock(complete_lock(distribution.lock)):
         component = listed[f"pkg:pypi/{package.name}@{package.version}"]
         (source,) = component["externalReferences"]
         hashes = {one["content"] for one in source["hashes"]}
