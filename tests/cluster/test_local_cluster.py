@@ -183,6 +183,7 @@ def test_all_of_it_plays_and_leaves_nothing(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow("starts PostgreSQL and a server, twice")
+@pytest.mark.release("a local cluster that is started again on its data")
 def test_data_of_its_own_postgresql_stay(tmp_path: Path) -> None:
     options = ("--nodes", "1", "--database", "postgresql")
     port = free_ports(2, 24000)

@@ -153,6 +153,7 @@ BROKEN = (
 
 
 @pytest.mark.slow("schedules until one is wrong")
+@pytest.mark.release("servers that are broken in storage, played in virtual time")
 @pytest.mark.parametrize("break_server", BROKEN, ids=lambda one: one.__name__)
 def test_a_broken_server_is_noticed(
     break_server: Callable[[pytest.MonkeyPatch], None],

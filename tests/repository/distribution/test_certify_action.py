@@ -250,6 +250,7 @@ def test_an_old_python_is_refused(runner: Runner, tmp_path: Path) -> None:
 
 
 @slow
+@pytest.mark.release("the job of GitLab; the action of GitHub is")
 def test_the_job_of_gitlab_judges(tmp_path: Path) -> None:
     """All its commands in a folder where no kit has run before, with the kit of the
     last commit of this repository."""
