@@ -52,6 +52,7 @@ def test_the_check_finds_no_fault(found: dict[str, object]) -> None:
     assert packages["mujoco"] == "3.3.0"
 
 
+@pytest.mark.slow("compiles numba in two processes")
 def test_two_processes_play_the_same_episode(found: dict[str, object]) -> None:
     """The same seed, once after other episodes. Expect equal states; another seed
     gives others."""
