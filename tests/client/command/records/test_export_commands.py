@@ -76,6 +76,22 @@ def test_the_record_of_a_run_is_saved_beside_its_export(
 
 
 @pytest.mark.parametrize(
+    "words", [["video", "--failures"], ["export", "--to", "lerobot"]]
+)
+def test_a_record_under_the_name_of_another_run_is_refused(
+    words: list[str],
+    record: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The run is named by its id, and a file with that name lies there."""
+    monkeypatch.chdir(record.parent)
+    assert main([words[0], "1", *words[1:]]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "run-1.proctor is the record of the run r, not of 1" in line
+
+
+@pytest.mark.parametrize(
     ("words", "text"),
     [
         (["video", "run-1.proctor"], "needs --episode N, or --failures"),
