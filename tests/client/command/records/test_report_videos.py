@@ -221,7 +221,7 @@ def test_a_folder_that_was_changed(
             "no video of a run in this report: its videos are of run_b",
         ),
         (
-            lambda there: [strip(path) for path in there.iterdir()],
+            lambda there: list(map(strip, there.iterdir())),
             "says which episode it shows",
         ),
         (lambda there: [path.unlink() for path in there.iterdir()], "has no videos"),
