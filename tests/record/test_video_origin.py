@@ -14,7 +14,7 @@ from reference_record.formats.video_origin import (
     append_origin,
     read_origin,
 )
-from tests.support.server.parsing_work import assert_linear
+from tests.support.parsing.parsing_work import assert_linear
 
 ORIGIN = VideoOrigin(
     run_id="run_1",

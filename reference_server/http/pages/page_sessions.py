@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from starlette.requests import Request
 from starlette.responses import Response
 
-from reference_server.http.cookies import read_cookie
+from reference_server.http.pages.cookies import read_cookie
 
 SESSION_COOKIE = "proctor_session"
 LOGIN_COOKIE = "proctor_login"

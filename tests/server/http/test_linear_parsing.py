@@ -1,4 +1,4 @@
-"""Whatever a stranger sends is parsed with work that grows with its length alone.
+"""Whatever an unknown caller sends is parsed with work that is linear in its length.
 
 Each place of a request is filled with texts that make a careless parser go back and
 begin again, up to the size at which the server refuses it. Uploads of records and
@@ -34,8 +34,8 @@ from reference_server.http.pages.page_routes import FORM, FORM_BYTES_MAX
 from reference_server.profiles.ebench import pickle_reader
 from reference_server.push.chat_calls import read_answer
 from reference_server.push.http_calls import ANSWER_BYTES_MAX
-from tests.support.server.asgi_server import TOKEN, AsgiServer, asgi_server
-from tests.support.server.parsing_work import (
+from tests.support.parsing.asgi_server import TOKEN, AsgiServer, asgi_server
+from tests.support.parsing.parsing_work import (
     FREE_S,
     SIZE_FACTOR,
     NotLinear,

@@ -1,7 +1,7 @@
 """The cookies of a request, read in a time that grows with their length alone.
 
 `http.cookies` reads a quoted value in a time that grows with the square of its length
-(CVE-2024-7592, in Python before 3.11.10 and 3.12.6), and a stranger chooses the value:
+(CVE-2024-7592, in Python before 3.11.10 and 3.12.6), and anyone can send such a value:
 one header of 32 kB would stop the event loop for seconds. Starlette's `Request.cookies`
 unquotes with the same function. So nothing else here reads cookies.
 """

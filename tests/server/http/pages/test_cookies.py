@@ -6,8 +6,8 @@ import pytest
 from starlette.requests import Request
 
 from reference_server.http.connections.connection_limits import HEADER_BYTES
-from reference_server.http.cookies import COOKIES_MAX, read_cookie
-from tests.support.server.parsing_work import assert_linear
+from reference_server.http.pages.cookies import COOKIES_MAX, read_cookie
+from tests.support.parsing.parsing_work import assert_linear
 
 
 def read(header: str | None) -> str:

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 
 # The sizes that are compared, and how much more work the larger one may be.
 SIZE_FACTOR, WORK_FACTOR = 16, 64
-# Less than this holds up nobody, however it grows.
+# Less than this delays no other request, however it grows.
 FREE_S = 0.005
 # Shorter measurements say nothing: the first bytes of a long text cost memory, too.
 LEAST_S = 0.000_25
