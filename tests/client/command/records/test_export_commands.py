@@ -73,6 +73,12 @@ def test_the_record_of_a_run_is_saved_beside_its_export(
     assert (policy_folder / f"run-{run_id}.proctor").is_file()
     folder = policy_folder / f"run-{run_id}-every-eval-ever"
     assert len([*folder.rglob("*.json")]) == 1
+    # The server sends the recordings of the record: a video of one fits the other.
+    assert proctor(policy_folder, "video", run_id, "--episode", "1").returncode == 0
+    shown = ("--videos", f"run-{run_id}-videos", "-o", "out", "--url", server.url)
+    done = proctor(policy_folder, "report", run_id, *shown, "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["videos"] == 1
 
 
 @pytest.mark.parametrize(
