@@ -7,6 +7,7 @@ verified first. The pages are those of a server.
 from __future__ import annotations
 
 import argparse
+import hashlib
 import io
 from collections.abc import Mapping
 from pathlib import Path
@@ -25,13 +26,14 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
-from reference_record.broken import BrokenRecord
+from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     read_recorded_episode,
 )
+from reference_record.pages.report_videos import ReportVideos
 from reference_record.pages.run_page import Document
 from reference_record.pages.static_pages import ReportedRun, StaticReport
 
@@ -43,18 +45,18 @@ RUNS_MAX = 20
 def report(args: argparse.Namespace, printer: Printer) -> int:
     """`proctor report RUN|FILE… -o DIR`."""
     folder = _folder(args)
-    videos = None if args.videos is None else Path(args.videos)
-    if videos is not None and not videos.is_dir():
-        raise UsageError(f"{videos} is no folder")
+    for name in args.videos or ():
+        if not Path(name).is_dir():
+            raise UsageError(f"{name} is no folder")
     if len(args.runs) > RUNS_MAX:
         raise UsageError(f"at most {RUNS_MAX} runs fit into a report")
     files = [name for name in args.runs if _is_file(name)]
     try:
         if len(files) == len(args.runs):
-            runs = [_of_file(name, keys_of(args.key or []), videos) for name in files]
-            return _write(folder, runs, printer)
+            runs = [_of_file(name, keys_of(args.key or [])) for name in files]
+            return _write(folder, runs, args, printer)
         with connect(args.url, args.token, args, printer) as connected:
-            return _write(folder, _all(args, connected, videos), printer)
+            return _write(folder, _all(args, connected), args, printer)
     except BrokenRecord as broken:
         printer.say(f"proctor: do not trust it: {broken}")
         return BROKEN
@@ -74,41 +76,51 @@ def _is_file(name: str) -> bool:
     return "/" in name or "." in name or Path(name).exists()
 
 
-def _write(folder: Path, runs: list[ReportedRun], printer: Printer) -> int:
-    if len({one.run_id for one in runs}) < len(runs):
+def _write(
+    folder: Path, runs: list[ReportedRun], args: argparse.Namespace, printer: Printer
+) -> int:
+    run_ids = {one.run_id for one in runs}
+    if len(run_ids) < len(runs):
         raise UsageError("a run is named twice")
     try:
-        pages = StaticReport(folder, runs).write()
+        videos = ReportVideos.of_folders(map(Path, args.videos or ()), run_ids)
+        pages = StaticReport(folder, runs, videos).write()
+    except UnusableRecord as unusable:
+        raise UsageError(str(unusable)) from unusable
     except OSError as error:
-        raise UsageError(f"{folder}: {error.strerror or error}") from error
-    index = folder / "index.html"
-    printer.answer({"index": str(index), "pages": pages}, f"{index}  ({pages} pages)")
+        name = error.filename or folder
+        raise UsageError(f"{name}: {error.strerror or error}") from error
+    left_out = videos.left_out(run_ids)
+    for line in left_out:
+        printer.say(f"proctor: {line}")
+    index, counted = folder / "index.html", f"{pages} pages"
+    if args.videos:
+        counted += f", {videos.placed} video{'s' * (videos.placed != 1)}"
+    answer = {"index": str(index), "pages": pages, "videos": videos.placed}
+    printer.answer(answer | {"left_out": left_out}, f"{index}  ({counted})")
     return DONE
 
 
 def _all(
     args: argparse.Namespace,
     connected: tuple[Connection, RetryPolicy],
-    videos: Path | None,
 ) -> list[ReportedRun]:
     keys = names_of_host(*connected) | keys_of(args.key or [])
     return [
-        _of_file(name, keys, videos)
-        if _is_file(name)
-        else _of_server(name, *connected, videos)
+        _of_file(name, keys) if _is_file(name) else _of_server(name, *connected)
         for name in args.runs
     ]
 
 
-def _of_file(name: str, keys: Mapping[str, str], videos: Path | None) -> ReportedRun:
+def _of_file(name: str, keys: Mapping[str, str]) -> ReportedRun:
     try:
-        return read_reported_run(open_bundle(Path(name)), keys, videos)
+        return read_reported_run(open_bundle(Path(name)), keys)
     except OSError as error:
         raise UsageError(f"{name}: {error.strerror or error}") from error
 
 
 def _of_server(
-    run_id: str, connection: Connection, retry_policy: RetryPolicy, videos: Path | None
+    run_id: str, connection: Connection, retry_policy: RetryPolicy
 ) -> ReportedRun:
     control.check_run_id(run_id)
     client = ControlClient(connection.control, retry_policy)
@@ -125,28 +137,31 @@ def _of_server(
                 raise
             return None
         name = episode["episode_id"]
-        return read_recorded_episode(io.BytesIO(data), len(data), name)
+        recorded = read_recorded_episode(io.BytesIO(data), len(data), name)
+        recorded.sha256 = hashlib.sha256(data).hexdigest()
+        return recorded
 
     return ReportedRun(
         run=_document(run),
         score=_document(score),
         episodes=[_document(episode) for episode in episodes],
-        benchmark=_benchmark(client, run.benchmark_id),
+        benchmark=_benchmark(client, run.benchmark_id, run.benchmark_version),
         level=f"Level: reported by {connection.url}.",
         read=read,
-        videos=videos,
     )
 
 
-def _benchmark(client: ControlClient, benchmark_id: str) -> Document | None:
-    """None if the server no longer offers it."""
+def _benchmark(
+    client: ControlClient, benchmark_id: str, version: str
+) -> Document | None:
+    """None if the server no longer offers it, or offers another version."""
     try:
         found: Benchmark = client.benchmark(benchmark_id)
     except ProctorError as error:
         if error.code != "not_found":
             raise
         return None
-    return _document(found)
+    return _document(found) if found.version == version else None
 
 
 def _document(model: BaseModel) -> dict[str, object]:

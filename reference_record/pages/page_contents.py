@@ -60,8 +60,17 @@ class Window:
 
 
 @dataclass(frozen=True, slots=True)
+class ShownVideo:
+    """A video of an episode. note: where it leaves the recording; empty: nowhere."""
+
+    camera: str
+    address: str
+    note: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class PlayedView:
-    """A recorded episode with the addresses of its pictures and its video, if any.
+    """A recorded episode with the addresses of its pictures and its videos, if any.
 
     cameras: name → (step, address) of its pictures.
     """
@@ -70,7 +79,7 @@ class PlayedView:
     events: Sequence[tuple[int, str, str]]
     data: Mapping[str, Any]
     cameras: Mapping[str, Sequence[tuple[int, str]]]
-    video: str = ""
+    videos: Sequence[ShownVideo] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -189,14 +198,14 @@ def _number_of_run(run: Document) -> str | None:
 def played_view(
     recorded: RecordedEpisode,
     addresses: Sequence[str] = (),
-    video: str = "",
+    videos: Sequence[ShownVideo] = (),
 ) -> PlayedView:
     """addresses: of the pictures, in their order."""
     cameras: dict[str, list[tuple[int, str]]] = {}
     for picture, address in zip(recorded.pictures, addresses, strict=False):
         cameras.setdefault(picture.camera, []).append((picture.step, address))
     data = plot_data(recorded) | {"pictures": cameras}
-    return PlayedView(recorded.turns, recorded.events, data, cameras, video)
+    return PlayedView(recorded.turns, recorded.events, data, cameras, videos)
 
 
 def episode_html(

@@ -7,7 +7,6 @@ chose its texts, so each is checked for its type before a template sees it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any, TypeVar
 
 import msgspec
@@ -106,12 +105,10 @@ class _Seeds(Struct):
     episodes: list[_Seed]
 
 
-def read_reported_run(
-    bundle: Bundle, trusted: Mapping[str, str], videos: Path | None = None
-) -> ReportedRun:
+def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun:
     """A record that was verified, as a report shows it; raises BrokenRecord.
 
-    trusted: keyid → whose key it is. videos: as ReportedRun has it.
+    trusted: keyid → whose key it is.
     """
     report = verify(bundle, trusted)
     said = report.evaluation
@@ -122,17 +119,19 @@ def read_reported_run(
         for line in read_lines(bundle.blocks(EPISODES))
     ]
     recordings = {
-        line.index: line.recording.path
+        line.index: line.recording
         for line in read_lines(bundle.blocks(EPISODES))
         if line.recording is not None
     }
 
     def read(episode: Document) -> RecordedEpisode | None:
-        name = recordings.get(episode["index"])
-        if name is None:
+        recording = recordings.get(episode["index"])
+        if recording is None:
             return None
+        name = recording.path
         with bundle.open(name) as file:
             recorded = read_recorded_episode(file, bundle.sizes[name], name)
+        recorded.sha256 = recording.sha256
         _complete(episode, recorded)
         return recorded
 
@@ -147,7 +146,6 @@ def read_reported_run(
         | {"manifest_sha256": said.manifest_sha256, "unavailable_reason": None},
         level=signed_level(report.levels),
         read=read,
-        videos=videos,
     )
 
 

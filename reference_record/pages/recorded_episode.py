@@ -62,6 +62,7 @@ class CameraPicture:
 class RecordedEpisode:
     """turns: of the last attempt. events: (attempt, what happened, why) of all.
 
+    sha256: of the recording, where that is known; a video of the episode has it, too.
     late: of the turns, those that came after the actions before had been executed.
     """
 
@@ -70,6 +71,7 @@ class RecordedEpisode:
     first_digest: str | None = None
     result: EpisodeResult | None = None
     pictures: list[CameraPicture] = field(default_factory=list)
+    sha256: str = ""
 
     @property
     def steps(self) -> int:

@@ -8,18 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from reference_record.pages import page_contents
 from reference_record.pages.comparison_page import pair_episodes
-from reference_record.pages.page_contents import Side, Window, played_view
+from reference_record.pages.page_contents import (
+    ShownVideo,
+    Side,
+    Window,
+    played_view,
+)
 from reference_record.pages.page_templates import ASSETS, read_asset, render_page
 from reference_record.pages.recorded_episode import RecordedEpisode
+from reference_record.pages.report_videos import ReportVideos
 from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
 
 ROWS_MAX = 1000
-VIDEO = "{index:05d}.mp4"
 
 
 @dataclass(slots=True)
@@ -28,8 +34,7 @@ class ReportedRun:
 
     run, score, episodes, benchmark: documents of the API; benchmark None if it is not
     known. level: what may be said of the score. read: gives the recording of an episode
-    with a result, None without one; raises BrokenRecord. videos: a folder with files
-    such as 00042.mp4, named by the index of their episode; None without one.
+    with a result, None without one; raises BrokenRecord.
     """
 
     run: Document
@@ -38,7 +43,6 @@ class ReportedRun:
     benchmark: Document | None
     level: str
     read: Callable[[Document], RecordedEpisode | None]
-    videos: Path | None = None
     times: PolicyTimes = field(default_factory=PolicyTimes)
 
     @property
@@ -48,7 +52,10 @@ class ReportedRun:
 
 @dataclass(frozen=True, slots=True)
 class FileLinks:
-    """Links between files. root: from the page to the folder of the report."""
+    """Links between files. root: from the page to the folder of the report.
+
+    benchmarks: SHA-256 of a manifest → the number of the page that describes it.
+    """
 
     root: str
     runs_by_id: Mapping[str, int]
@@ -67,8 +74,8 @@ class FileLinks:
     def asset(self, name: str) -> str:
         return f"{self.root}static/{name}"
 
-    def benchmark(self, benchmark_id: str) -> str:
-        number = self.benchmarks.get(benchmark_id)
+    def benchmark(self, benchmark_id: str, manifest_sha256: str = "") -> str:
+        number = self.benchmarks.get(manifest_sha256)
         return f"{self.root}benchmarks/{number}.html" if number else ""
 
     def leaderboard(self, benchmark_id: str) -> str:
@@ -95,12 +102,23 @@ class FileLinks:
 class StaticReport:
     """Writes pages of some runs into a folder. Raises OSError, BrokenRecord."""
 
-    def __init__(self, folder: Path, runs: Sequence[ReportedRun]) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        runs: Sequence[ReportedRun],
+        videos: ReportVideos | None = None,
+    ) -> None:
         self._folder = folder
         self._runs = runs
+        self._videos = videos or ReportVideos()
         self._runs_by_id = {one.run_id: n for n, one in enumerate(runs, start=1)}
-        known = [one.benchmark for one in runs if one.benchmark is not None]
-        self._benchmarks = list({one["benchmark_id"]: one for one in known}.values())
+        # Two runs of one benchmark may be of two versions of it: what describes one of
+        # them says nothing of the other.
+        described = [one.benchmark for one in runs if one.benchmark is not None]
+        by_manifest = {one["manifest_sha256"]: one for one in described}
+        self._benchmarks = list(by_manifest.values())
+        # The folder may have files of an earlier report: they are never taken for ours.
+        self._written: set[Path] = set()
 
     def write(self) -> int:
         """All pages; returns their number."""
@@ -139,8 +157,16 @@ class StaticReport:
         )
 
     def _links(self, root: str) -> FileLinks:
-        named = {b["benchmark_id"]: n for n, b in enumerate(self._benchmarks, start=1)}
-        return FileLinks(root, self._runs_by_id, named)
+        numbers = {
+            one["manifest_sha256"]: number
+            for number, one in enumerate(self._benchmarks, start=1)
+        }
+        # A server describes a benchmark without the options of the run.
+        for one in self._runs:
+            if one.benchmark is not None:
+                number = numbers[one.benchmark["manifest_sha256"]]
+                numbers.setdefault(one.run["manifest_sha256"], number)
+        return FileLinks(root, self._runs_by_id, numbers)
 
     def _others(self, baseline: ReportedRun) -> list[ReportedRun]:
         """The runs behind it that can be compared with it."""
@@ -201,22 +227,23 @@ class StaticReport:
         index, addresses = episode["index"], []
         for number, picture in enumerate(recorded.pictures):
             name = f"{index:05d}/{number:05d}.{picture.extension}"
-            target = self._folder / folder / name
-            if not target.exists():
-                target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_bytes(picture.data)
+            self._write_once(f"{folder}/{name}", partial(bytes, picture.data))
             addresses.append(base + name)
-        return played_view(recorded, addresses, self._video(one, index, folder, base))
+        videos = []
+        found = self._videos.of_recording(recorded.sha256)
+        for number, video in enumerate(found, start=1):
+            name = f"{index:05d}-{number}.mp4"
+            self._write_once(f"{folder}/{name}", video.path.read_bytes)
+            videos.append(ShownVideo(video.origin.camera, base + name, video.note))
+        return played_view(recorded, addresses, videos)
 
-    def _video(self, one: ReportedRun, index: int, folder: str, base: str) -> str:
-        name = VIDEO.format(index=index)
-        if one.videos is None or not (one.videos / name).is_file():
-            return ""
-        target = self._folder / folder / name
-        if not target.exists():
+    def _write_once(self, name: str, read: Callable[[], bytes]) -> None:
+        """An episode has a page of its own, and stands in comparisons."""
+        target = self._folder / name
+        if target not in self._written:
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes((one.videos / name).read_bytes())
-        return base + name
+            target.write_bytes(read())
+            self._written.add(target)
 
     def _write_comparison(
         self, baseline: ReportedRun, other: ReportedRun

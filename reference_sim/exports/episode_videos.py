@@ -3,7 +3,7 @@
 No picture is stored in a record. The simulator plays the actions again, at any size,
 and after every turn its state is compared with the recorded digest: a video whose
 episode came to another result is refused unless it is wanted anyway, and its name says
-so then.
+so then. Each file says of which recording it is.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.broken import UnusableRecord
+from reference_record.formats.video_origin import append_origin
 from reference_record.statement import EpisodeLine
 from reference_sim.exports.job import Job
 from reference_sim.exports.progress import ProgressBar
@@ -26,7 +27,7 @@ from reference_sim.exports.simulated_episodes import (
     replay_facts,
     simulation,
 )
-from reference_sim.exports.source import Source
+from reference_sim.exports.source import Source, video_origin
 from reference_sim.exports.video_file import VideoFile
 from reference_sim.interface import Observation
 from reference_sim.replay.episode_replay import EpisodeReplay
@@ -76,7 +77,7 @@ def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
                 _remove(wanted)
                 refused.append(replay_facts(line, found))
                 continue
-            files += [_finish(one, line, found, drawn) for one in wanted]
+            files += [_finish(source, one, line, found, drawn) for one in wanted]
         if refused:
             bar.say("no video is kept of what left the record; --anyway keeps it")
     return {"files": files, "refused": refused}
@@ -100,7 +101,6 @@ def _wanted(replayed: Simulation, line: EpisodeLine, job: Job) -> list[Wanted]:
     folder.mkdir(parents=True, exist_ok=True)
     wanted = []
     for camera in dict.fromkeys(cameras):
-        # The pages of `proctor report` look for the first form.
         name = "" if len(cameras) == 1 else "-" + re.sub(r"[^\w.-]", "_", camera)
         one = Wanted(camera, folder / f"{line.index:05d}{name}.mp4")
         for existing in (one.path, one.diverged):
@@ -159,9 +159,14 @@ def _texts(source: Source, line: EpisodeLine) -> dict[str, str]:
 
 
 def _finish(
-    one: Wanted, line: EpisodeLine, found: EpisodeReplay, pictures: int
+    source: Source,
+    one: Wanted,
+    line: EpisodeLine,
+    found: EpisodeReplay,
+    pictures: int,
 ) -> dict[str, Any]:
     path = one.diverged if found.result == "diverged" else one.path
+    append_origin(one.unfinished, video_origin(source, line, found, one.camera))
     one.unfinished.replace(path)
     return {
         "path": str(path),

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference_record.broken import UnusableRecord
+from reference_record.formats.video_origin import append_origin
 from reference_record.statement import EpisodeLine
 from reference_sim.exports import lerobot_format as layout
 from reference_sim.exports.job import Job
@@ -29,9 +30,10 @@ from reference_sim.exports.simulated_episodes import (
     replay_facts,
     simulation,
 )
-from reference_sim.exports.source import Source
+from reference_sim.exports.source import Source, video_origin
 from reference_sim.exports.video_file import VideoFile, encoded_size
 from reference_sim.interface import Observation
+from reference_sim.replay.episode_replay import EpisodeReplay
 
 STATE, ACTION, IMAGES = "observation.state", "action", "observation.images."
 REWARD, DONE, SUCCESS = "next.reward", "next.done", "next.success"
@@ -62,7 +64,7 @@ def write_dataset(source: Source, folder: Path, job: Job) -> Mapping[str, Any]:
                 frames.remove()
                 refused.append(replay_facts(line, found))
             else:
-                dataset.add(line, frames, replayed.instruction)
+                dataset.add(line, frames, found, replayed.instruction)
         if refused:
             bar.say("what left the record is left out; --anyway keeps it")
         if not dataset.episodes:
@@ -193,7 +195,16 @@ class _Dataset:
         frames.sample_every = -(-line.steps // layout.IMAGES_FOR_STATISTICS)
         return frames
 
-    def add(self, line: EpisodeLine, frames: _EpisodeFrames, instruction: str) -> None:
+    def add(
+        self,
+        line: EpisodeLine,
+        frames: _EpisodeFrames,
+        replay: EpisodeReplay,
+        instruction: str,
+    ) -> None:
+        for camera in frames.videos:
+            origin = video_origin(self._source, line, replay, camera)
+            append_origin(frames.paths[camera], origin)
         if self._data is None:
             self._features = self._describe(frames)
             self._data = layout.DataFiles(self._folder, self._features)
@@ -287,8 +298,10 @@ class _Dataset:
         for name, statistics in found.items():
             lists = layout.as_lists(statistics)
             row |= {f"stats/{name}/{k}": v for k, v in lists.items()}
+        assert line.recording is not None, "it was simulated from one"
         return row | {
             "proctor/episode_index": line.index,
+            "proctor/recording_sha256": line.recording.sha256,
             "proctor/outcome": line.outcome,
             "proctor/score": line.score,
         }

@@ -16,9 +16,11 @@ from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.mcap_reader import read_messages
 from reference_record.formats.names import EPISODES, MANIFEST
+from reference_record.formats.video_origin import VideoOrigin
 from reference_record.recording import AttemptEvent, Turn
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_record.verification import verify
+from reference_sim.replay.episode_replay import EpisodeReplay
 
 _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
 _TURN = msgspec.json.Decoder(Turn)
@@ -91,6 +93,22 @@ class Source:
             "note": "an export of a record, without a signature; the record is "
             "what can be verified and replayed",
         }
+
+
+def video_origin(
+    source: Source, line: EpisodeLine, found: EpisodeReplay, camera: str
+) -> VideoOrigin:
+    """What a video says of the episode that it shows, which has a recording."""
+    assert line.recording is not None
+    return VideoOrigin(
+        run_id=source.evaluation.run.run_id,
+        statement_sha256=source.statement_sha256,
+        episode_index=line.index,
+        recording_sha256=line.recording.sha256,
+        camera=camera,
+        replay=found.result,
+        turn=None if found.where is None else found.seq,
+    )
 
 
 def open_source(path: Path) -> Source:

@@ -283,8 +283,8 @@ def _add_report_options(parser: argparse.ArgumentParser) -> None:
         "--force", action="store_true", help="write into a folder that has files"
     )
     parser.add_argument(
-        "--videos", metavar="DIR",
-        help="folder with a video of each episode, named by its index: 00042.mp4",
+        "--videos", metavar="DIR", action="append",
+        help="folder of `proctor video`: shown beside their episodes; repeatable",
     )  # fmt: skip
     _add_key(parser)
 

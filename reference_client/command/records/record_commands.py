@@ -9,7 +9,7 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -28,8 +28,9 @@ from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord
 from reference_record.export import save_blocks
 from reference_record.formats.bundle import open_bundle
+from reference_record.formats.names import STATEMENT
 from reference_record.replay_verdict import ReplayVerdict
-from reference_record.verification import Report, verify
+from reference_record.verification import Report, read_statement, verify
 
 BROKEN = 1
 SUFFIX = ".proctor"
@@ -103,7 +104,20 @@ def _record_of(args: argparse.Namespace, printer: Printer) -> Path:
     if not path.exists():
         _fetch(source, path, args, printer)
         printer.say(f"proctor: saved the record as {path}")
+    elif (run_id := _run_of(path)) not in (None, source):
+        raise UsageError(
+            f"{path} is the record of the run {run_id}, not of {source}: give it "
+            "another name, or name the file instead of the run"
+        )
     return path
+
+
+def _run_of(path: Path) -> str | None:
+    """The id of the run that a record is of; None if the file cannot be read as one."""
+    with usable(path), suppress(BrokenRecord):
+        statement, _ = read_statement(open_bundle(path).read(STATEMENT))
+        return statement.predicate.run.run_id
+    return None
 
 
 def _fetch(
@@ -114,6 +128,11 @@ def _fetch(
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
         with usable(path):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
+        if (sent := _run_of(path)) not in (None, run_id):
+            raise UsageError(
+                f"the server sent the record of the run {sent} instead of {run_id}: "
+                f"it is in {path}"
+            )
         return names_of_host(connection, retry_policy)
 
 

@@ -52,22 +52,23 @@ def save_result(
     text = json.dumps(to_jsonable_python(value), indent=2)
     try:
         Path(folder, "result.json").write_text(text + "\n")
-        _write_episodes(episodes, Path(folder, "episodes.csv"))
+        _write_episodes(score.run_id, episodes, Path(folder, "episodes.csv"))
     except OSError as error:
         raise UsageError(f"--save {folder}: {error.strerror}") from error
 
 
-def _write_episodes(episodes: list[Episode], path: Path) -> None:
+def _write_episodes(run_id: str, episodes: list[Episode], path: Path) -> None:
     with path.open("w", newline="") as file:
         writer = csv.writer(file)
         players = [f"player_{name}" for name in PLAYER_COLUMNS]
-        writer.writerow([*EPISODE_COLUMNS, *RESULT_COLUMNS, *players])
+        writer.writerow(["run_id", *EPISODE_COLUMNS, *RESULT_COLUMNS, *players])
         for episode in episodes:
             members = to_jsonable_python(episode.to_dict())
             result = members.get("result") or {}
             player = result.get("player") or {}
             writer.writerow(
-                [members.get(name, "") for name in EPISODE_COLUMNS]
+                [run_id]
+                + [members.get(name, "") for name in EPISODE_COLUMNS]
                 + [result.get(name, "") for name in RESULT_COLUMNS]
                 + [player.get(name, "") for name in PLAYER_COLUMNS]
             )

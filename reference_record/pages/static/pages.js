@@ -34,11 +34,11 @@ class Player {
     this.section = section;
     this.plots = [];
     this.onStep = () => {};
-    this.pictures = [...section.querySelectorAll("figure")].map(figure => ({
+    this.pictures = [...section.querySelectorAll("figure[data-camera]")].map(figure => ({
       image: figure.querySelector("img"),
       frames: (this.data.pictures || {})[figure.dataset.camera] || [],
     }));
-    this.video = section.querySelector("video");
+    this.videos = [...section.querySelectorAll("video")];
     const {steps, actions, rewards, turns} = this.data;
     for (const [name, columns] of Object.entries(actions))
       this.plot(name, steps, columns, columns.map((_, i) => columns.length > 1 ? `${i}` : name));
@@ -102,8 +102,9 @@ class Player {
       const frame = frames.filter(([at]) => at <= this.step).at(-1) || frames[0];
       if (frame && image.getAttribute("src") !== frame[1]) image.src = frame[1];
     }
-    if (this.video && this.video.duration)
-      this.video.currentTime = this.video.duration * this.step / Math.max(1, this.data.total);
+    for (const video of this.videos)
+      if (video.duration)
+        video.currentTime = video.duration * this.step / Math.max(1, this.data.total);
   }
 
   describe() {

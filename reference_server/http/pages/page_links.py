@@ -29,7 +29,7 @@ class ServerLinks:
     def asset(self, name: str) -> str:
         return f"/pages/static/{name}?v={asset_version(name)}"
 
-    def benchmark(self, benchmark_id: str) -> str:
+    def benchmark(self, benchmark_id: str, manifest_sha256: str = "") -> str:
         return f"/pages/benchmarks/{quote(benchmark_id, safe='')}"
 
     def leaderboard(self, benchmark_id: str) -> str:

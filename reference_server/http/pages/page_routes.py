@@ -8,7 +8,6 @@ page.
 from __future__ import annotations
 
 import logging
-import secrets
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Final
@@ -47,6 +46,7 @@ from reference_server.http.pages.page_sessions import (
     is_from_other_site,
     is_same,
     login_secret,
+    new_login_secret,
     set_cookie,
 )
 from reference_server.rules.refusal import Refused
@@ -273,7 +273,7 @@ class Pages:
         return response
 
     def _login_page(self, request: Request, target: str, problem: str = "") -> Response:
-        secret = login_secret(request) or secrets.token_urlsafe(32)
+        secret = login_secret(request) or new_login_secret()
         text = render_page(
             "login", LINKS, form_csrf=secret, next=safe_next(target), problem=problem
         )

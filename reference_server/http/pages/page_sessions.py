@@ -7,15 +7,17 @@ every form comes a second secret of the session, which other sites cannot know.
 from __future__ import annotations
 
 import hmac
+import re
 import secrets
 import time
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from http.cookies import CookieError, SimpleCookie
 
 from starlette.requests import Request
 from starlette.responses import Response
+
+from reference_server.http.pages.cookies import read_cookie
 
 SESSION_COOKIE = "proctor_session"
 LOGIN_COOKIE = "proctor_login"
@@ -29,6 +31,7 @@ LOGIN_S = 3600
 SESSIONS_MAX = 10_000
 # Of one token, so that its owner cannot end the sessions of others.
 SESSIONS_PER_TOKEN_MAX = 50
+_LOGIN_SECRET = re.compile(r"[A-Za-z0-9_-]{43}")
 
 
 @dataclass(slots=True)
@@ -70,7 +73,7 @@ class PageSessions:
         return cookie
 
     def find(self, request: Request) -> PageSession | None:
-        cookie = _cookies(request).get(SESSION_COOKIE, "")
+        cookie = read_cookie(request, SESSION_COOKIE)
         session = self._sessions.get(cookie)
         if session is None:
             return None
@@ -87,7 +90,7 @@ class PageSessions:
         return now - session.begun_at < LIFE_S and now - session.used_at < IDLE_S
 
     def end(self, request: Request) -> None:
-        session = self._remove(_cookies(request).get(SESSION_COOKIE, ""))
+        session = self._remove(read_cookie(request, SESSION_COOKIE))
         if session is not None:
             session.begun_at = -LIFE_S * 2  # for streams that hold it
             session.token = ""
@@ -134,8 +137,16 @@ def set_cookie(
 
 
 def login_secret(request: Request) -> str:
-    """What the form of the sign-in must repeat; empty if the browser has none."""
-    return _cookies(request).get(LOGIN_COOKIE, "")
+    """What the form of the sign-in must repeat; empty if the browser has none.
+
+    Anything else than `new_login_secret` makes was put there by someone else.
+    """
+    sent = read_cookie(request, LOGIN_COOKIE)
+    return sent if _LOGIN_SECRET.fullmatch(sent) else ""
+
+
+def new_login_secret() -> str:
+    return secrets.token_urlsafe(32)
 
 
 def is_from_other_site(request: Request) -> bool:
@@ -155,12 +166,4 @@ def needs_session(path: str) -> bool:
 
 def node_of_session(request: Request) -> str:
     """The node that has the session of the reader; empty without one."""
-    return _cookies(request).get(SESSION_COOKIE, "").partition(".")[0]
-
-
-def _cookies(request: Request) -> dict[str, str]:
-    try:
-        jar = SimpleCookie(request.headers.get("cookie", ""))
-    except CookieError:
-        return {}
-    return {name: morsel.value for name, morsel in jar.items()}
+    return read_cookie(request, SESSION_COOKIE).partition(".")[0]

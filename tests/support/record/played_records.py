@@ -77,6 +77,7 @@ def save_played_record(
     change: Change = keep,
     options: Mapping[str, Any] = OPTIONS,
     faults: int = 0,
+    run_id: str = "r",
 ) -> Path:
     """Play episodes, sign the record, save it. only: indices; others have no result.
 
@@ -94,7 +95,7 @@ def save_played_record(
         lines.append(
             _play(found, index, recordings[name], player, change, faults=faults)
         )
-    evaluation = _evaluation(found, manifest, lines, options)
+    evaluation = _evaluation(found, manifest, lines, options, run_id)
     record = build_record(
         evaluation, manifest=manifest, lines=lines, recordings=recordings, key=HOST_KEY
     )
@@ -185,14 +186,16 @@ def _evaluation(
     manifest: bytes,
     lines: Sequence[EpisodeLine],
     options: Mapping[str, Any],
+    run_id: str,
 ) -> Evaluation:
     sha256 = hashlib.sha256(manifest).hexdigest()
     benchmark_id = found.manifest["benchmark_id"]
     score = compute_score([line.scored for line in lines])
-    score |= {"run_id": "r", "benchmark_id": benchmark_id, "manifest_sha256": sha256}
+    score |= {"benchmark_id": benchmark_id, "manifest_sha256": sha256}
+    score["run_id"] = run_id
     return Evaluation(
         run=RunFacts(
-            "r",
+            run_id,
             "pull",
             dict(options) if benchmark_id == "calibration" else None,
             found.images,

@@ -73,6 +73,28 @@ def test_the_record_of_a_run_is_saved_beside_its_export(
     assert (policy_folder / f"run-{run_id}.proctor").is_file()
     folder = policy_folder / f"run-{run_id}-every-eval-ever"
     assert len([*folder.rglob("*.json")]) == 1
+    # The server sends the recordings of the record: a video of one fits the other.
+    assert proctor(policy_folder, "video", run_id, "--episode", "1").returncode == 0
+    shown = ("--videos", f"run-{run_id}-videos", "-o", "out", "--url", server.url)
+    done = proctor(policy_folder, "report", run_id, *shown, "--json")
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["videos"] == 1
+
+
+@pytest.mark.parametrize(
+    "words", [["video", "--failures"], ["export", "--to", "lerobot"]]
+)
+def test_a_record_under_the_name_of_another_run_is_refused(
+    words: list[str],
+    record: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The run is named by its id, and a file with that name lies there."""
+    monkeypatch.chdir(record.parent)
+    assert main([words[0], "1", *words[1:]]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "run-1.proctor is the record of the run r, not of 1" in line
 
 
 @pytest.mark.parametrize(

@@ -89,6 +89,7 @@ def test_a_result_is_saved(proctor: ProctorCommand, command: str) -> None:
         rows = [*csv.DictReader(file)]
     assert [float(row["score"]) for row in rows] == [0, 0.25, 0.5, 0.75, 1]
     assert {row["outcome"] for row in rows} == {"success"}
+    assert {row["run_id"] for row in rows} == {run_id}
 
 
 def test_a_folder_that_cannot_be_made_is_refused_before_the_run(

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import pytest
 from starlette.requests import Request
 
 from reference_server.http.pages import page_sessions
 from reference_server.http.pages.page_sessions import (
     IDLE_S,
+    LOGIN_COOKIE,
     SESSION_COOKIE,
     SESSIONS_PER_TOKEN_MAX,
     PageSession,
     PageSessions,
+    login_secret,
+    new_login_secret,
 )
 
 
@@ -62,3 +66,14 @@ def test_what_is_over_goes_also_behind_what_is_used() -> None:
     assert sessions.find(request_with(idle)) is None
     sessions.end(request_with(used))
     assert set(sessions._of_token) == {"c"}, "nothing is kept of what has ended"
+
+
+@pytest.mark.parametrize("sent", ["", "x", "a" * 42, "a" * 44, '"' + "a" * 41 + '"'])
+def test_only_a_login_secret_of_this_server_is_used_again(sent: str) -> None:
+    def secret_with(value: str) -> str:
+        header = (b"cookie", f"{LOGIN_COOKIE}={value}".encode())
+        return login_secret(Request({"type": "http", "headers": [header]}))
+
+    assert secret_with(sent) == ""
+    own = new_login_secret()
+    assert secret_with(own) == own
