@@ -88,7 +88,7 @@ interop: setup .venv-generate/ready ## Play every scenario through each language
 
 lock: setup ## Resolve requirements/*.in into locks with hashes; ARGS=--upgrade
 	@$(python) -m tools.locks $(ARGS)
-dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
+dist: setup .venv-generate/ready; @$(python) -m tools.distributions --clients ## Build the wheels with locks and bills of materials, and archives of clients, into dist/
 
 kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers
 false-alarms: setup; @$(python) -m tools.measurements.false_alarms $(ARGS) ## Run the kit on right servers again and again; ARGS='--runs 200 --load busy -j 2'
