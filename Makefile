@@ -78,17 +78,17 @@ generate: .venv-generate/ready; @.venv-generate/bin/python tools/generate.py ## 
 generate-check: .venv-generate/ready; @.venv-generate/bin/python tools/generate.py --check ## Fail if generated files differ from spec/
 programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tests
 .venv/proxies/ready: .venv/ready tools/browser.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
-client: .venv-generate/ready ## Write a client in LANGUAGE=csharp or any other
-	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)"
+client: .venv-generate/ready ## Write a client in LANGUAGE=go or any other into build/clients/, or TO=... a new folder
+	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)" $${TO:+--to "$$TO"}
 docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pictures in docs/, build the table of all rules
 site: .venv-generate/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html, in minutes
-interop: setup ## Play every scenario through each language's client
+interop: setup .venv-generate/ready ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
 	@$(python) -m tools.interop
 
 lock: setup ## Resolve requirements/*.in into locks with hashes; ARGS=--upgrade
 	@$(python) -m tools.locks $(ARGS)
-dist: setup; @$(python) -m tools.distributions ## Build the wheels with locks and bills of materials into dist/
+dist: setup .venv-generate/ready; @$(python) -m tools.distributions --clients ## Build the wheels with locks and bills of materials, and archives of clients, into dist/
 
 kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers
 false-alarms: setup; @$(python) -m tools.measurements.false_alarms $(ARGS) ## Run the kit on right servers again and again; ARGS='--runs 200 --load busy -j 2'

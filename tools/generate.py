@@ -2,7 +2,8 @@
 
 Run inside the generator environment (`make generate`). With --check it writes
 into a scratch directory and fails if the committed files differ from it. With
---client it writes one client in any language into build/clients/.
+--client it writes one client in any language into build/clients/, or with --to into
+a folder that is new or empty; the programs of clients/ are copied beside it.
 
 A committed client is a file in tools/generators/: the options of its generator
 and, beside them, `drop` (files that are not needed) and `patches` (texts that the
@@ -35,6 +36,8 @@ GENERATORS = ROOT / "tools" / "generators"
 CONFIGS = sorted(GENERATORS.glob("*.yaml"))
 ON_REQUEST = GENERATORS / "on_request"
 REQUESTED = ROOT / "build" / "clients"
+# Examples, interop programs and lock files of the clients that are not committed.
+PROGRAMS = ROOT / "clients"
 DEFAULTS = {"hideGenerationTimestamp": True, "enumUnknownDefaultCase": True}
 # A short run: what the better compiler makes faster does not last long enough.
 JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
@@ -302,28 +305,44 @@ def write_committed_clients(out: Path) -> None:
     write_clients(out / CLIENTS, plans)
 
 
-def write_requested_client(language: str) -> Path:
-    """One client in build/clients/; old files of it are replaced."""
-    if language not in known_languages():
+def write_requested_client(language: str, to: Path | None = None) -> Path:
+    """One client with its programs, in build/clients/ or in another folder.
+
+    An old client in build/clients/ is replaced; another folder must be new or empty.
+    """
+    configured = {path.stem: path for path in [*CONFIGS, *ON_REQUEST.glob("*.yaml")]}
+    if language not in configured and language not in known_languages():
         command = (BIN / "openapi-generator-cli").relative_to(ROOT)
         raise GenerationError(f"no client in {language!r}; see `{command} list`")
-    configured = {path.stem: path for path in [*CONFIGS, *ON_REQUEST.glob("*.yaml")]}
+    if to is not None and to.exists() and (not to.is_dir() or any(to.iterdir())):
+        raise GenerationError(f"{to} is not an empty folder; nothing was written")
     plan: dict[str, Any] = {"generatorName": language, "additionalProperties": DEFAULTS}
     if language in configured:
         plan = yaml.safe_load(configured[language].read_text())
-    target = REQUESTED / language
+    target = to or REQUESTED / language
     with tempfile.TemporaryDirectory() as scratch:
+        client = Path(scratch, language)
         write_clients(Path(scratch), {language: plan})
-        shutil.rmtree(target, ignore_errors=True)
-        shutil.copytree(Path(scratch, language), target)
+        copy_programs(language, client)
+        if to is None:
+            shutil.rmtree(target, ignore_errors=True)
+        shutil.copytree(client, target, dirs_exist_ok=True)
     return target
 
 
+def copy_programs(language: str, client: Path) -> None:
+    """Put our example and interop program beside a generated client, if we have them.
+
+    The folders of clients/ for committed languages hold packages, not programs.
+    """
+    if (ON_REQUEST / f"{language}.yaml").exists() and (PROGRAMS / language).is_dir():
+        shutil.copytree(PROGRAMS / language, client, dirs_exist_ok=True)
+
+
 def known_languages() -> set[str]:
-    """What openapi-generator writes clients in, and our own names of some of them."""
-    names = run(BIN / "openapi-generator-cli", "list", "--short").strip().split(",")
-    configured = [path.stem for path in [*CONFIGS, *ON_REQUEST.glob("*.yaml")]]
-    return {*names, *configured}
+    """The names of the languages that openapi-generator writes clients in."""
+    names = run(BIN / "openapi-generator-cli", "list", "--short")
+    return set(names.strip().split(","))
 
 
 def package_version() -> dict[str, str]:
@@ -440,14 +459,15 @@ def replace(generate: Path) -> None:
         shutil.copyfile(generate / path, ROOT / path)
 
 
-def write_one(language: str) -> int:
+def write_one(language: str, to: Path | None) -> int:
     try:
-        target = write_requested_client(language)
+        target = write_requested_client(language, to)
     except GenerationError as error:
         print(f"generate: {error}", file=sys.stderr)
         return 1
     files = [path for path in target.rglob("*") if path.is_file()]
-    print(f"generate: {len(files)} files in {target.relative_to(ROOT)}")
+    shown = target.relative_to(ROOT) if target.is_relative_to(ROOT) else target
+    print(f"generate: {len(files)} files in {shown}")
     return 0
 
 
@@ -457,9 +477,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--check", action="store_true", help="write nothing")
     parser.add_argument("--client", metavar="LANGUAGE", help="write this one alone")
+    parser.add_argument("--to", metavar="FOLDER", type=Path, help="write it there")
     options = parser.parse_args(arguments)
     if options.client is not None:
-        return write_one(options.client)
+        return write_one(options.client, options.to)
     check = options.check
     with tempfile.TemporaryDirectory() as scratch:
         generate = Path(scratch)

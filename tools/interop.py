@@ -2,8 +2,9 @@
 
 Runs from the repository's root as `python -m tools.interop`. Without --url it judges
 the clients at a reference server of its own. The matrix goes to the console, as JUnit
-to report/interop.xml and to build/interop.md. What was not run is never green. Ends
-with 1 if something failed, 2 if something or all was not run, else with 0.
+to report/interop.xml and to build/interop.md. What was not run is never green; the last
+line names the languages that were not played. Ends with 1 if something failed, 2 if
+something or all was not run, else with 0.
 """
 
 from __future__ import annotations
@@ -16,13 +17,14 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from tests.interop.clients import LANGUAGES, ROOT, BuildFailed, Language
+from tests.interop.builds.build_steps import ROOT, BuildFailed
+from tests.interop.clients import LANGUAGES, Language
 from tests.interop.scenarios import (
     DESCRIPTIONS,
     EVALUATION_ONLY,
@@ -73,12 +75,13 @@ class Matrix:
 
 def play(language: Language, server: Server, names: list[str], matrix: Matrix) -> None:
     """Build one client and put its row into the matrix."""
-    others = MESSAGES_ONLY if language.evaluates else EVALUATION_ONLY
+    parts = scenarios_of(language)
     row = matrix.cells.setdefault(language.name, {})
-    row |= {name: Cell(NO_PART) for name in others}
-    names = [name for name in names if name not in others]
+    row |= {name: Cell(NO_PART) for name in SCENARIOS if name not in parts}
+    names = [name for name in names if name in parts]
     if missing := language.missing():
         row |= {name: Cell(NOT_RUN, missing) for name in names}
+        print(f"{language.name}: not run: {missing}", flush=True)
         return
     matrix.toolchains[language.name] = language.toolchain()
     started = time.monotonic()
@@ -88,12 +91,25 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
         row |= {name: Cell(FAILED, f"the build: {error}") for name in names}
         return
     print(f"{language.name}: built in {time.monotonic() - started:.0f} s", flush=True)
-    program = Program(
-        language.name, language.command(language.directory), language.env()
-    )
+    program = program_of(language)
     for name in names:
         row[name] = judge(name, server, program)
         print(f"  {name:<14} {row[name].outcome} {row[name].why}".rstrip(), flush=True)
+
+
+def scenarios_of(language: Language) -> list[str]:
+    """The scenarios that its programs have a part in."""
+    absent = MESSAGES_ONLY if language.evaluates else EVALUATION_ONLY
+    return [name for name in SCENARIOS if name not in absent]
+
+
+def program_of(language: Language) -> Program:
+    return Program(
+        language.name,
+        language.interop_command(),
+        language.env(),
+        language.example_command(),
+    )
 
 
 def judge(name: str, server: Server, program: Program) -> Cell:
@@ -179,6 +195,18 @@ def junit(matrix: Matrix) -> bytes:
     return text
 
 
+def last_line(matrix: Matrix, languages: Iterable[str]) -> str:
+    """Which languages were played and which were not, for whatever reason."""
+    judged = [
+        name
+        for name, row in matrix.cells.items()
+        if {PASSED, FAILED} & {cell.outcome for cell in row.values()}
+    ]
+    left = [name for name in languages if name not in judged]
+    played, missed = (", ".join(names) or "none" for names in (judged, left))
+    return f"interop: languages played: {played}; not played: {missed}"
+
+
 @contextmanager
 def the_server(arguments: argparse.Namespace) -> Iterator[Server]:
     """The server of --url, or one of our own."""
@@ -241,6 +269,7 @@ def main() -> int:
     JUNIT.parent.mkdir(exist_ok=True)
     JUNIT.write_bytes(junit(matrix))
     write_page("interop.md", page(matrix))
+    print(last_line(matrix, languages))
     return matrix.exit_code()
 
 

@@ -1,8 +1,8 @@
-"""How the interop program of each language is built and started.
+"""How the interop program and the example of each language are built and started.
 
 Sources are copied to .cache/interop/ and built there, so that nothing a build leaves
-can reach the repository. A language whose toolchain is missing is never built. It must
-not know what a scenario is.
+can reach the repository; a client that is not committed is generated there first. A
+language whose toolchain is missing is never built. It must not know what a scenario is.
 """
 
 from __future__ import annotations
@@ -18,35 +18,38 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.interop.builds.build_steps import GENERATOR, ROOT, run_step, write_client
+
 CLIENTS = ROOT / "generated_clients"
 CACHE = ROOT / ".cache" / "interop"
 BUILD_OUTPUT = {"__pycache__", "build", "dist", "node_modules", "target"}
-BUILD_S = 1800.0
 CPP_HEADERS = ("curl/curl.h", "nlohmann/json.hpp")
-
-
-class BuildFailed(Exception):
-    """A program is not there to be run, for its build failed."""
 
 
 @dataclass(frozen=True)
 class Language:
-    """One client and its interop program.
+    """One client with its two programs.
 
     tools: executables that must be on PATH. headers: what g++ must find.
+    install: what to install where one of them is missing.
     version: prints the toolchain's version.
-    steps: commands that build, in the copied directory. command: starts the program.
+    interop, example: the names of the programs that `start` starts in a folder.
+    steps: commands that build, in the copied directory.
     evaluates: the package of clients/ on top of the generated client, else that client.
+    on_request: the client is generated for the build; its programs are in clients/.
     """
 
     name: str
     tools: tuple[str, ...]
+    install: str
     version: tuple[str, ...]
-    command: Callable[[Path], list[str]]
+    start: Callable[[Path, str], list[str]]
+    interop: str
+    example: str
     steps: tuple[tuple[str, ...], ...] = ()
     environment: dict[str, str] = field(default_factory=dict)
     evaluates: bool = False
+    on_request: bool = False
     headers: tuple[str, ...] = ()
 
     @property
@@ -55,20 +58,30 @@ class Language:
 
     @property
     def package(self) -> str:
-        """The folder with the program, seen from the repository's root."""
-        folder = "clients" if self.evaluates else "generated_clients"
-        return f"{folder}/{self.language}"
+        """The folder with the programs, seen from the repository's root."""
+        ours = self.evaluates or self.on_request
+        return f"{'clients' if ours else 'generated_clients'}/{self.language}"
 
     @property
     def directory(self) -> Path:
         return CACHE / self.name / "src" / self.package
+
+    def interop_command(self) -> list[str]:
+        return self.start(self.directory, self.interop)
+
+    def example_command(self) -> list[str]:
+        return self.start(self.directory, self.example)
 
     def missing(self) -> str:
         """Why this language cannot be built here; empty when it can."""
         absent = [tool for tool in self.tools if shutil.which(tool) is None]
         if not absent:
             absent = [name for name in self.headers if not has_header(name)]
-        return f"{' and '.join(absent)} not found" if absent else ""
+        if absent:
+            return f"{' and '.join(absent)} not found; install {self.install}"
+        if self.on_request and not GENERATOR.exists():
+            return "the generator is not installed; `make generate-check` installs it"
+        return ""
 
     def toolchain(self) -> str:
         output = subprocess.run(
@@ -77,38 +90,33 @@ class Language:
         return (output.stdout or output.stderr).splitlines()[0].strip()
 
     def build(self) -> None:
-        """Bring the program up to date; BuildFailed holds what the compiler said."""
+        """Bring the programs up to date; BuildFailed holds what the compiler said."""
         (CACHE / self.name).mkdir(parents=True, exist_ok=True)
         with (CACHE / self.name / "lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)  # tests run in several processes
             self._build()
 
     def _build(self) -> None:
-        sources = sorted({f"generated_clients/{self.language}", self.package})
-        target = CACHE / self.name / "src"
         stamp, recipe = CACHE / self.name / "built", f"{self.toolchain()}\n{self.steps}"
         built = stamp.read_text() if stamp.exists() else ""
         stamp.unlink(missing_ok=True)
-        changes = [mirror(ROOT / source, target / source) for source in sources]
+        changed = self._copy_sources()
         # Built again, it would be replaced while another process runs it.
-        if any(changes) or built != recipe:
-            self._run_steps()
+        if changed or built != recipe:
+            for step in self.steps:
+                run_step(step, self.directory, self.env())
         stamp.write_text(recipe)
 
-    def _run_steps(self) -> None:
-        for step in self.steps:
-            done = subprocess.run(
-                ("nice", *step),
-                cwd=self.directory,
-                env=self.env(),
-                capture_output=True,
-                text=True,
-                timeout=BUILD_S,
-                check=False,
-            )
-            if done.returncode != 0:
-                output = (done.stdout + done.stderr).strip()[-3000:]
-                raise BuildFailed(f"{' '.join(step)} failed:\n{output}")
+    def _copy_sources(self) -> bool:
+        """Bring the copy up to date; whether anything was changed."""
+        if self.on_request:
+            client = CACHE / self.name / "client"
+            write_client(self.language, client)
+            return mirror(client, self.directory)
+        folders = sorted({f"generated_clients/{self.language}", self.package})
+        copy = CACHE / self.name / "src"
+        changes = [mirror(ROOT / folder, copy / folder) for folder in folders]
+        return any(changes)
 
     def env(self) -> dict[str, str]:
         base = CACHE / self.name
@@ -151,7 +159,7 @@ REPOSITORY = "../../../m2"  # from the folder of a client
 # A repository of its own for each build, held against checksums that are committed
 # before anything in it is used, and after the build for what that downloaded.
 CHECKSUMS = (
-    *(sys.executable, str(ROOT / "tests" / "interop" / "maven_checksums.py")),
+    *(sys.executable, str(ROOT / "tests/interop/builds/maven_checksums.py")),
     *("check", REPOSITORY, ".mvn/checksums/checksums.sha256"),
 )
 MAVEN_STEPS = (
@@ -163,42 +171,67 @@ MAVEN_STEPS = (
     CHECKSUMS,
 )
 
+NODE = "Node.js 20.3 or newer with npm"
+CPP = "g++, CMake, make, libcurl and nlohmann-json (Debian: g++ cmake make \
+libcurl4-openssl-dev nlohmann-json3-dev)"
+MAVEN = "a JDK of 11 or newer and Maven (Debian: default-jdk maven)"
+
+
+def start_node(at: Path, program: str) -> list[str]:
+    return ["node", str(at / "dist" / program)]
+
+
 LANGUAGES = (
     Language(
         "python",
         tools=(),
+        install="",
         version=(sys.executable, "--version"),
-        command=lambda at: [sys.executable, str(at / "interop" / "interop.py")],
+        start=lambda at, program: [sys.executable, str(at / program)],
+        interop="interop/interop.py",
+        example="example/worker.py",
     ),
     Language(
         "typescript",
         tools=("node", "npm"),
+        install=NODE,
         version=("node", "--version"),
         steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
-        command=lambda at: ["node", str(at / "dist" / "interop" / "interop.js")],
+        start=start_node,
+        interop="interop/interop.js",
+        example="example/worker.js",
         environment={"npm_config_cache": "{base}/npm"},
     ),
     Language(
         "go",
         tools=("go",),
+        install="Go 1.24 or newer",
         version=("go", "version"),
         steps=(
             ("go", "vet", "./..."),
             ("go", "build", "-o", "build/", "./interop", "./example"),
         ),
-        command=lambda at: [str(at / "build" / "interop")],
+        start=lambda at, program: [str(at / "build" / program)],
+        interop="interop",
+        example="example",
         environment={"GOMAXPROCS": "2", "GOFLAGS": "-buildvcs=false -mod=readonly"},
+        on_request=True,
     ),
     Language(
         "rust",
         tools=("cargo",),
+        install="Rust with cargo, and OpenSSL (Debian: libssl-dev pkg-config)",
         version=("cargo", "--version"),
         steps=(("cargo", "build", "--locked", "--examples", "--jobs", "2"),),
-        command=lambda at: [str(at / "target" / "debug" / "examples" / "interop")],
+        start=lambda at, program: [str(at / "target" / "debug" / "examples" / program)],
+        interop="interop",
+        example="worker",
+        on_request=True,
     ),
     Language(
         "java",
         tools=("java", "javac", "mvn"),
+        install=MAVEN,
         version=("java", "-version"),
         steps=(
             *MAVEN_STEPS,
@@ -208,46 +241,54 @@ LANGUAGES = (
                 "interop/Interop.java",
             ),
         ),
-        command=lambda at: [
-            *(
-                "java",
-                "-cp",
-                f"{at}/build:{at}/target/classes:{at}/target/dependency/*",
-            ),
-            "Interop",
+        start=lambda at, program: [
+            *("java", "-cp"),
+            f"{at}/build:{at}/target/classes:{at}/target/dependency/*",
+            program,
         ],
+        interop="Interop",
+        example="Main",
+        on_request=True,
     ),
     Language(
         "kotlin",
         tools=("java", "mvn"),
+        install=MAVEN,
         version=("java", "-version"),
         steps=MAVEN_STEPS,
-        command=lambda at: [
+        start=lambda at, program: [
             *("java", "-cp"),
             f"{at}/target/classes:{at}/target/test-classes:{at}/target/dependency/*",
-            "InteropKt",
+            program,
         ],
+        interop="InteropKt",
+        example="MainKt",
+        on_request=True,
     ),
     Language(
         "cpp",
         tools=("g++", "cmake", "make"),
         headers=CPP_HEADERS,
+        install=CPP,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "../build", "-DPROCTOR_PROGRAMS=ON"),
             ("make", "-C", "../build", "-j2"),
         ),
-        command=lambda at: [str(at.parent / "build" / "interop")],
+        start=lambda at, program: [str(at.parent / "build" / program)],
+        interop="interop",
+        example="worker",
         environment={"CXXFLAGS": "-O0"},
     ),
     Language(
         "typescript-evaluate",
         tools=("node", "npm"),
+        install=NODE,
         version=("node", "--version"),
         steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
-        command=lambda at: [
-            *("node", str(at / "dist/clients/typescript/interop/interop.js"))
-        ],
+        start=start_node,
+        interop="clients/typescript/interop/interop.js",
+        example="clients/typescript/example/evaluate.js",
         environment={"npm_config_cache": "{base}/npm"},
         evaluates=True,
     ),
@@ -255,12 +296,15 @@ LANGUAGES = (
         "cpp-evaluate",
         tools=("g++", "cmake", "make"),
         headers=CPP_HEADERS,
+        install=CPP,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "build", "-DPROCTOR_EVALUATE_PROGRAMS=ON"),
             ("make", "-C", "build", "-j2"),
         ),
-        command=lambda at: [str(at / "build" / "interop")],
+        start=lambda at, program: [str(at / "build" / program)],
+        interop="interop",
+        example="evaluate",
         environment={"CXXFLAGS": "-O0"},
         evaluates=True,
     ),

@@ -1,15 +1,16 @@
-"""A server, and the packages of clients/ built where `make interop` builds them."""
+"""A server, and programs that are built where `make interop` builds them."""
 
 from __future__ import annotations
 
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
 
-from tests.interop.clients import PACKAGES, Language
+from tests.interop.clients import Language
 from tests.interop.scenarios import Program, Server
 from tests.support.servers import TOKENS, ReferenceServer
+from tools.interop import program_of
 
 
 @pytest.fixture(scope="module")
@@ -25,22 +26,24 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     server.end(signal.SIGKILL)
 
 
-def built(language: Language) -> Program:
-    language.build()
-    command = language.command(language.directory)
-    return Program(language.name, command, language.env())
+@pytest.fixture(scope="session")
+def built() -> Callable[[Language], Program]:
+    """Build the programs of a language, once for all tests of this process."""
+    programs: dict[str, Program] = {}
+
+    def build(language: Language) -> Program:
+        if language.name not in programs:
+            if missing := language.missing():
+                skip_or_fail(language, missing)
+            language.build()
+            programs[language.name] = program_of(language)
+        return programs[language.name]
+
+    return build
 
 
-@pytest.fixture(scope="module")
-def typescript() -> Program:
-    if missing := PACKAGES["typescript"].missing():
-        need = f"{missing}: clients/typescript is tested with Node.js 20.3 or newer"
-        pytest.fail(need, pytrace=False)
-    return built(PACKAGES["typescript"])
-
-
-@pytest.fixture(scope="module")
-def cpp() -> Program:
-    if missing := PACKAGES["cpp"].missing():
-        pytest.skip(f"set-up brings no C++: {missing}")
-    return built(PACKAGES["cpp"])
+def skip_or_fail(language: Language, missing: str) -> None:
+    """Node.js is required for the tests; the other toolchains are optional."""
+    if language.language == "typescript":
+        pytest.fail(missing, pytrace=False)
+    pytest.skip(missing)

@@ -70,40 +70,42 @@ class Server:
         assert isinstance(answer, dict)
         return answer
 
-    def submit(self) -> None:
-        """One run by hand, outside every client."""
+    def write(self, path: str, body: dict[str, Any]) -> dict[str, Any]:
+        """One POST by hand, outside every client."""
         headers = {"Authorization": f"Bearer {self.token}"}
-        body = {"benchmark_id": "calibration", "policy": {"name": "interop"}}
-        httpx.post(
-            f"{self.url}/v1/runs",
-            json=body,
-            headers=headers,
-            trust_env=False,
-            timeout=TIMEOUT_S,
-        ).raise_for_status()
+        answer = (
+            httpx.post(
+                self.url + path,
+                json=body,
+                headers=headers,
+                trust_env=False,
+                timeout=TIMEOUT_S,
+            )
+            .raise_for_status()
+            .json()
+        )
+        assert isinstance(answer, dict)
+        return answer
+
+    def submit(self, **options: Any) -> str:
+        """The id of a run of calibration that no client has submitted."""
+        body: dict[str, Any] = {"benchmark_id": "calibration"}
+        body |= {"policy": {"name": "interop"}, "options": options}
+        return str(self.write("/v1/runs", body)["run_id"])
 
 
 @dataclass(frozen=True)
 class Program:
-    """The interop program of one language."""
+    """The interop program of one language, and its example."""
 
     language: str
     command: Sequence[str]
     env: Mapping[str, str]
+    example: Sequence[str] = ()
 
     def play(self, scenario: str, url: str, token: str) -> dict[str, Any]:
-        """What the program saw; raises Wrong with its last words if it failed."""
-        try:
-            done = subprocess.run(
-                [*self.command, scenario, url, token],
-                env=dict(self.env),
-                capture_output=True,
-                text=True,
-                timeout=TIMEOUT_S,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            raise UnexpectedResult(f"no answer within {TIMEOUT_S:.0f} s") from None
+        """What the program saw; UnexpectedResult has its last words if it failed."""
+        done = self._run([*self.command, scenario, url, token])
         if done.returncode != 0:
             raise UnexpectedResult(
                 f"exit {done.returncode}: {(done.stdout + done.stderr)[-1500:]}"
@@ -115,6 +117,23 @@ class Program:
         if not isinstance(observed, dict):
             raise UnexpectedResult(f"no object: {done.stdout[-500:]!r}")
         return observed
+
+    def play_example(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Its exit code and what it printed, as a user of the example sees them."""
+        return self._run([*self.example, *arguments])
+
+    def _run(self, command: list[str]) -> subprocess.CompletedProcess[str]:
+        try:
+            return subprocess.run(
+                command,
+                env=dict(self.env),
+                capture_output=True,
+                text=True,
+                timeout=TIMEOUT_S,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            raise UnexpectedResult(f"no answer within {TIMEOUT_S:.0f} s") from None
 
 
 def expect(what: str, observed: object, wanted: object) -> None:
@@ -316,6 +335,34 @@ def score(server: Server, program: Program) -> None:
     expect("episodes", observed["episodes"], wanted)
 
 
+def example(server: Server, program: Program) -> None:
+    """The first program that a user runs: a run, a stopped run, and two mistakes."""
+    played = program.play_example(server.url, server.token)
+    expect_example(played, 0, "score 0.40625")
+    stopped = server.submit(tasks=["score"] * 8)
+    server.write(f"/v1/runs/{stopped}/stop", {"mode": "abort"})
+    resumed = program.play_example(server.url, server.token, stopped)
+    expect_example(resumed, 0, "score 0.40625")
+    seen = {"run_id": stopped, "score": 0.40625, "complete": True}
+    expect("episodes of the resumed run", len(expect_run(server, seen, 0.40625)), 8)
+    refused = program.play_example(server.url, "not-a-token")
+    expect_example(refused, 1, "[unauthenticated]")
+    expect_example(program.play_example(), 1, "URL TOKEN [RUN_ID]")
+
+
+def expect_example(
+    played: subprocess.CompletedProcess[str], exit_code: int, end: str
+) -> None:
+    """It ended so, and the last thing that it printed is the score or the error."""
+    printed = (played.stdout if exit_code == 0 else played.stderr).rstrip()
+    if played.returncode != exit_code or not printed.endswith(end):
+        output = (played.stdout + played.stderr)[-1500:]
+        raise UnexpectedResult(
+            f"the example ended with {played.returncode}, not with {exit_code} "
+            f"and {end!r}: {output}"
+        )
+
+
 def vectors(_server: Server, program: Program) -> None:
     """The golden vectors need no server."""
     observed = program.play("vectors", str(VECTORS), "-")
@@ -381,6 +428,7 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "wrong_answers": wrong_answers,
     "later_version": later_version,
     "vectors": vectors,
+    "example": example,
 }
 DESCRIPTIONS = {
     "submit": "a submit repeated with its Idempotency-Key makes one run",
@@ -398,4 +446,5 @@ DESCRIPTIONS = {
     "wrong_answers": "successes that are no message are errors of the client's own",
     "later_version": "values and members of a later version are no error",
     "vectors": "golden vectors of spec/vectors/wire",
+    "example": "the first program of a user: a run, a stopped run, two mistakes",
 }

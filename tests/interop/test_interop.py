@@ -1,6 +1,6 @@
-"""The interop machine: the Python column passes, and no judge passes what is wrong.
+"""The interop machine: no judge passes what is wrong or what was not run.
 
-The other languages need their toolchains and minutes: `make interop`.
+That the clients pass is in test_every_client.py.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,17 +21,14 @@ from reference_client.api.observation import decode_observation
 from reference_client.generated import messages
 from tests.interop import expected_values
 from tests.interop.clients import (
-    CLIENTS,
     LANGUAGES,
     PACKAGES,
-    ROOT,
     Language,
     mirror,
 )
 from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy
 from tests.interop.scenarios import (
-    EVALUATION_ONLY,
     SCENARIOS,
     Program,
     ScenarioNotRunnable,
@@ -38,6 +36,7 @@ from tests.interop.scenarios import (
     UnexpectedResult,
     apply_known_limits,
 )
+from tests.support.paths import ROOT
 from tests.support.sim.calibration_action import calibration_action
 from tools import interop
 
@@ -48,15 +47,8 @@ GENERATED = [language for language in LANGUAGES if not language.evaluates]
 
 
 def program_printing(text: str, language: str = "python") -> Program:
-    return Program(language, [sys.executable, "-c", f"print({text!r})"], {})
-
-
-@pytest.mark.parametrize("name", sorted(SCENARIOS.keys() - EVALUATION_ONLY))
-def test_the_python_client_passes_every_scenario(name: str, server: Server) -> None:
-    # Run where it stands: the copy that `make interop` builds is the same.
-    SCENARIOS[name](
-        server, Program("python", PYTHON.command(CLIENTS / "python"), PYTHON.env())
-    )
+    command = [sys.executable, "-c", f"print({text!r})"]
+    return Program(language, command, {}, command)
 
 
 @pytest.mark.parametrize("name", SCENARIOS)
@@ -103,13 +95,14 @@ def test_the_restart_scenario_needs_a_restart_command(server: Server) -> None:
         SCENARIOS["restart"](other_server, program_printing("{}"))
 
 
-def test_a_failed_restart_gives_no_verdict(server: Server) -> None:
+def test_a_failed_restart_gives_no_verdict(
+    server: Server, built: Callable[[Language], Program]
+) -> None:
     def fail() -> str:
         subprocess.run([sys.executable, "-c", "raise SystemExit(7)"], check=True)
         return server.url
 
-    program = Program("python", PYTHON.command(CLIENTS / "python"), PYTHON.env())
-    cell = interop.judge("restart", replace(server, restart=fail), program)
+    cell = interop.judge("restart", replace(server, restart=fail), built(PYTHON))
     assert cell.outcome == interop.NOT_RUN
     assert "exit status 7" in cell.why
 
@@ -173,12 +166,20 @@ def test_what_a_later_version_adds() -> None:
     }
 
 
-def test_a_missing_toolchain_counts_as_not_run(server: Server) -> None:
+def test_a_missing_toolchain_counts_as_not_run(
+    server: Server, capsys: pytest.CaptureFixture[str]
+) -> None:
     matrix = interop.Matrix()
-    absent = replace(PYTHON, name="klingon", tools=("no-such-compiler",))
+    absent = replace(
+        PYTHON, name="klingon", tools=("no-such-compiler",), install="a compiler of it"
+    )
     interop.play(absent, server, ["chunks"], matrix)
     cell = matrix.cells["klingon"]["chunks"]
-    assert (cell.outcome, cell.why) == (interop.NOT_RUN, "no-such-compiler not found")
+    why = "no-such-compiler not found; install a compiler of it"
+    assert (cell.outcome, cell.why) == (interop.NOT_RUN, why)
+    assert f"klingon: not run: {why}" in capsys.readouterr().out
+    line = interop.last_line(matrix, ["python", "klingon"])
+    assert line == "interop: languages played: none; not played: python, klingon"
     assert matrix.exit_code() == 2
     assert "✔" not in "\n".join(interop.table(matrix))
     matrix.cells["klingon"]["echo"] = interop.Cell(interop.FAILED, "why")
@@ -240,7 +241,7 @@ def test_a_mirror_keeps_what_builds_left(tmp_path: Path) -> None:
     assert left == ["a", "dist/c"]
 
 
-def test_every_committed_client_is_played() -> None:
+def test_every_client_of_ours_is_played() -> None:
     present = {
         f"{folder}/{path.name}"
         for folder in ("clients", "generated_clients")
@@ -266,7 +267,7 @@ LOOPS = {
 
 @pytest.mark.parametrize("language", GENERATED, ids=lambda language: language.name)
 def test_the_worker_loop_is_short(language: Language) -> None:
-    loop = CLIENTS / language.name / "example" / LOOPS[language.name]
+    loop = ROOT / language.package / "example" / LOOPS[language.name]
     assert len(loop.read_text().splitlines()) <= 150
 
 
@@ -275,39 +276,16 @@ def test_lock_files_name_no_address() -> None:
         path = ROOT / folder / "typescript" / "package-lock.json"
         packages = json.loads(path.read_text())["packages"]
         assert all("resolved" not in package for package in packages.values())
-    assert (CLIENTS / "rust" / "Cargo.lock").exists()
-
-
-def test_the_example_plays_to_the_end(server: Server) -> None:
-    example = CLIENTS / "python" / "example" / "worker.py"
-    done = subprocess.run(
-        [sys.executable, str(example), server.url, server.token],
-        env=PYTHON.env(),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    first, *_, last = done.stdout.splitlines()
-    assert "goes on with it" in first
-    assert last == "score 0.40625"
-    refused = subprocess.run(
-        [sys.executable, str(example), server.url, "not-a-token"],
-        env=PYTHON.env(),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert refused.returncode == 1
-    assert refused.stderr.rstrip().endswith("[unauthenticated]")  # there is no run
+    assert (ROOT / "clients" / "rust" / "Cargo.lock").exists()
 
 
 @pytest.fixture(scope="module")
-def faults(typescript: Program) -> dict[str, Any]:
+def faults(built: Callable[[Language], Program]) -> dict[str, Any]:
     """What the package did at servers that are silent or answer wrongly."""
-    program = (
-        PACKAGES["typescript"].directory / "dist/clients/typescript/interop/faults.js"
-    )
-    return replace(typescript, command=["node", str(program)]).play("", "", "")
+    package = PACKAGES["typescript"]
+    file = "clients/typescript/interop/faults.js"
+    command = package.start(package.directory, file)
+    return replace(built(package), command=command).play("", "", "")
 
 
 def test_typescript_keeps_a_lease_of_any_length(faults: dict[str, Any]) -> None:
@@ -347,20 +325,6 @@ def test_typescript_checks_actions_with_a_vector_of_some_tasks(
     faults: dict[str, Any],
 ) -> None:
     assert faults["optional_vector"] == ["none"] * 2 + ["invalid_request"] * 5
-
-
-def test_the_example_says_what_it_needs() -> None:
-    """Called without arguments, a mistake that a user makes first."""
-    example = CLIENTS / "python" / "example" / "worker.py"
-    done = subprocess.run(
-        [sys.executable, str(example)],
-        env=PYTHON.env(),
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 1
-    assert done.stderr == f"usage: {example} URL TOKEN [RUN_ID]\n"
 
 
 @pytest.mark.parametrize(

@@ -7,10 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from tests.interop import maven_checksums
-from tests.interop.clients import CLIENTS
+from tests.interop.builds import maven_checksums
+from tests.support.paths import ROOT
 
-PACKAGES = ("java", "kotlin")
+TEMPLATES = ROOT / "tools" / "generators" / "on_request"
+POMS = {
+    "java": TEMPLATES / "java" / "libraries" / "okhttp-gson" / "pom.mustache",
+    "kotlin": TEMPLATES / "kotlin" / "pom.mustache",
+}
 OFFICIAL_PLUGINS = "org.apache.maven.plugins"
 PIN = re.compile(
     r"<(?:dependency|plugin)>\s*(?:<groupId>([^<]+)</groupId>)?\s*"
@@ -19,13 +23,14 @@ PIN = re.compile(
 
 
 def summary_of(language: str) -> dict[str, str]:
-    file = CLIENTS / language / ".mvn" / "checksums" / "checksums.sha256"
+    folder = ROOT / "clients" / language / ".mvn"
+    file = folder / "checksums" / "checksums.sha256"
     return maven_checksums.read_summary(file)
 
 
 def pinned(language: str) -> list[str]:
     """Paths of the jars that the pom names with a version."""
-    text = (CLIENTS / language / "pom.xml").read_text()
+    text = POMS[language].read_text()
     text = re.sub(r"\$\{([\w.]+)\}", lambda found: property_of(text, found[1]), text)
     paths = []
     for group, artifact, version in PIN.findall(text):
@@ -40,14 +45,14 @@ def property_of(text: str, name: str) -> str:
     return found[1]
 
 
-@pytest.mark.parametrize("language", PACKAGES)
+@pytest.mark.parametrize("language", POMS)
 def test_every_pinned_version_has_a_checksum(language: str) -> None:
     paths = pinned(language)
     assert len(paths) >= 7
     assert [path for path in paths if path not in summary_of(language)] == []
 
 
-@pytest.mark.parametrize("language", PACKAGES)
+@pytest.mark.parametrize("language", POMS)
 def test_a_summary_is_what_sha256sum_writes(language: str) -> None:
     summary = summary_of(language)
     assert list(summary) == sorted(summary)

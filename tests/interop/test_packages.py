@@ -7,39 +7,27 @@ errors that say what is wrong, whether to repeat and what to do.
 from __future__ import annotations
 
 import socket
-import subprocess
 from collections.abc import Callable
 from typing import Any
 
 import pytest
 
 from reference_client import Observation, ProctorError, evaluate
-from tests.interop.clients import PACKAGES
+from tests.interop.clients import PACKAGES, Language
 from tests.interop.proxy import Proxy
-from tests.interop.scenarios import SCENARIOS, Program, Server
+from tests.interop.scenarios import Program, Server
 from tests.support.sim.calibration_action import calibration_action
 
 pytestmark = pytest.mark.slow("starts servers, compiles packages")
 
-# Sessions and `evaluate`: the server is killed, a run is stopped, a lease ends.
-FAULTS = ("lost_answer", "lost_session", "restart", "stop_resume", "wrong_answers")
-EXAMPLES = {
-    "typescript": ("node", "dist/clients/typescript/example/evaluate.js"),
-    "cpp": ("build/evaluate",),
-}
 SAFE = "to repeat it as it was is safe. [bad_answer]"
 
 
 @pytest.fixture(params=PACKAGES)
-def program(request: pytest.FixtureRequest) -> Program:
-    found = request.getfixturevalue(request.param)
-    assert isinstance(found, Program)
-    return found
-
-
-@pytest.mark.parametrize("name", FAULTS)
-def test_an_evaluation_survives(name: str, server: Server, program: Program) -> None:
-    SCENARIOS[name](server, program)
+def program(
+    request: pytest.FixtureRequest, built: Callable[[Language], Program]
+) -> Program:
+    return built(PACKAGES[request.param])
 
 
 def runs_of(server: Server) -> set[str]:
@@ -60,30 +48,24 @@ def test_an_evaluation_executes_nothing_twice(server: Server, program: Program) 
     assert played == [(1, 2)] * 5
 
 
-def play_example(program: Program, *arguments: str) -> subprocess.CompletedProcess[str]:
-    package = PACKAGES[program.language.removesuffix("-evaluate")]
-    *interpreter, file = EXAMPLES[package.language]
-    command = [*interpreter, str(package.directory / file), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, check=False)
-
-
-def test_the_example_plays_and_continues(server: Server, program: Program) -> None:
-    done = play_example(program, server.url, server.token)
-    assert done.stdout.splitlines()[-1] == "score 0.40625", done.stderr
+def test_the_example_continues_a_run_that_is_complete(
+    server: Server, program: Program
+) -> None:
+    done = program.play_example(server.url, server.token)
     run_id = done.stdout.split()[1].rstrip(":")
-    again = play_example(program, server.url, server.token, run_id)
+    again = program.play_example(server.url, server.token, run_id)
     assert again.stdout.splitlines()[-1] == "score 0.40625", again.stderr
 
 
 def test_errors_are_for_people(server: Server, program: Program) -> None:
-    refused = play_example(program, server.url, "not-a-token")
+    refused = program.play_example(server.url, "not-a-token")
     assert refused.returncode == 1
     assert "[unauthenticated]" in refused.stderr
     assert "In this " in refused.stderr, "it names what to change in the program"
     assert "    at " not in refused.stderr, "a stack trace"
     with socket.create_server(("127.0.0.1", 0)) as closed:
         port = closed.getsockname()[1]
-    away = play_example(program, f"http://127.0.0.1:{port}", "token")
+    away = program.play_example(f"http://127.0.0.1:{port}", "token")
     assert away.returncode == 1
     assert f"http://127.0.0.1:{port} is unreachable (" in away.stderr
     assert away.stderr.rstrip().endswith("[unreachable]")
@@ -107,7 +89,7 @@ def test_a_wrong_answer_is_explained(
     what: str, server: Server, program: Program
 ) -> None:
     with Proxy(server.url, alter=WRONG[what]) as proxy:
-        done = play_example(program, proxy.url, server.token)
+        done = program.play_example(proxy.url, server.token)
     assert done.returncode == 1
     assert "sent an invalid response (" in done.stderr
     assert ("rewards" if what == "a turn" else "is missing") in done.stderr

@@ -1,8 +1,9 @@
 """Build the wheels of the project into dist/: `make dist`.
 
-    python -m tools.distributions [FOLDER]
+    python -m tools.distributions [--clients] [FOLDER]
 
-Beside each wheel: its lock with hashes, its bill of materials (CycloneDX); and
+Beside each wheel: its lock with hashes, its bill of materials (CycloneDX); with
+--clients, an archive of each proven client that is not committed; and
 SHA256SUMS over all; those of an earlier build are removed. The time in them is
 SOURCE_DATE_EPOCH, or that of the commit: the same commit gives the same bytes in any
 folder, with the setuptools that is locked and the same Python image, as zlib decides
@@ -21,7 +22,14 @@ import tempfile
 from pathlib import Path
 
 from tools.distributions.bill_of_materials import write_bill
-from tools.distributions.staging import DISTRIBUTIONS, ROOT, Distribution, copy_sources
+from tools.distributions.client_archives import LANGUAGES, write_archive
+from tools.distributions.staging import (
+    DISTRIBUTIONS,
+    ROOT,
+    CannotBuild,
+    Distribution,
+    copy_sources,
+)
 from tools.locks.complete import complete_lock
 
 _BUILD = (
@@ -29,25 +37,24 @@ _BUILD = (
 )
 
 
-class CannotBuild(Exception):
-    """A wheel was not built; the text has the reason."""
-
-
-def build_all(to: Path) -> list[Path]:
-    """Build every wheel into a folder, give their paths. Raises CannotBuild."""
+def build_all(to: Path, *, clients: bool = False) -> list[Path]:
+    """Build wheels and archives of clients, give their paths. Raises CannotBuild."""
     to.mkdir(parents=True, exist_ok=True)
     _remove_older(to)
     epoch = _read_epoch()
     written = [_build(distribution, to, epoch) for distribution in DISTRIBUTIONS]
-    names = sorted(path for paths in written for path in paths)
+    archives = [write_archive(name, to, epoch) for name in LANGUAGES if clients]
+    names = sorted([*archives, *(path for paths in written for path in paths)])
     sums = "".join(f"{_sha256(path)}  {path.name}\n" for path in names)
     (to / "SHA256SUMS").write_text(sums, encoding="utf-8")
-    return [wheel for wheel, *_ in written]
+    return [*(wheel for wheel, *_ in written), *archives]
 
 
 def _remove_older(folder: Path) -> None:
-    """Wheels, locks, bills and sums of any version; no other file of the folder."""
+    """Wheels, locks, bills, archives and sums of any version; no other file."""
     (folder / "SHA256SUMS").unlink(missing_ok=True)
+    for old in folder.glob("proctor-client-*.tar.gz"):
+        old.unlink()
     for distribution in DISTRIBUTIONS:
         name = distribution.name.replace("-", "_")
         for ending in ("-py3-none-any.whl", "-requirements.txt", ".cdx.json"):
@@ -98,19 +105,21 @@ def _sha256(path: Path) -> str:
 
 
 def main() -> int:
-    """The exit code: 2 when a wheel was not built."""
+    """The exit code: 2 when a wheel or an archive was not built."""
     parser = argparse.ArgumentParser(prog="make dist")
     parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "dist")
-    folder: Path = parser.parse_args().folder
+    parser.add_argument("--clients", action="store_true", help="archive clients too")
+    arguments = parser.parse_args()
+    folder: Path = arguments.folder
     try:
-        wheels = build_all(folder)
+        built = build_all(folder, clients=arguments.clients)
     except CannotBuild as error:
         print(error, file=sys.stderr)
         return 2
     print(f"in {folder}, with locks, bills of materials and SHA256SUMS:")
-    for wheel in wheels:
-        size = f"{wheel.stat().st_size / 1e6:.2f} MB"
-        print(f"{_sha256(wheel)[:12]}  {size}  {wheel.name}")
+    for path in built:
+        size = f"{path.stat().st_size / 1e6:.2f} MB"
+        print(f"{_sha256(path)[:12]}  {size}  {path.name}")
     return 0
 
 

@@ -22,6 +22,10 @@ _MODE = 0o644
 _SPECIFICATION = ("*.md", "*.yaml", "profiles/*.yaml")
 
 
+class CannotBuild(Exception):
+    """A wheel or an archive was not built; the text has the reason."""
+
+
 @dataclass(frozen=True)
 class Distribution:
     """One wheel: its folders by their place in it, its lock, what it requires.

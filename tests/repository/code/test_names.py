@@ -137,7 +137,6 @@ MORE_SIBLINGS = {
     "tests/server": "a folder for each part of the server, and tests of the whole",
     "tests/support": "a folder for each package, and what starts servers",
     "tools": "a file for each command, and folders of commands of several files",
-    "tools/generators": "a file for each language",
 }
 PACKAGES = (
     *("conformance", "reference_client", "reference_record"),

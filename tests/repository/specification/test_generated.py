@@ -1,6 +1,7 @@
-"""What `make generate` leaves: clean clients, and our own files beside them untouched.
+"""What generators leave: clean clients, and our own files beside them untouched.
 
-That the committed files are what the generators write is `make generate-check`.
+That the committed files are what the generators write is `make generate-check`; that
+the clients work is tests/interop.
 """
 
 from __future__ import annotations
@@ -9,11 +10,14 @@ from pathlib import Path
 
 import pytest
 
+from tests.interop.builds import build_steps
+from tests.interop.clients import LANGUAGES
 from tools import generate
 
 CLIENTS = generate.ROOT / generate.CLIENTS
-LINES_MAX = 90_000  # of all clients, with what is written on top of them
+LINES_MAX = 40_000  # of all clients, with what is written on top of them
 NAMES = [config.stem for config in generate.CONFIGS]
+REQUESTED = sorted(config.stem for config in generate.ON_REQUEST.glob("*.yaml"))
 DEBRIS = (
     "GIT_USER_ID",
     "GIT_REPO_ID",
@@ -40,16 +44,38 @@ def test_the_clients_are_lean() -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_a_client_holds_no_debris(name: str) -> None:
     files = [p for p in generate.generated(generate.ROOT) if p.parts[1] == name]
-    assert len(files) > 40
+    expect_no_debris([generate.ROOT / path for path in files])
+
+
+def expect_no_debris(files: list[Path]) -> None:
+    assert len(files) > 5
     assert not [p for p in files if p.name in (".travis.yml", "git_push.sh", "gradlew")]
     for path in files:
-        text = (generate.ROOT / path).read_text()
-        assert not [word for word in DEBRIS if word in text], path
+        assert not [word for word in DEBRIS if word in path.read_text()], path
+
+
+@pytest.mark.release("whether clients that are not committed hold debris")
+@pytest.mark.slow("runs the generator")
+@pytest.mark.parametrize("language", REQUESTED)
+def test_a_client_on_request_is_clean(language: str, tmp_path: Path) -> None:
+    """Expect a README with a first request, and our own programs beside the client."""
+    build_steps.write_client(language, tmp_path / "client")
+    client, programs = tmp_path / "client", generate.PROGRAMS / language
+    written = files_of(client)
+    assert files_of(programs) <= written
+    expect_no_debris([client / name for name in written - files_of(programs)])
+    readme = (client / "README.md").read_text()
+    assert readme.startswith("# ")
+    assert "```" in readme
+
+
+def files_of(folder: Path) -> set[Path]:
+    return {path.relative_to(folder) for path in folder.rglob("*") if path.is_file()}
 
 
 def test_what_we_write_on_top_is_not_generated() -> None:
     found = generate.generated(generate.ROOT)
-    assert Path("generated_clients/go/client.go") in found
+    assert Path("generated_clients/cpp/connection.cpp") in found
     ours = ("example", "interop", "Cargo.lock", "package-lock.json")
     assert not [path for path in found if set(ours) & set(path.parts)]
 
@@ -98,10 +124,21 @@ def test_an_unknown_language_leaves_everything_as_it_was(
     assert [path.name for path in tmp_path.iterdir()] == ["kept"]
 
 
+def test_a_folder_with_files_is_left_as_it_was(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(generate, "run", lambda *_: "php\n")
+    (tmp_path / "kept").touch()
+    with pytest.raises(generate.GenerationError, match="not an empty folder"):
+        generate.write_requested_client("php", tmp_path)
+    assert [path.name for path in tmp_path.iterdir()] == ["kept"]
+
+
 def test_languages_on_request_are_not_committed() -> None:
-    requested = {path.stem for path in generate.ON_REQUEST.glob("*.yaml")}
-    assert requested == {"csharp", "swift"}
-    assert not requested & set(NAMES)
+    """Expect the proven ones among them to be generated for their build."""
+    proven = {language.name for language in LANGUAGES if language.on_request}
+    assert set(REQUESTED) == {"csharp", "swift"} | proven
+    assert not set(REQUESTED) & set(NAMES)
 
 
 def test_tidying_drops_files_and_makes_white_space_uniform(tmp_path: Path) -> None:

@@ -1,0 +1,77 @@
+import java.util.UUID
+import proctor.client.*
+
+private const val RETRY_TIMEOUT_MS = 60_000
+
+/**
+ * A worker loop on the generated client: the least that a policy needs to be evaluated.
+ *
+ * The same loop stands in the example of every language; see docs/implement/clients.md.
+ */
+class Worker(url: String, private val token: String) {
+    val control = ControlApi(Connection(url, token))
+
+    fun data(run: Run) = DataApi(Connection(run.endpoint, token))
+
+    /** Play until no episode is left; a lost session is replaced by a new one. */
+    fun play(runId: String, workerId: String, policy: (Turn) -> List<Action>, report: (EpisodeResult) -> Unit) {
+        while (true) {
+            val data = data(untilOpen(runId))
+            val key = AttachWorker(attachKey = UUID.randomUUID().toString())
+            try {
+                var turn = ask { data.attachWorker(runId, workerId, key) }
+                while (!turn.done) {
+                    val chunk = Predict(sessionId = turn.sessionId, seq = turn.seq + 1, actions = policy(turn))
+                    turn = ask { data.predict(runId, workerId, chunk) }
+                    turn.episodeResult?.let(report)
+                }
+                return
+            } catch (error: Refused) {
+                val why = error.problem
+                if (why.code == "illegal_transition" && why.state == RunState.COMPLETED) return // others played the rest
+                if (why.code != "session_ended" || why.endedBy in listOf("run_stopped", "run_failed")) throw error
+            }
+        }
+    }
+
+    /** The run, as soon as workers may attach. */
+    private fun untilOpen(runId: String): Run {
+        while (true) {
+            val run = ask { control.getRun(runId) }
+            if (run.state != RunState.QUEUED) return run
+            Thread.sleep(100)
+        }
+    }
+}
+
+/** Send a request until it is answered: a repeat executes nothing twice. */
+fun <T> ask(request: () -> T): T {
+    val deadline = System.currentTimeMillis() + RETRY_TIMEOUT_MS
+    var pauseMs = 100L
+    while (true) {
+        var waitMs = pauseMs
+        try {
+            return request()
+        } catch (error: Refused) {
+            if (!error.problem.retryable || System.currentTimeMillis() > deadline) throw error
+            error.retryAfterS?.let { waitMs = (1000 * it).toLong() }
+        } catch (error: ProctorException) { // no answer, or none that we can read
+            if (System.currentTimeMillis() > deadline) throw error
+        }
+        Thread.sleep(waitMs)
+        pauseMs = minOf(2 * pauseMs, 2000)
+    }
+}
+
+/** One action of `calibration`, with some values of its own; its success is a score above one half. */
+fun act(score: Double, vararg values: Pair<String, List<Double>>) = Action(
+    mapOf(
+        "score" to listOf(score),
+        "success" to listOf(if (score > 0.5) 1.0 else 0.0),
+        "end" to listOf(0.0),
+        "delay_s" to listOf(0.0),
+        "fault" to listOf(0.0),
+        "vector" to List(8) { 0.0 },
+        "clipped" to List(2) { 0.0 },
+    ) + values,
+)

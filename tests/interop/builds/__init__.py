@@ -1,0 +1,1 @@
+"""Steps that build a client: the generator, compilers, checks of downloaded files."""
