@@ -6,7 +6,7 @@ check that judges it and the mutants that break it. `gaps()` lists what is missi
 either direction; a test fails while there is one.
 
 `python -m tools.traceability PRED-002` prints the places of one rule with their lines;
-`--gaps` prints gaps.
+`--gaps` prints gaps; `--release-ids` adds the rules that are new to spec/ids.txt.
 
 Python files are read as text and never imported, except the lifecycle table and the
 mutants, which are data. The kit lists its checks itself, in a process of its own.
@@ -34,6 +34,7 @@ from tests.mutants import load as load_mutants
 from tools.built_pages import write_page
 
 ROOT = Path(__file__).resolve().parents[1]
+IDS = ROOT / "spec" / "ids.txt"
 TABLE = "reference_server/rules/lifecycle.py"
 DECIDING = ("reference_record", "reference_server", "reference_sim")
 CITING = (*DECIDING, "reference_client", "conformance", "tests", "tools", "docs")
@@ -372,11 +373,28 @@ def describe(trace: Trace) -> str:
     )
 
 
+def release_ids() -> None:
+    """Add each rule that spec/ids.txt does not list yet: a release fixes what it is."""
+    header, *lines = IDS.read_text(encoding="utf-8").splitlines()
+    listed = {line.split()[0] for line in lines}
+    new = [
+        f"{rule.id} {rule.level} {rule.profile}"
+        for rule in load_ledger().values()
+        if rule.id not in listed
+    ]
+    IDS.write_text(
+        "\n".join([header, *sorted([*lines, *new])]) + "\n", encoding="utf-8"
+    )
+
+
 def main() -> int:
     """Write the page, or print the places of rules, or the gaps."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("ids", nargs="*", metavar="ID", help="print its places")
     parser.add_argument("--gaps", action="store_true", help="print gaps, write nothing")
+    parser.add_argument(
+        "--release-ids", action="store_true", help="add new rules to spec/ids.txt"
+    )
     arguments = parser.parse_args()
     if unknown := set(arguments.ids) - set(traces()):
         parser.error(f"no rule has the id {', '.join(sorted(unknown))}")
@@ -388,6 +406,9 @@ def main() -> int:
         print("\n".join(found))
         print(f"{len(found)} gaps in {len(traces())} rules", file=sys.stderr)
         return 1 if found else 0
+    if arguments.release_ids:
+        release_ids()
+        return 0
     write_page("traceability.md", page())
     return 0
 
