@@ -99,20 +99,16 @@ class ApiClient:
         """Send a request: parameters that are None are left out."""
         for name, value in (path_parameters or {}).items():
             path = path.replace("{" + name + "}", quote(value, safe=""))
-        sent = {
-            name: value for name, value in (query or {}).items() if value is not None
-        }
         url = self.configuration.host.rstrip("/") + path
-        if sent:
-            url += f"?{urlencode(sent, quote_via=quote)}"
+        if text := urlencode(_given(query), quote_via=quote):
+            url += f"?{text}"
         lines = urllib3.HTTPHeaderDict(self.default_headers)
         lines["Accept"] = "application/json, application/problem+json"
         if self.configuration.access_token:
             lines["Authorization"] = f"Bearer {self.configuration.access_token}"
         if body is not None:
             lines["Content-Type"] = content_type
-        given = {name: value for name, value in (headers or {}).items() if value}
-        for name, value in (given | dict(more_headers or {})).items():
+        for name, value in (_given(headers) | dict(more_headers or {})).items():
             lines[name] = value
         return self.pool_manager.request(
             method,
@@ -139,6 +135,15 @@ def with_http_info(
     api.api_client._on_answer = answers.append
     getattr(api, method.__name__)(*arguments, **named)
     return answers[-1]
+
+
+def _given(parameters: Mapping[str, Any] | None) -> dict[str, str]:
+    """The parameters that are not None, as text."""
+    return {
+        name: str(value).lower() if isinstance(value, bool) else str(value)
+        for name, value in (parameters or {}).items()
+        if value is not None
+    }
 
 
 def _ignore(_: ApiResponse[Any]) -> None:
