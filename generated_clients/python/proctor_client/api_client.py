@@ -1,4 +1,4 @@
-"""The connections to one server, and what every operation does with them.
+"""The connections to one server, and the sending and reading of all operations.
 
 Generated from spec/openapi.yaml by `make generate`; never edited by hand.
 """
@@ -147,7 +147,7 @@ def _given(parameters: Mapping[str, Any] | None) -> dict[str, str]:
 
 
 def _ignore(_: ApiResponse[Any]) -> None:
-    """What is done with an answer for which `with_http_info` does not wait."""
+    """Do nothing: `with_http_info` does not wait for this answer."""
 
 
 def _timeout(timeout: Timeout | None) -> urllib3.Timeout | None:
@@ -163,7 +163,8 @@ def _read(message: type[Answer], response: urllib3.BaseHTTPResponse) -> Answer:
         return message.from_json(response.data)
     except ValueError as error:
         raise ApiException(
-            reason=f"no {message.__name__}: {error}", headers=response.headers
+            reason=f"the answer is not the message {message.__name__}: {error}",
+            headers=response.headers,
         ) from error
 
 

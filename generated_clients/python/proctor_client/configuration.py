@@ -21,8 +21,8 @@ class Configuration:
 
     host: base URL of the control plane, or of a run's data plane (`run.endpoint`).
     access_token: bearer token, sent with every request.
-    retries: how often urllib3 repeats a request without an answer, or its Retry; None
-        is urllib3's default, False leaves repeats to the caller.
+    retries: how often urllib3 repeats a request without an answer, or urllib3's Retry.
+        None: urllib3's default. False: the caller repeats.
     connection_pool_maxsize: how many connections stay open.
     verify_ssl: whether the server's certificate is checked.
     ssl_ca_cert, ca_cert_data: a file, or PEM text, of the authorities to trust.
@@ -30,8 +30,8 @@ class Configuration:
     assert_hostname: the name in the certificate, or False for any.
     tls_server_name: the name sent in the TLS handshake.
     ssl_context: a context to use instead of the settings above.
-    proxy: URL of a proxy; None is that of the environment (HTTPS_PROXY, NO_PROXY),
-        the empty text none. SOCKS needs the package PySocks.
+    proxy: URL of a proxy. None: the proxy that the environment names (HTTPS_PROXY,
+        NO_PROXY). Empty text: no proxy. SOCKS needs the package PySocks.
     proxy_headers, proxy_ssl_context: for the connection to the proxy itself.
     socket_options: as urllib3 takes them.
     """

@@ -1,4 +1,4 @@
-"""What a call raises when its answer is no message of the kind expected.
+"""The exception of a call whose answer is not the message expected.
 
 Generated from spec/openapi.yaml by `make generate`; never edited by hand.
 """
@@ -16,8 +16,8 @@ class ApiException(Exception):
     status: the HTTP status; 0 for a success that is not the message expected. Then what
         was requested may have been carried out.
     reason: the phrase of the status, or what is wrong with the message.
-    data: the problem document; None if the refusal has none, as that of a gateway.
-    body: the text of the refusal. headers: those of the answer.
+    data: the problem document; None if there is none, as in the refusal of a gateway.
+    body: the text of the refusal. headers: the headers of the answer.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""What every message has in common: how it is read and written.
+"""The base class of all messages: it reads and writes them.
 
 Generated from spec/openapi.yaml by `make generate`; never edited by hand.
 """

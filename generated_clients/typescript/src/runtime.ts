@@ -2,14 +2,14 @@
  * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
  */
 
-/* How a request is sent and its answer read: what stands under the operations of apis/. */
+/* The sending of requests and the reading of answers, below the operations of apis/. */
 
 import { read } from './shapes';
 
 export interface ConfigurationParameters {
     /** Base URL of the control plane, or of a run's data plane (`run.endpoint`). */
     basePath?: string;
-    /** The bearer token, or what returns it for each request. */
+    /** The bearer token, or a function that returns it for each request. */
     accessToken?: string | Promise<string> | (() => string | Promise<string>);
     /** Sent with every request. */
     headers?: Record<string, string>;

@@ -2,14 +2,14 @@
  * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
  */
 
-/* What the members of each message are, and the reader that checks an answer against it. */
+/* The members of each message, and the reader that checks an answer against them. */
 
 /** A success that is not the message expected. What was sent may have had its effect. */
 export class InvalidAnswer extends Error {
     override name = 'InvalidAnswer';
 }
 
-/* Of one value: a kind of JSON, 'Date' for a time, the name of a message, or what a container holds. */
+/* The shape of a value: a type of JSON, 'Date' for a time, the name of a message, or the shape of what a container holds. */
 type Shape = string | { list: Shape } | { map: Shape };
 interface Choice {
     shape: Shape;
@@ -619,7 +619,7 @@ export function read<Message>(name: string, text: string): Message {
     try {
         value = JSON.parse(text);
     } catch {
-        throw new InvalidAnswer('the answer is no JSON');
+        throw new InvalidAnswer('the answer is not JSON');
     }
     return valueOf(value, name, '', name) as Message;
 }
@@ -650,13 +650,13 @@ function valueOf(value: unknown, shape: Shape, at: string, message: string): unk
     return contentOf(value, shape, at, message);
 }
 
-/** The value, if it is of this kind. */
+/** The value, which must be of this type of JSON. */
 function contentOf(value: unknown, kind: string, at: string, message: string): any {
     const own = value === null ? 'null' : Array.isArray(value) ? 'array' : typeof value;
-    if (own !== kind) throw invalid(message, `${at || 'it'} is no ${kind}`);
+    if (own !== kind) throw invalid(message, `${at || 'it'} is not of the type ${kind}`);
     return value;
 }
 
 function invalid(message: string, fault: string): InvalidAnswer {
-    return new InvalidAnswer(`the answer holds no ${message}: ${fault}`);
+    return new InvalidAnswer(`the answer is not the message ${message}: ${fault}`);
 }
