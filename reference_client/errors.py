@@ -134,7 +134,7 @@ def from_failure(error: Exception, url: str) -> ProctorError:
         return _from_answer(error, url)
     if (tls := _tls_error(error)) is not None and _is_final(tls):
         return _not_trusted(tls, url)
-    if _is_no_answer(error):
+    if isinstance(error, NO_ANSWER_ERRORS):
         return ProctorError(
             UNREACHABLE,
             f"{url} is unreachable ({innermost_reason(error)}). "
@@ -191,15 +191,8 @@ def _not_trusted(error: ssl.SSLError, url: str) -> ProctorError:
     return ProctorError(NOT_TRUSTED, detail)
 
 
-def _is_no_answer(error: Exception) -> bool:
-    if isinstance(error, ApiException):  # without a status
-        return str(error.reason).startswith("SSLError")
-    return isinstance(error, NO_ANSWER_ERRORS)
-
-
 def _from_answer(error: ApiException, url: str) -> ProctorError:
     problem, status = error.data, error.status
-    wait_s = _retry_after_s(error)
     if not isinstance(problem, Problem):
         # Sent by a gateway in front of the server, not by the server itself.
         return ProctorError(
@@ -208,7 +201,7 @@ def _from_answer(error: ApiException, url: str) -> ProctorError:
             "Check that the URL is that of a Proctor server.",
             retryable=status == 429 or status >= 500,
             side_effects="possible",
-            retry_after_s=wait_s,
+            retry_after_s=error.retry_after_s,
         )
     here = _CLIENT_HINTS.get(problem.code)
     return ProctorError(
@@ -218,14 +211,8 @@ def _from_answer(error: ApiException, url: str) -> ProctorError:
         side_effects=problem.side_effects.value,
         errors=[(item.pointer, item.detail) for item in problem.errors or ()],
         problem=problem,
-        retry_after_s=wait_s,
+        retry_after_s=error.retry_after_s,
     )
-
-
-def _retry_after_s(error: ApiException) -> float | None:
-    """Retry-After in seconds, as the specification requires; a date is ignored."""
-    text = (error.headers or {}).get("Retry-After", "")
-    return float(text) if text.isdecimal() else None
 
 
 def innermost_reason(error: BaseException) -> str:

@@ -256,10 +256,10 @@ def write_versions(out: Path) -> None:
         (out / path).write_text(f'{VERSION_HEADER}\nPROTOCOL_VERSION = "{version}"\n')
 
 
-def format_python(target: Path) -> None:
+def format_python(*targets: Path) -> None:
     settings = ("--quiet", "--no-cache", "--config", ROOT / "pyproject.toml")
-    run(BIN / "ruff", "check", *settings, "--select", "I,UP", "--fix", target)
-    run(BIN / "ruff", "format", *settings, target)
+    run(BIN / "ruff", "check", *settings, "--select", "F401,I,UP", "--fix", *targets)
+    run(BIN / "ruff", "format", *settings, *targets)
 
 
 def answers_with_stream(operation: dict[str, Any]) -> bool:
@@ -372,6 +372,8 @@ def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
         run(BIN / "openapi-generator-cli", *command, *files)
     for name, (dropped, patches) in repairs.items():
         tidy(folder / name, dropped, patches)
+        if scripts := sorted((folder / name).rglob("*.py")):
+            format_python(*scripts)
 
 
 def take_repairs(plan: dict[str, Any]) -> tuple[list[str], list[dict[str, str]]]:

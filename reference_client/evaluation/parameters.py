@@ -247,7 +247,7 @@ def parse_strictly(
         if member not in known:
             meant = did_you_mean(member, known)
             raise ValueError(f"{name} has no member {member!r:.60}{meant}")
-    if made is None or made.to_dict() != given:
+    if made.to_dict() != given:
         raise ValueError(
             f"{name} has members that the protocol does not define: {given}"
         )

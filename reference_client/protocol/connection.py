@@ -61,7 +61,7 @@ class Connection:
         for plane in self._planes:
             plane.close()
         for client in self._clients.values():
-            client.rest_client.pool_manager.clear()
+            client.close()
 
     def __enter__(self) -> Self:
         return self
@@ -82,12 +82,12 @@ class Connection:
                 connection_pool_maxsize=self._requests,
                 # Retries are decided in retry_policy.py only.
                 retries=False,
+                ssl_context=client_context() if host.startswith("https:") else None,
             )
             client = ApiClient(configuration)
-            if host.startswith("https:"):
-                pool = client.rest_client.pool_manager.connection_pool_kw
-                pool["ssl_context"] = client_context()
-            client.user_agent = USER_AGENT
-            client.default_headers["Proctor-Version"] = PROTOCOL_VERSION
+            client.default_headers |= {
+                "User-Agent": USER_AGENT,
+                "Proctor-Version": PROTOCOL_VERSION,
+            }
             self._clients[host] = client
         return self._clients[host]

@@ -22,6 +22,7 @@ from proctor_client import (
     StopMode,
     StopRun,
     SubmitRun,
+    with_http_info,
 )
 
 from reference_client.errors import (
@@ -224,7 +225,7 @@ class ControlClient:
             if answer is None:
                 self._retry_policy.pause(UNCHANGED_S)
                 continue
-            etag = (answer.headers or {}).get("ETag")
+            etag = answer.headers.get("ETag")
             yield answer.data
             if etag is None:
                 self._retry_policy.pause(UNCHANGED_S)
@@ -232,7 +233,8 @@ class ControlClient:
     def _poll(self, run_id: str, etag: str | None) -> ApiResponse[Run] | None:
         """The run, or None if it has not changed since the etag."""
         try:
-            return self._control.get_run_with_http_info(
+            return with_http_info(
+                self._control.get_run,
                 run_id,
                 if_none_match=etag,
                 prefer=f"wait={LONG_POLL_S}" if etag else None,

@@ -146,8 +146,8 @@ def _path(run_id: str, worker_id: str) -> str:
 
 def _refusal(answer: Answer) -> ApiException:
     """As raised by the generated client; `data` is the problem document, if any."""
-    refusal = ApiException(status=answer.status, reason=answer.reason)
-    refusal.headers = HTTPHeaderDict(answer.headers)
-    with contextlib.suppress(ValueError, TypeError, RecursionError):
-        refusal.data = Problem.from_json(bytes(answer.body).decode())
-    return refusal
+    problem = None
+    with contextlib.suppress(ValueError):
+        problem = Problem.from_json(bytes(answer.body))
+    headers = HTTPHeaderDict(answer.headers)
+    return ApiException(answer.status, answer.reason, data=problem, headers=headers)

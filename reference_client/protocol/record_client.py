@@ -111,7 +111,7 @@ def _request(
     all_headers = {**client.default_headers, **headers}
     if token := client.configuration.access_token:
         all_headers["Authorization"] = f"Bearer {token}"
-    response: BaseHTTPResponse = client.rest_client.pool_manager.request(
+    response: BaseHTTPResponse = client.pool_manager.request(
         method,
         url,
         body=body,
@@ -122,10 +122,14 @@ def _request(
         timeout=Timeout(*RECORD_TIMEOUTS_S),
     )
     if not 200 <= response.status < 300:
-        answer = response.read(BLOCK_BYTES).decode(errors="replace")
-        refusal = ApiException(status=response.status, reason=response.reason)
-        refusal.body, refusal.headers = answer, response.headers
+        answer, problem = response.read(BLOCK_BYTES), None
         with contextlib.suppress(ValueError):  # it is no problem document
-            refusal.data = Problem.from_json(answer)
-        raise refusal
+            problem = Problem.from_json(answer)
+        raise ApiException(
+            response.status,
+            response.reason,
+            body=answer.decode(errors="replace"),
+            data=problem,
+            headers=response.headers,
+        )
     return response

@@ -145,8 +145,8 @@ export class Server {
   private async poll(runId: string, etag: string | undefined, init: RequestInit) {
     const prefer = etag === undefined ? undefined : `wait=${LONG_POLL_S}`;
     try {
-      const answer = await this.control.getRunRaw({ runId, ifNoneMatch: etag, prefer }, init);
-      return { run: await answer.value(), etag: answer.raw.headers.get("ETag") ?? undefined };
+      const answer = await this.control.getRun({ runId, ifNoneMatch: etag, prefer }, init).withResponse();
+      return { run: answer.message, etag: answer.response.headers.get("ETag") ?? undefined };
     } catch (error) {
       if (error instanceof ResponseError && error.response.status === 304) return null;
       throw error;

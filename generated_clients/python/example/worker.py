@@ -63,8 +63,7 @@ class Server:
         except ApiException as error:
             if not isinstance(error.data, Problem):
                 raise
-            wait = (error.headers or {}).get("Retry-After")
-            raise Refused(error.status, error.data, float(wait) if wait else None) from error
+            raise Refused(error.status, error.data, error.retry_after_s) from error
 
     def ask(self, request: Callable[[], T]) -> T:
         """Send a request until it is answered: a repeat executes nothing twice."""

@@ -241,17 +241,16 @@ const scenarios: Record<string, (server: Server, url: string) => Promise<Seen>> 
   },
 };
 
-/** Each golden vector decoded by the client's models and encoded again. */
+/** Each golden vector read by the client and written again. */
 function vectors(directory: string): Seen {
-  const codecs = api as unknown as Record<string, (value: unknown) => unknown>;
   const seen: Seen = {};
   for (const file of readdirSync(directory).filter((name) => name.endsWith(".json"))) {
     for (const { id, schema, json, refused } of JSON.parse(readFileSync(join(directory, file), "utf8")).vectors) {
       if (refused) continue; // for servers
       try {
-        seen[id] = JSON.stringify(codecs[`${schema}ToJSON`](codecs[`${schema}FromJSON`](JSON.parse(json))));
+        seen[id] = JSON.stringify(api.read(schema, json));
       } catch (error) {
-        if (!(error instanceof SyntaxError)) throw error;
+        if (!(error instanceof api.InvalidAnswer)) throw error;
         seen[id] = "refused";
       }
     }

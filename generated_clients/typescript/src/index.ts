@@ -1,6 +1,9 @@
-/* tslint:disable */
-/* eslint-disable */
-export * from './runtime';
-export { InvalidAnswer } from './shapes';
-export * from './apis/index';
-export * from './models/index';
+/*
+ * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+ */
+
+export * from './apis/ControlApi';
+export * from './apis/DataApi';
+export * from './models';
+export { Configuration, FetchError, RequiredError, ResponseError, type Answer, type ConfigurationParameters } from './runtime';
+export { InvalidAnswer, read } from './shapes';

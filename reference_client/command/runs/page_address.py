@@ -55,7 +55,7 @@ def open_page(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def _status_of_pages(connection: Connection) -> int:
-    pool = connection.control.api_client.rest_client.pool_manager
+    pool = connection.control.api_client.pool_manager
     response = pool.request(
         "GET",
         f"{connection.url}/pages",

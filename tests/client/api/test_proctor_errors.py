@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ssl
 
-from proctor_client import ApiException
+import urllib3.exceptions
 
 from reference_client.errors import from_failure
 from tests.support.client.api_exceptions import api_exception
@@ -20,15 +20,16 @@ def test_a_problem_is_reported_with_its_pointers() -> None:
 
 
 def test_a_connection_lost_in_its_handshake_counts_as_unreachable() -> None:
-    failure = ApiException(status=0, reason="SSLError\nEOF occurred")
-    failure.__context__ = ssl.SSLEOFError(8, "EOF occurred in violation of protocol")
-    for one in (failure, failure.__context__):
+    failure = urllib3.exceptions.SSLError("EOF occurred")
+    inner = ssl.SSLEOFError(8, "EOF occurred in violation of protocol")
+    failure.__context__ = inner
+    for one in (failure, inner):
         error = from_failure(one, URL)
         assert (error.code, error.retryable) == ("unreachable", True)
 
 
 def test_a_failed_certificate_is_reported_as_such() -> None:
-    failure = ApiException(status=0, reason="SSLError\ncertificate verify failed")
+    failure = urllib3.exceptions.SSLError("certificate verify failed")
     inner = ssl.SSLCertVerificationError(1, "certificate verify failed")
     inner.verify_message = "self-signed certificate"
     failure.__context__ = inner

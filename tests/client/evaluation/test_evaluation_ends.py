@@ -119,9 +119,7 @@ def test_a_stopped_run_is_reported_and_resumes(
     )
     assert policy.is_acting.wait(TIMEOUT_S)
     run_id = direct_client.latest().run_id
-    direct_client.control.stop_run(
-        run_id, StopRun.from_dict({"mode": mode}) or StopRun()
-    )
+    direct_client.control.stop_run(run_id, StopRun.from_dict({"mode": mode}))
     policy.may_continue.set()
     with pytest.raises(RunStopped, match=f'run_id="{run_id}"'):
         evaluation.result(TIMEOUT_S)

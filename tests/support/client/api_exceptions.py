@@ -20,6 +20,5 @@ def api_exception(
             "errors": [{"pointer": "/a", "detail": "is wrong"}],
         }
     )
-    error = ApiException(status=status, reason="No", data=problem)
-    error.headers = {"Retry-After": str(retry_after_s)} if retry_after_s else {}
-    return error
+    headers = {"Retry-After": str(retry_after_s)} if retry_after_s else {}
+    return ApiException(status, "No", data=problem, headers=headers)

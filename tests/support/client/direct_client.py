@@ -41,7 +41,7 @@ class DirectClient:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._client.rest_client.pool_manager.clear()
+        self._client.close()
 
     def submit(self, *tasks: str, **members: Any) -> Run:
         options = CalibrationOptions.from_dict({"tasks": tasks or ["count"]})

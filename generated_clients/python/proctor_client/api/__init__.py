@@ -1,5 +1,4 @@
-# flake8: noqa
+"""The operations, by plane.
 
-# import apis into api package
-from proctor_client.api.control_api import ControlApi
-from proctor_client.api.data_api import DataApi
+Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+"""

@@ -1,4 +1,0 @@
-/* tslint:disable */
-/* eslint-disable */
-export * from './ControlApi';
-export * from './DataApi';
