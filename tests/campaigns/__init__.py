@@ -5,7 +5,7 @@
 Both share what is here: `watcher.py` plays runs and times each request, `history.py`
 holds what was asked and answered, `invariants.py` and `records.py` compare this with
 what the server says and records, `promises.py` gives the verdicts, and `page.py` writes
-them into build/reliability.md.
+them into build/attack.md and build/chaos.md.
 
 All traffic is on the loopback interface, and random choices follow from one seed.
 """

@@ -1,7 +1,7 @@
 """`python -m tests.campaigns attack` or `chaos`: use a server, disturb it, judge it.
 
 Prints a line for each attack or round and a verdict for each promise, and writes both
-to build/reliability.md; exit code 1 when a promise is broken.
+to build/attack.md or build/chaos.md; exit code 1 when a promise is broken.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ import argparse
 import sys
 import time
 
-from tests.campaigns import page
 from tests.campaigns.attack import command as attack
 from tests.campaigns.attack.attacks import ATTACKS
 from tests.campaigns.chaos import command as chaos
@@ -40,7 +39,9 @@ def main() -> int:
     began_at = time.monotonic()
     is_kept = command.run(options, names or list(choices))
     took_s = time.monotonic() - began_at
-    print(f"{took_s:.0f} s, seed {options.seed}, written to {page.PAGE}")
+    print(
+        f"{took_s:.0f} s, seed {options.seed}, written to build/{options.campaign}.md"
+    )
     return int(not is_kept)
 
 

@@ -1,4 +1,4 @@
-"""Writes build/reliability.md: a part for each campaign, with promises and cases."""
+"""Writes build/attack.md and build/chaos.md: the promises and cases of a campaign."""
 
 from __future__ import annotations
 
@@ -10,31 +10,25 @@ from pathlib import Path
 from tests.campaigns.promises import Verdict
 from tools.measurements.git_commit import read_commit
 
-PAGE = Path(__file__).resolve().parents[2] / "build" / "reliability.md"
+BUILD = Path(__file__).resolve().parents[2] / "build"
 
 
-def write_part(
+def write(
     campaign: str, conditions: str, verdicts: Iterable[Verdict], cases: Iterable[str]
 ) -> None:
-    """Replace the part of a campaign; the other one is left as it is.
-
-    conditions: under which it was measured. cases: lines of Markdown.
-    """
+    """conditions: under which it was measured. cases: lines of Markdown."""
     commit, _ = read_commit()
     date = datetime.now(UTC).date().isoformat()
     rows = [(verdict.text, verdict.worst, verdict.state) for verdict in verdicts]
-    part = [
+    lines = [
         f"# make {campaign}\n",
         f"Commit {commit} of {date}, {os.cpu_count()} processors, {conditions}.\n",
         *table(("promise", "worst of all", "verdict"), rows),
         "",
         *cases,
     ]
-    folder = PAGE.with_suffix("")
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / f"{campaign}.md").write_text("\n".join(part) + "\n")
-    parts = (file.read_text() for file in sorted(folder.iterdir()))
-    PAGE.write_text("\n".join(parts))
+    BUILD.mkdir(exist_ok=True)
+    (BUILD / f"{campaign}.md").write_text("\n".join(lines) + "\n")
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:

@@ -63,12 +63,20 @@ FAULTS_PLAYED = ("two nodes killed", "database process killed", "balancer – no
 RAY_FAULTS_PLAYED = ("Ray machine killed", "simulators killed")
 
 
-@pytest.mark.slow("attacks servers")
-def test_a_small_part_of_the_attacks_breaks_nothing() -> None:
-    chosen = [ATTACKS[name] for name in ATTACKS_PLAYED]
-    for result in measure_all(chosen, seed=1, part=0.1):
+def _attack(names: Iterable[str], part: float) -> None:
+    for result in measure_all([ATTACKS[name] for name in names], seed=1, part=part):
         assert set(result.broken) <= TIMED, attack_report.console_line(result)
         assert result.report.sent, attack_report.console_line(result)
+
+
+@pytest.mark.slow("attacks servers")
+def test_a_small_part_of_the_attacks_breaks_nothing() -> None:
+    _attack(ATTACKS_PLAYED, part=0.1)
+
+
+@pytest.mark.release("all attacks of make attack, and all faults of make chaos")
+def test_a_half_of_all_attacks_breaks_nothing() -> None:
+    _attack(ATTACKS, part=0.5)
 
 
 def _play_faults(names: Iterable[str], **options: Any) -> Counts:
@@ -88,6 +96,12 @@ def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
     assert counts.runs >= 4
     seen = counts.claims, counts.compared, counts.writes, counts.records
     assert all(seen), counts  # so there was something to find
+
+
+@pytest.mark.release("all attacks of make attack, and all faults of make chaos")
+@pytest.mark.parametrize("name", [f.name for f in FAULTS.values() if not f.needs_ray])
+def test_a_cluster_goes_on_after_each_fault(name: str) -> None:
+    _play_faults([name], seed=3, players=3)
 
 
 @pytest.mark.slow("breaks a cluster whose simulators are on Ray")

@@ -48,7 +48,7 @@ def judge_all(results: Sequence[Result]) -> list[Verdict]:
 
 def write(results: Sequence[Result], conditions: str) -> None:
     rows = page.table(COLUMNS, map(_row, results))
-    page.write_part("attack", conditions, judge_all(results), [NOTE, *rows])
+    page.write("attack", conditions, judge_all(results), [NOTE, *rows])
 
 
 def _verdict(result: Result) -> str:

@@ -107,7 +107,7 @@ def write(rounds: Sequence[Round], conditions: str) -> None:
     header = ("fault", "what happens", "rounds", "p50, s", "p99, s", "longest, s")
     rows = page.table((*header, "findings"), _rows(rounds))
     cases = [NOTE, f"{summary(rounds)}.\n", *rows]
-    page.write_part("chaos", conditions, judge_all(rounds), cases)
+    page.write("chaos", conditions, judge_all(rounds), cases)
 
 
 def _rows(rounds: Sequence[Round]) -> Iterator[list[str]]:
