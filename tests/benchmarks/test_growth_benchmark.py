@@ -1,6 +1,5 @@
 """Databases of the growth benchmark hold valid runs; its page reports every figure."""
 
-import asyncio
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -17,7 +16,7 @@ from tests.support.server.server_parts import count_rows
 pytestmark = pytest.mark.slow("measures databases")
 
 
-def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
+async def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
     path = tmp_path / "runs.sqlite"
     fill(path, DatabaseCase("small", runs=3, episodes=8))
     assert count_rows(path, "runs") == 3 + READY_RUNS
@@ -31,21 +30,18 @@ def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
     def ignore(_run: Run) -> None:
         pass
 
-    async def look() -> None:
-        store = Store(f"sqlite+aiosqlite:///{path}")
-        await store.open()
-        registry = RunRegistry(store, 1000, ignore, ignore)
-        for number in range(3):
-            run_id = f"completed_{number}"
-            found = await registry.read_view(run_id, "bench", view, end=None)
-            assert found == ("completed", 8, True)
-        waiting = await registry.read_view("ready_0", "bench", view, end=None)
-        assert waiting == ("ready", 0, False)
-        newest = await registry.page("bench", 13, 9, lambda run: run.run_id)
-        assert newest == ["completed_2", "completed_1", "completed_0"]
-        await store.close()
-
-    asyncio.run(look())
+    store = Store(f"sqlite+aiosqlite:///{path}")
+    await store.open()
+    registry = RunRegistry(store, 1000, ignore, ignore)
+    for number in range(3):
+        run_id = f"completed_{number}"
+        found = await registry.read_view(run_id, "bench", view, end=None)
+        assert found == ("completed", 8, True)
+    waiting = await registry.read_view("ready_0", "bench", view, end=None)
+    assert waiting == ("ready", 0, False)
+    newest = await registry.page("bench", 13, 9, lambda run: run.run_id)
+    assert newest == ["completed_2", "completed_1", "completed_0"]
+    await store.close()
 
 
 def test_each_server_has_a_database_of_its_own() -> None:

@@ -18,6 +18,7 @@ from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
+    open_server_parts,
     run_scenarios,
 )
 
@@ -90,7 +91,7 @@ def test_an_upgrade_is_refused_while_a_server_runs(
         assert asyncio.run(upgrade_meanwhile()) == 2
 
 
-def test_a_backup_is_the_database_of_one_moment(
+async def test_a_backup_is_the_database_of_one_moment(
     database: UsedDatabase,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -101,12 +102,9 @@ def test_a_backup_is_the_database_of_one_moment(
     if database.server is not None:
         programs = f"{database.server.programs}:{os.environ['PATH']}"
         monkeypatch.setenv("PATH", programs)
-
-    async def back_up(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         await save_run(parts)
         assert await asyncio.to_thread(main, ["db", "backup", str(path)]) == 0
-
-    run_scenarios(database, back_up)
     assert path.stat().st_mode & 0o777 == 0o600
     if database.server is None:
         assert UsedDatabase.of_file(path).count("runs") == 1

@@ -139,12 +139,20 @@ async def open_server_parts(
     try:
         yield parts
     finally:
-        await parts.executor.close()
-        await registry.close()
-        if recordings is not None:
-            await recordings.close()
-        await pool.close()
-        await store.close()
+        async with asyncio.timeout(TIMEOUT_S):
+            await parts.executor.close()
+            await registry.close()
+            if recordings is not None:
+                await recordings.close()
+            await pool.close()
+            await store.close()
+
+
+@pytest.fixture
+async def parts(tmp_path: Path) -> AsyncIterator[ServerParts]:
+    """A server over an SQLite database, closed while patches of its test hold."""
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
+        yield parts
 
 
 def run_scenarios(
