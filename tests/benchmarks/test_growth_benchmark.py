@@ -1,5 +1,6 @@
 """Databases of the growth benchmark hold valid runs; its page reports every figure."""
 
+import asyncio
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -18,7 +19,7 @@ pytestmark = pytest.mark.slow("measures databases")
 
 async def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
     path = tmp_path / "runs.sqlite"
-    fill(path, DatabaseCase("small", runs=3, episodes=8))
+    await asyncio.to_thread(fill, path, DatabaseCase("small", runs=3, episodes=8))
     assert count_rows(path, "runs") == 3 + READY_RUNS
     assert count_rows(path, "episodes") == 3 * 8
     assert count_rows(path, "manifests") == 1

@@ -111,7 +111,7 @@ async def test_a_backup_is_the_database_of_one_moment(
     else:
         assert path.read_bytes().startswith(b"PGDMP")
     with expect_failure(capsys, "exists already"):
-        assert main(["db", "backup", str(path)]) == 2
+        assert await asyncio.to_thread(main, ["db", "backup", str(path)]) == 2
 
 
 def test_a_backup_does_not_follow_a_link(
