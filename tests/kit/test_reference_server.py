@@ -15,7 +15,8 @@ from tests.support.paths import ROOT
 
 @pytest.mark.slow("starts a server and a kit")
 @pytest.mark.parametrize(
-    ("profiles", "area"), [("ebench", "EBE"), ("flageval", "FLE"), ("", "CRASH")]
+    ("profiles", "area"),
+    [("ebench", "EBE"), ("flageval", "FLE"), ("", "CRASH"), ("", "PUSH")],
 )
 def test_the_reference_server_obeys_the_rules_of_an_area(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, profiles: str, area: str
