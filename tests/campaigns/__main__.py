@@ -10,10 +10,10 @@ import argparse
 import sys
 import time
 
-from tests.campaigns.attack import command as attack
+from tests.campaigns.attack import attack_command as attack
 from tests.campaigns.attack.attacks import ATTACKS
-from tests.campaigns.chaos import command as chaos
-from tests.campaigns.chaos.faults import FAULTS
+from tests.campaigns.chaos import chaos_command as chaos
+from tests.campaigns.chaos.chaos_faults import FAULTS
 
 CAMPAIGNS = {"attack": (attack, tuple(ATTACKS)), "chaos": (chaos, tuple(FAULTS))}
 

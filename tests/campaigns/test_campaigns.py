@@ -20,23 +20,23 @@ import pytest
 from reference_record.formats.envelope import sign_envelope
 from reference_record.keys import make_key
 from reference_record.statement import EpisodeLine
-from tests.campaigns.attack import report as attack_report
+from tests.campaigns.attack import attack_report
 from tests.campaigns.attack.attack import Attack
+from tests.campaigns.attack.attack_promises import Latency, Result
 from tests.campaigns.attack.attacks import ATTACKS
 from tests.campaigns.attack.measurement import measure_all
-from tests.campaigns.attack.promises import Latency, Result
-from tests.campaigns.chaos import report as chaos_report
-from tests.campaigns.chaos.campaign import Campaign
-from tests.campaigns.chaos.faults import FAULTS, FULL_AT
+from tests.campaigns.attack.server_usage import MB, Usage
+from tests.campaigns.chaos import chaos_report
+from tests.campaigns.chaos.chaos_campaign import Campaign
+from tests.campaigns.chaos.chaos_faults import FAULTS, FULL_AT
+from tests.campaigns.chaos.chaos_rounds import Counts, Round
 from tests.campaigns.chaos.push_player import PushPlayer
-from tests.campaigns.chaos.rounds import Counts, Round
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
-from tests.campaigns.history import History, Report, Sample
-from tests.campaigns.invariants import check_histories
-from tests.campaigns.raw_client import Answer
-from tests.campaigns.records import missing_results, missing_turns
-from tests.campaigns.server_usage import MB, Usage
-from tests.campaigns.watcher import Watcher
+from tests.campaigns.players.invariants import check_histories
+from tests.campaigns.players.raw_client import Answer
+from tests.campaigns.players.records import missing_results, missing_turns
+from tests.campaigns.players.run_history import History, Report, Sample
+from tests.campaigns.players.watcher import Watcher
 from tests.support.server.postgresql_server import PostgresqlServer
 
 TIMED = {"latency", "turns", "starts", "ready"}

@@ -14,12 +14,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from tests.campaigns.history import Report
-from tests.campaigns.raw_client import RawClient
+from tests.campaigns.players.raw_client import RawClient
+from tests.campaigns.players.run_history import Report
 
 if TYPE_CHECKING:
     from tests.campaigns.campaign_server import CampaignServer
-    from tests.campaigns.watcher import Watcher
+    from tests.campaigns.players.watcher import Watcher
 
 
 @dataclass

@@ -25,18 +25,18 @@ from pathlib import Path
 from typing import TypedDict
 
 from tests.campaigns.attack.attack import Attack, Target
-from tests.campaigns.attack.promises import (
+from tests.campaigns.attack.attack_promises import (
     FILES_BACK_GROWTH,
     RSS_BACK_GROWTH,
     Latency,
     Result,
 )
+from tests.campaigns.attack.server_usage import PeakUsage, Usage, read_usage
 from tests.campaigns.campaign_server import ATTACKER, OTHERS, WATCHER, CampaignServer
-from tests.campaigns.history import History, Report, Sample
-from tests.campaigns.invariants import check_histories
-from tests.campaigns.raw_client import NoAnswer, RawClient
-from tests.campaigns.server_usage import PeakUsage, Usage, read_usage
-from tests.campaigns.watcher import Player, ServiceWatcher, Watcher
+from tests.campaigns.players.invariants import check_histories
+from tests.campaigns.players.raw_client import NoAnswer, RawClient
+from tests.campaigns.players.run_history import History, Report, Sample
+from tests.campaigns.players.watcher import Player, ServiceWatcher, Watcher
 
 BACK_S = 30.0
 WAIT_S = 12.0  # more than any bound on latency

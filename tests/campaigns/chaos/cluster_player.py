@@ -14,9 +14,9 @@ from typing import Any
 
 from tests.campaigns.campaign_server import WATCHER, WATCHER_ADDRESS
 from tests.campaigns.chaos.event_follower import EventFollower
-from tests.campaigns.history import History
-from tests.campaigns.raw_client import Answer, RawClient
-from tests.campaigns.watcher import Ended, Player
+from tests.campaigns.players.raw_client import Answer, RawClient
+from tests.campaigns.players.run_history import History
+from tests.campaigns.players.watcher import Ended, Player
 
 EPISODES = 6
 RECONNECTS, REPEATS, STOPS = 0.3, 0.2, 0.2

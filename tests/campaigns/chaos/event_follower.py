@@ -10,8 +10,8 @@ from urllib.parse import urlsplit
 
 from conformance.client.event_reader import EventParser
 from tests.campaigns.campaign_server import WATCHER
-from tests.campaigns.history import History
-from tests.campaigns.watcher import RETRY_S
+from tests.campaigns.players.run_history import History
+from tests.campaigns.players.watcher import RETRY_S
 
 
 class EventFollower:

@@ -25,8 +25,8 @@ import time
 from pathlib import Path
 
 from tests.campaigns.campaign_server import ATTACKER, WATCHER, WATCHER_READS
-from tests.campaigns.chaos.campaign import NODES
-from tests.campaigns.chaos.cluster import ChaosCluster
+from tests.campaigns.chaos.chaos_campaign import NODES
+from tests.campaigns.chaos.chaos_cluster import ChaosCluster
 from tools.measurements.false_alarms import REPORT, alarms_of, read_report
 
 TOKENS = {

@@ -16,10 +16,14 @@ import msgspec
 
 from reference_record.formats.envelope import read_envelope
 from reference_record.formats.names import STATEMENT
-from tests.campaigns.chaos.cluster import ChaosCluster
-from tests.campaigns.history import History
-from tests.campaigns.raw_client import RawClient
-from tests.campaigns.records import WrongRecord, missing_results, verified_record
+from tests.campaigns.chaos.chaos_cluster import ChaosCluster
+from tests.campaigns.players.raw_client import RawClient
+from tests.campaigns.players.records import (
+    WrongRecord,
+    missing_results,
+    verified_record,
+)
+from tests.campaigns.players.run_history import History
 
 _TABLES = (
     """CREATE TABLE audit (id bigserial, number bigint, owner text, fence bigint,

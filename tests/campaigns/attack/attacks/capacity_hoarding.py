@@ -11,9 +11,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from tests.campaigns.attack.attack import Attack, Target
-from tests.campaigns.history import Report
+from tests.campaigns.players.raw_client import RawClient, try_request
+from tests.campaigns.players.run_history import Report
 from tests.campaigns.promises import percentile
-from tests.campaigns.raw_client import RawClient, try_request
 from tests.support.server.http_runs import predict_body
 
 # With these the attacks need less time; both then share a server.

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 
 from conformance.client.connections.raw_connection import open_raw_connection
 from tests.campaigns.attack.attack import Attack, Target
-from tests.campaigns.history import Report
-from tests.campaigns.raw_client import NoAnswer, try_request
+from tests.campaigns.players.raw_client import NoAnswer, try_request
+from tests.campaigns.players.run_history import Report
 
 GET = b"GET /v1 HTTP/1.1\r\nHost: x\r\n\r\n"
 MIB = 2**20

@@ -25,8 +25,8 @@ import yaml
 
 from conformance.profiles import pickles
 from tests.campaigns.attack.attack import Attack, Target
-from tests.campaigns.history import Report
-from tests.campaigns.raw_client import JSON, Answer, NoAnswer, RawClient
+from tests.campaigns.players.raw_client import JSON, Answer, NoAnswer, RawClient
+from tests.campaigns.players.run_history import Report
 from tests.support.paths import SPEC
 from tests.support.server.http_runs import predict_body
 

@@ -13,8 +13,8 @@ from typing import Any
 from conformance.profiles import pickles
 from tests.campaigns.attack.attack import Attack, Target
 from tests.campaigns.attack.attacks.fuzzed_requests import PICKLE
-from tests.campaigns.history import Report
-from tests.campaigns.raw_client import NoAnswer, RawClient, try_request
+from tests.campaigns.players.raw_client import NoAnswer, RawClient, try_request
+from tests.campaigns.players.run_history import Report
 from tests.support.profiles.ebench_client import MaliciousObject, dump_pickle
 
 

@@ -17,8 +17,8 @@ from ipaddress import ip_address
 from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from tests.campaigns.attack.attack import Attack, Target
 from tests.campaigns.attack.attacks.process_kills import server_of
-from tests.campaigns.history import Report
-from tests.campaigns.raw_client import RawClient
+from tests.campaigns.players.raw_client import RawClient
+from tests.campaigns.players.run_history import Report
 from tests.support.push_runs import push_submission
 
 ALLOWED = "127.0.0.3"

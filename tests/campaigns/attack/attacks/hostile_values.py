@@ -13,8 +13,8 @@ from collections.abc import Iterator
 from typing import Any
 
 from tests.campaigns.attack.attack import Attack, Target
-from tests.campaigns.history import Report
-from tests.campaigns.raw_client import Answer, NoAnswer, RawClient
+from tests.campaigns.players.raw_client import Answer, NoAnswer, RawClient
+from tests.campaigns.players.run_history import Report
 from tests.support.push_runs import HEAD, push_submission, raw_socket_server
 from tests.support.server.http_runs import predict_body
 

@@ -24,8 +24,8 @@ from tests.campaigns.attack.attacks.fuzzed_requests import (
     is_refusal,
     load_operations,
 )
-from tests.campaigns.history import Report
-from tests.campaigns.raw_client import JSON, Answer, RawClient
+from tests.campaigns.players.raw_client import JSON, Answer, RawClient
+from tests.campaigns.players.run_history import Report
 from tests.support.server.http_runs import predict_body
 
 NEVER = "run_000000000000000000000000"

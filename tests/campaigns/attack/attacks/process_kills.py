@@ -6,10 +6,10 @@ import signal
 import time
 
 from tests.campaigns.attack.attack import Attack, Target
+from tests.campaigns.attack.server_usage import MB, read_usage
 from tests.campaigns.campaign_server import CampaignServer
-from tests.campaigns.history import Report
+from tests.campaigns.players.run_history import Report
 from tests.campaigns.promises import percentile
-from tests.campaigns.server_usage import MB, read_usage
 
 FLAT_RSS, FLAT_NUMBER = 20 * MB, 32
 

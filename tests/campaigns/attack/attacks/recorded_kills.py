@@ -25,16 +25,16 @@ from reference_sim.replay.record_replay import resolve
 from tests.campaigns.attack.attack import Attack, Target
 from tests.campaigns.attack.attacks.process_kills import server_of
 from tests.campaigns.campaign_server import WATCHER
-from tests.campaigns.history import History, Report
-from tests.campaigns.invariants import check_histories
-from tests.campaigns.raw_client import Answer, RawClient
-from tests.campaigns.records import (
+from tests.campaigns.players.invariants import check_histories
+from tests.campaigns.players.raw_client import Answer, RawClient
+from tests.campaigns.players.records import (
     WrongRecord,
     missing_results,
     missing_turns,
     verified_record,
 )
-from tests.campaigns.watcher import Ended, Player
+from tests.campaigns.players.run_history import History, Report
+from tests.campaigns.players.watcher import Ended, Player
 
 WORKERS, EPISODES_OF_A_RUN = 8, 48
 RUN_S = 120.0  # for a run to end after the last kill

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tests.campaigns.attack.attack import Attack, Target
 from tests.campaigns.attack.attacks.process_kills import server_of, wait_for_samples
-from tests.campaigns.history import Report
+from tests.campaigns.players.run_history import Report
 
 FULL_AT = 4096
 DAY_S = 86_400.0

@@ -12,14 +12,14 @@ from random import Random
 from typing import Any, Self
 
 from tests.campaigns.campaign_server import WATCHER
-from tests.campaigns.chaos.cluster import ChaosCluster
+from tests.campaigns.chaos.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.chaos_faults import FAULTS, Fault
+from tests.campaigns.chaos.chaos_rounds import Counts, Round
 from tests.campaigns.chaos.cluster_player import ClusterPlayer
-from tests.campaigns.chaos.faults import FAULTS, Fault
 from tests.campaigns.chaos.push_player import PushPlayer, scripted_policy
-from tests.campaigns.chaos.rounds import Counts, Round
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
-from tests.campaigns.invariants import check_histories
-from tests.campaigns.raw_client import Answer, NoAnswer, RawClient
+from tests.campaigns.players.invariants import check_histories
+from tests.campaigns.players.raw_client import Answer, NoAnswer, RawClient
 
 NODES = 3
 # Until a round has failed: the players do not go on.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 
-from tests.campaigns.attack import report
+from tests.campaigns.attack import attack_report as report
 from tests.campaigns.attack.attacks import ATTACKS
 from tests.campaigns.attack.measurement import measure_all
 

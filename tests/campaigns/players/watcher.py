@@ -16,8 +16,8 @@ from abc import abstractmethod
 from typing import Any
 
 from tests.campaigns.campaign_server import WATCHER, WATCHER_ADDRESS
-from tests.campaigns.history import History, Report, Sample
-from tests.campaigns.raw_client import Answer, NoAnswer, RawClient
+from tests.campaigns.players.raw_client import Answer, NoAnswer, RawClient
+from tests.campaigns.players.run_history import History, Report, Sample
 from tests.support.server.http_runs import predict_body
 
 PAUSE_S = 0.005

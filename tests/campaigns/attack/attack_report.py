@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from tests.campaigns import page
-from tests.campaigns.attack.promises import PROMISES, Latency, Result
+from tests.campaigns import campaign_page as page
+from tests.campaigns.attack.attack_promises import PROMISES, Latency, Result
+from tests.campaigns.attack.server_usage import MB
 from tests.campaigns.promises import Verdict, judge
-from tests.campaigns.server_usage import MB
 
 COLUMNS = (
     "attack", "what is sent", "bound", "sent", "`GET /v1`, ms", "turn, ms", "start, s",

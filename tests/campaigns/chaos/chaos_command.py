@@ -12,10 +12,10 @@ import itertools
 import os
 import time
 
-from tests.campaigns.chaos import report
-from tests.campaigns.chaos.campaign import Campaign
-from tests.campaigns.chaos.faults import FAULTS
-from tests.campaigns.chaos.rounds import Counts, KeptRounds, faults_to_play
+from tests.campaigns.chaos import chaos_report as report
+from tests.campaigns.chaos.chaos_campaign import Campaign
+from tests.campaigns.chaos.chaos_faults import FAULTS
+from tests.campaigns.chaos.chaos_rounds import Counts, KeptRounds, faults_to_play
 from tests.campaigns.promises import percentile
 from tools.measurements.git_commit import read_commit
 

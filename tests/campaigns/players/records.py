@@ -14,7 +14,7 @@ from reference_record.formats.names import EPISODES
 from reference_record.statement import EpisodeLine, read_lines
 from reference_record.verification import Report as Verified
 from reference_record.verification import verify
-from tests.campaigns.raw_client import RawClient
+from tests.campaigns.players.raw_client import RawClient
 
 
 class WrongRecord(Exception):

@@ -11,8 +11,8 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from tests.campaigns.history import History
-from tests.campaigns.raw_client import RawClient
+from tests.campaigns.players.raw_client import RawClient
+from tests.campaigns.players.run_history import History
 
 
 def check_histories(

@@ -10,7 +10,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
-from tests.campaigns.raw_client import Answer
+from tests.campaigns.players.raw_client import Answer
 
 ALLOWED_5XX = ("unavailable", "no_capacity")
 

@@ -7,9 +7,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from tests.campaigns.attack.attack import Attack
-from tests.campaigns.history import Report, Sample
+from tests.campaigns.attack.server_usage import MB, Usage
+from tests.campaigns.players.run_history import Report, Sample
 from tests.campaigns.promises import Promise, percentile
-from tests.campaigns.server_usage import MB, Usage
 
 SERVICE_P99_S = 0.25
 TURN_CALM_FACTOR, TURN_EXTRA_S = 2.0, 0.1

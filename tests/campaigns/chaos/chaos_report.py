@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 
-from tests.campaigns import page
-from tests.campaigns.chaos.faults import FAULTS, PROMISED
-from tests.campaigns.chaos.rounds import Counts, Round, broken_so_far
+from tests.campaigns import campaign_page as page
+from tests.campaigns.chaos.chaos_faults import FAULTS, PROMISED
+from tests.campaigns.chaos.chaos_rounds import Counts, Round, broken_so_far
 from tests.campaigns.promises import Promise, Verdict, judge, percentile
 
 GOING_P99_S = 10.0

@@ -16,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from random import Random
 
-from tests.campaigns.chaos.cluster import ChaosCluster, ChaosNode
+from tests.campaigns.chaos.chaos_cluster import ChaosCluster, ChaosNode
 from tests.campaigns.chaos.links import Link
 from tests.support.processes import descendants
 from tests.support.server.postgresql_server import LIBFAKETIME

@@ -16,7 +16,7 @@ from dataclasses import asdict, astuple, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from tests.campaigns.chaos.faults import FAULTS, PROMISED, Fault
+from tests.campaigns.chaos.chaos_faults import FAULTS, PROMISED, Fault
 
 FILE = Path(__file__).resolve().parents[3] / "var" / "chaos.jsonl"
 # Of each fault in a long campaign, also where nothing is promised.
