@@ -19,7 +19,7 @@ from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
     open_server_parts,
-    run_scenarios,
+    run_scenario,
 )
 
 
@@ -44,7 +44,7 @@ def expect_failure(capsys: pytest.CaptureFixture[str], text: str) -> Iterator[No
 def test_a_consistent_database_passes(
     database: UsedDatabase, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    run_scenarios(database, save_run)
+    run_scenario(database, save_run)
     assert main(["db", "check"]) == 0
     assert "content: consistent" in capsys.readouterr().out
 
@@ -52,7 +52,7 @@ def test_a_consistent_database_passes(
 def test_an_inconsistent_database_does_not(
     database: UsedDatabase, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    run_scenarios(database, save_run)
+    run_scenario(database, save_run)
     database.execute("DELETE FROM manifests")
     assert main(["db", "check"]) == 2
     assert "problem: 1 runs without their manifest" in capsys.readouterr().out
@@ -61,7 +61,7 @@ def test_an_inconsistent_database_does_not(
 def test_an_older_database_is_upgraded_on_command(
     database: UsedDatabase, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    run_scenarios(database, save_run)
+    run_scenario(database, save_run)
     database.make_unversioned()
     with expect_failure(capsys, "see `proctor admin db upgrade`"):
         assert main(["db", "check"]) == 2
@@ -121,7 +121,7 @@ def test_a_backup_does_not_follow_a_link(
     path = tmp_path / "backup"
     path.symlink_to(tmp_path / "elsewhere")
     if database.server is None:
-        run_scenarios(database, save_run)
+        run_scenario(database, save_run)
     with expect_failure(capsys, "exists already"):
         assert main(["db", "backup", str(path)]) == 2
     assert not path.exists()

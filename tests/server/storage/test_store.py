@@ -30,7 +30,7 @@ from tests.support.server.server_parts import (
     calibration_run,
     open_server_parts,
     record_score,
-    run_scenarios,
+    run_scenario,
 )
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
@@ -53,11 +53,11 @@ def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
 
     before = os.umask(0o022)
     try:
-        run_scenarios(tmp_path, scenario)
+        run_scenario(tmp_path, scenario)
         (tmp_path / "proctor.sqlite").unlink()
         sqlite3.connect(tmp_path / "proctor.sqlite").close()
         (tmp_path / "proctor.sqlite").touch(0o644)
-        run_scenarios(tmp_path, scenario)
+        run_scenario(tmp_path, scenario)
     finally:
         os.umask(before)
 
@@ -377,7 +377,7 @@ def test_an_unreachable_database_is_reported() -> None:
             assert run.changed == set()
             assert list(await parts.store.heads(["run_1", "run_2"])) == ["run_1"]
 
-        run_scenarios(database, scenario)
+        run_scenario(database, scenario)
 
 
 @pytest.mark.slow("starts PostgreSQL")

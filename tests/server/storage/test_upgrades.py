@@ -26,7 +26,7 @@ from tests.support.server.server_parts import (
     calibration_run,
     open_server_parts,
     record_score,
-    run_scenarios,
+    run_scenario,
 )
 
 # What the first version of the server made of an empty database.
@@ -192,7 +192,7 @@ async def use_new_columns(parts: ServerParts, head: RunHead) -> None:
 
 def test_a_database_without_a_version_gets_one(database: UsedDatabase) -> None:
     """Made by the last server that had no versions: nothing else changes."""
-    run_scenarios(database, lambda parts: save_scored_run(parts, "run_1"))
+    run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     before = schema_of(database)
     database.make_unversioned()
     rows = [(*row, None, None) for row in database.execute("SELECT * FROM runs")]
@@ -202,7 +202,7 @@ def test_a_database_without_a_version_gets_one(database: UsedDatabase) -> None:
 
 
 def test_an_upgrade_that_fails_changes_nothing(database: UsedDatabase) -> None:
-    run_scenarios(database, lambda parts: save_scored_run(parts, "run_1"))
+    run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     make_first_version(database)
     before = tables_of(database)
     database.execute("UPDATE manifests SET manifest = ''")
@@ -240,7 +240,7 @@ def test_an_older_database_is_only_upgraded_where_that_is_allowed(
 
 
 def test_two_servers_that_start_at_once_upgrade_once(database: UsedDatabase) -> None:
-    run_scenarios(database, lambda parts: save_scored_run(parts, "run_1"))
+    run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     make_first_version(database)
 
     async def open_both() -> list[Upgrade | None]:

@@ -155,20 +155,16 @@ async def parts(tmp_path: Path) -> AsyncIterator[ServerParts]:
         yield parts
 
 
-def run_scenarios(
-    where: Path | UsedDatabase, *scenarios: Scenario, active_max: int = 10
-) -> None:
-    """Each story with a server of its own, over the same database.
+def run_scenario(where: Path | UsedDatabase, scenario: Scenario) -> None:
+    """With a server of its own, for tests that go on without a loop.
 
     where: a folder for an SQLite file, or a database.
     """
     used = where / "proctor.sqlite" if isinstance(where, Path) else where
 
     async def run() -> None:
-        for scenario in scenarios:
-            async with asyncio.timeout(TIMEOUT_S):
-                async with open_server_parts(used, active_max) as parts:
-                    await scenario(parts)
+        async with asyncio.timeout(TIMEOUT_S), open_server_parts(used) as parts:
+            await scenario(parts)
 
     asyncio.run(run())
 
