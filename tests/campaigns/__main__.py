@@ -38,10 +38,7 @@ def main() -> int:
         parser.error(f"unknown names: {', '.join(sorted(unknown))}")
     began_at = time.monotonic()
     is_kept = command.run(options, names or list(choices))
-    took_s = time.monotonic() - began_at
-    print(
-        f"{took_s:.0f} s, seed {options.seed}, written to build/{options.campaign}.md"
-    )
+    print(f"{time.monotonic() - began_at:.0f} s, seed {options.seed}")
     return int(not is_kept)
 
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Sequence
 from datetime import UTC, datetime
-from pathlib import Path
 
 from tests.campaigns.promises import Verdict
+from tools.built_pages import write_page
 from tools.measurements.git_commit import read_commit
-
-BUILD = Path(__file__).resolve().parents[2] / "build"
 
 
 def write(
@@ -27,8 +25,7 @@ def write(
         "",
         *cases,
     ]
-    BUILD.mkdir(exist_ok=True)
-    (BUILD / f"{campaign}.md").write_text("\n".join(lines) + "\n")
+    write_page(f"{campaign}.md", "\n".join(lines) + "\n")
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
