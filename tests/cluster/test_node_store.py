@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any, cast
@@ -100,6 +100,39 @@ async def nodes(database: UsedDatabase) -> AsyncIterator[Nodes]:
         yield nodes
 
 
+async def member_of(
+    nodes: Nodes,
+    adopt: Callable[[str], None] = lambda _run_id: None,
+    on_lost: Callable[[], None] = lambda: None,
+    *,
+    store: NodeStore | None = None,
+    lease_s: float = LEASE_S,
+    url: str = "http://member",
+    **callbacks: Any,
+) -> Membership:
+    """One that knows the two of the list. lease_s: 0 is a lease that is always over."""
+    store = store or nodes.nodes[1]
+    member = Membership(store, url, lease_s, on_lost, adopt, **callbacks)
+    await member.open()
+    return member
+
+
+async def without_lease(nodes: Nodes, **callbacks: Any) -> Membership:
+    store = NodeStore(nodes.stores[0], 0.0)
+    return await member_of(nodes, store=store, lease_s=0.0, **callbacks)
+
+
+def lose_answers(patch: pytest.MonkeyPatch, node: NodeStore, name: str) -> None:
+    """What is claimed or taken is stored, and its caller learns nothing of it."""
+    right = getattr(node, name)
+
+    async def store_without_answer(*given: Any) -> bool:
+        await right(*given)
+        raise StoreFailed("the connection was lost")
+
+    patch.setattr(node, name, store_without_answer)
+
+
 async def test_what_an_earlier_owner_writes_is_not_stored(nodes: Nodes) -> None:
     run = await nodes.add_run(FIRST)
     assert await nodes.claim(run, SECOND)
@@ -187,15 +220,9 @@ async def test_a_node_without_a_lease_acts_for_no_run(nodes: Nodes) -> None:
     lost: list[str] = []
     announced: list[str] = []
 
-    member = Membership(
-        NodeStore(nodes.stores[0], 0.0),  # a lease that is always over
-        "http://member",
-        0.0,
-        lambda: lost.append(member.node_id),
-        lambda _run_id: None,
-        announce=announced.append,
+    member: Membership = await without_lease(
+        nodes, on_lost=lambda: lost.append(member.node_id), announce=announced.append
     )
-    await member.open()
     first_id = member.node_id
     await member.ensure_lease()
     assert (lost, member.node_id) == ([], first_id)
@@ -215,10 +242,7 @@ async def test_an_open_run_that_a_request_claims_is_loaded(
     """Nothing else would go on with a push run: it has an owner now."""
     run = await nodes.add_run(THIRD, state)
     adopted: list[str] = []
-    member = Membership(
-        nodes.nodes[1], "http://member", LEASE_S, lambda: None, adopted.append
-    )
-    await member.open()
+    member = await member_of(nodes, adopted.append)
     assert await member.find_other(run.run_id, only_reads=True) is None
     assert adopted == [run.run_id] * is_loaded
 
@@ -230,16 +254,9 @@ async def test_a_claim_that_was_stored_without_an_answer_is_found(
     run = await nodes.add_run(THIRD)
     adopted: list[str] = []
     node = nodes.nodes[1]
-    member = Membership(node, "http://m", LEASE_S, lambda: None, adopted.append)
-    await member.open()
-    claim = node.claim
-
-    async def claim_without_answer(*given: Any) -> bool:
-        await claim(*given)
-        raise StoreFailed("the connection was lost")
-
+    member = await member_of(nodes, adopted.append)
     with monkeypatch.context() as patch:
-        patch.setattr(node, "claim", claim_without_answer)
+        lose_answers(patch, node, "claim")
         with pytest.raises(StoreFailed):
             await member._claim_abandoned()
     assert adopted == []
@@ -322,8 +339,7 @@ async def test_a_renewal_is_no_part_of_the_request_that_began_it(
 ) -> None:
     """What it logs would have the id of that request; others wait for it, too."""
     node, logged_with = nodes.nodes[1], list[str | None]()
-    member = Membership(node, "http://m", 0.0, lambda: None, lambda _: None)
-    await member.open()
+    member = await member_of(nodes, lease_s=0.0)
 
     async def renew(_node_id: str) -> bool:
         logged_with.append(REQUEST_ID.get())
@@ -338,10 +354,7 @@ async def test_a_renewal_is_no_part_of_the_request_that_began_it(
 
 async def test_a_node_that_ends_claims_nothing_more(nodes: Nodes) -> None:
     run = await nodes.add_run(THIRD)
-    member = Membership(
-        nodes.nodes[1], "http://member", LEASE_S, lambda: None, lambda _: None
-    )
-    await member.open()
+    member = await member_of(nodes)
     member.stop_claiming()
     with pytest.raises(OwnedElsewhere):
         await member.claim(run.run_id)
@@ -351,15 +364,7 @@ async def test_a_node_that_ends_claims_nothing_more(nodes: Nodes) -> None:
 async def test_a_living_node_at_the_same_address_is_not_removed(nodes: Nodes) -> None:
     """Only a node that starts takes the place; who lost it would take it back."""
     announced: set[str] = set()
-    member = Membership(
-        NodeStore(nodes.stores[0], 0.0),
-        FIRST.url,
-        0.0,
-        lambda: None,
-        lambda _run_id: None,
-        announce=announced.add,
-    )
-    await member.open()
+    member = await without_lease(nodes, url=FIRST.url, announce=announced.add)
     later = Node("later", FIRST.url, "secret")
     await nodes.nodes[1].join(later, is_new=True)
     member._nodes = nodes.nodes[0]
@@ -385,15 +390,7 @@ async def test_a_node_that_was_removed_acts_for_no_run_before_it_may(
         if (error := answers.pop(0)) is not None:
             raise error
 
-    member = Membership(
-        NodeStore(nodes.stores[0], 0.0),
-        "http://member",
-        0.0,
-        lambda: None,
-        lambda _run_id: None,
-        on_joined_again=check,
-    )
-    await member.open()
+    member = await without_lease(nodes, on_joined_again=check)
     assert asked == []
     await nodes.nodes[1].leave(member.node_id)
     with pytest.raises(StoreFailed, match="wait"):
@@ -475,10 +472,7 @@ async def test_a_request_does_not_wait_long_for_a_lease(
 ) -> None:
     """A database that does not answer: another node may reach it."""
     async with opened(UsedDatabase.of_file(tmp_path / "d.sqlite")) as nodes:
-        member = Membership(
-            nodes.nodes[0], "http://member", 0.0, lambda: None, lambda _: None
-        )
-        await member.open()
+        member = await member_of(nodes, store=nodes.nodes[0], lease_s=0.0)
         with monkeypatch.context() as patched:
             patched.setattr(membership_module, "LATE_LEASE_S", 0.05)
             async with nodes.stores[0].write(), asyncio.timeout(5):
@@ -493,15 +487,6 @@ class Clock:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.now = 1000.0
         monkeypatch.setattr(membership_module, "_now", lambda: self.now)
-
-
-async def member_of(nodes: Nodes) -> Membership:
-    """One that knows the two of the list."""
-    member = Membership(
-        nodes.nodes[1], "http://member", LEASE_S, lambda: None, lambda _: None
-    )
-    await member.open()
-    return member
 
 
 async def test_a_node_that_is_silent_at_one_look_keeps_its_runs(
@@ -661,18 +646,11 @@ async def test_a_member_takes_only_while_it_claims(
     """If the answer is lost, the run is looked for, as after any claim."""
     adopted: list[str] = []
     node = nodes.nodes[1]
-    member = Membership(node, "http://m", LEASE_S, lambda: None, adopted.append)
-    await member.open()
+    member = await member_of(nodes, adopted.append)
     run = await nodes.add_run(FIRST, "queued")
     assert await member.find_other(run.run_id, only_reads=False) == FIRST
-    take = node.take
-
-    async def take_without_answer(*given: Any) -> bool:
-        await take(*given)
-        raise StoreFailed("the connection was lost")
-
     with monkeypatch.context() as patch:
-        patch.setattr(node, "take", take_without_answer)
+        lose_answers(patch, node, "take")
         with pytest.raises(StoreFailed):
             await member.take(run.run_id, 1)
     await member._claim_abandoned()
