@@ -24,7 +24,6 @@ from tests.support.server.server_parts import (
     RESULT,
     ServerParts,
     calibration_run,
-    open_server_parts,
     record_score,
     run_scenario,
 )
@@ -159,13 +158,12 @@ def test_an_upgraded_database_has_the_tables_of_a_new_one(
     assert asyncio.run(open_store(database)) is None
 
 
-async def test_the_runs_of_the_first_version_are_there(database: UsedDatabase) -> None:
-    async with open_server_parts(database) as parts:
+def test_the_runs_of_the_first_version_are_there(database: UsedDatabase) -> None:
+    async def save_runs(parts: ServerParts) -> None:
         for number in range(3):
             await save_scored_run(parts, f"run_{number}")
-    make_first_version(database)
-    database.execute(f"UPDATE runs SET reason = '{OLDER_REASON}'")  # noqa: S608
-    async with open_server_parts(database) as parts:
+
+    async def read_runs(parts: ServerParts) -> None:
         heads = await parts.store.heads(["run_0", "run_1", "run_2"])
         assert heads["run_0"].reason == OLDER_REASON
         assert [heads[f"run_{n}"].attempts_by_submitter for n in range(3)] == [1, 2, 3]
@@ -177,6 +175,11 @@ async def test_the_runs_of_the_first_version_are_there(database: UsedDatabase) -
         await use_new_columns(parts, heads["run_1"])
         await save_scored_run(parts, "run_3")
         assert await parts.store.count_attempts(heads["run_0"]) == 4
+
+    run_scenario(database, save_runs)
+    make_first_version(database)
+    database.execute(f"UPDATE runs SET reason = '{OLDER_REASON}'")  # noqa: S608
+    run_scenario(database, read_runs)
 
 
 async def use_new_columns(parts: ServerParts, head: RunHead) -> None:
