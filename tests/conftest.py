@@ -42,6 +42,12 @@ with contextlib.suppress(ModuleNotFoundError):
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@pytest.fixture(scope="session")
+def anyio_backend() -> str:
+    """Tests that are coroutine functions run on asyncio, as the programs do."""
+    return "asyncio"
+
+
 @pytest.fixture
 def server(tmp_path: Path) -> Iterator[ReferenceServer]:
     """A server for one test."""

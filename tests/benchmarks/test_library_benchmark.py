@@ -7,7 +7,6 @@ Who is not installed here is seen when all are measured: their environment is on
 from __future__ import annotations
 
 import dataclasses
-import json
 import re
 import sys
 from collections.abc import Callable
@@ -19,7 +18,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from benchmarks import results
 from benchmarks.libraries import (
     capture,
     interleaved_timing,
@@ -203,38 +201,6 @@ def test_a_wrong_answer_ends_the_measurement(folder: Path, tmp_path: Path) -> No
 
 
 # --- tables ---
-
-
-def make_section() -> tuple[dict[str, Any], list[int]]:
-    """Every column with the chosen one and two others; and the figures in it."""
-    figures: dict[str, Any] = {}
-    count = 1000
-    for name, question in tables.QUESTIONS.items():
-        figures[name] = {}
-        for column in question.columns:
-            names = ("a slow one", question.chosen, "another")
-            figures[name][column] = {
-                one: float(count + at) for at, one in enumerate(names)
-            }
-            count += len(names)
-    section = {
-        "measured_on": results.machine(),
-        "rounds": {"in_process": 7, "loopback": 5},
-        "figures": figures,
-    }
-    return section, list(range(1000, count))
-
-
-def test_the_table_contains_every_figure() -> None:
-    section, figures = make_section()
-    text = tables.tables(section)
-    assert [figure for figure in figures if f"| {figure} (" not in text] == []
-    for question in tables.QUESTIONS.values():
-        assert question.title in text
-    assert "7 rounds, of 5 on loopback" in text
-    # The stored file is sorted, which must change nothing.
-    sorted_ = json.loads(json.dumps(section, sort_keys=True))
-    assert tables.tables(sorted_) == text
 
 
 def test_the_chosen_library_is_first_and_the_reference() -> None:

@@ -7,7 +7,6 @@ that `make test` does not make.
 from __future__ import annotations
 
 import dataclasses
-import json
 import sys
 from pathlib import Path
 from typing import Any
@@ -87,18 +86,6 @@ def test_the_page_and_the_picture_show_every_contender(
     for name in NAMES:
         assert report.NAMES[name] in text
         assert report.NAMES[name].replace("*", "").replace("`", "") in words
-
-
-def test_a_tool_replaces_its_own_section_only(tmp_path: Path) -> None:
-    file = tmp_path / "results.json"
-    results.update("one", {"measured_on": {}, "value": 1}, file)
-    results.update("other", {"value": 2}, file)
-    results.update("one", {"measured_on": {}, "value": 3}, file)
-    read = results.read(file)
-    assert read["one"] == {"measured_on": {}, "value": 3}
-    assert read["other"]["value"] == 2
-    assert read["other"]["measured_on"]["cores"] >= 1
-    assert json.loads(file.read_text()) == read
 
 
 class FaultyConnections:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 import pytest
@@ -73,14 +73,6 @@ async def name_at(port: int) -> bytes:
     return name.strip()
 
 
-def run(scenario: Callable[[int, Node, Node], Awaitable[None]]) -> None:
-    async def whole() -> None:
-        async with asyncio.timeout(20), balanced() as (port, first, second):
-            await scenario(port, first, second)
-
-    asyncio.run(whole())
-
-
 @pytest.fixture(autouse=True)
 def _hurry(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(balancer_module, "CHECK_EVERY_S", 0.02)
@@ -98,30 +90,27 @@ async def until_alone(port: int, name: bytes) -> None:
         await asyncio.sleep(0.01)
 
 
-def test_connections_are_given_to_the_nodes_in_turn() -> None:
-    async def scenario(port: int, _first: Node, _second: Node) -> None:
+async def test_connections_are_given_to_the_nodes_in_turn() -> None:
+    async with balanced() as (port, _first, _second):
         names = [await name_at(port) for _ in range(4)]
         assert names == [b"first", b"second", b"first", b"second"]
-
-    run(scenario)
 
 
 @pytest.mark.usefixtures("_notices_silence_soon")
 @pytest.mark.parametrize("health", [REFUSED, b""])
-def test_a_node_that_is_not_ready_gets_no_connection_until_it_is(health: bytes) -> None:
-    async def scenario(port: int, first: Node, second: Node) -> None:
+async def test_a_node_that_is_not_ready_gets_no_connection_until_it_is(
+    health: bytes,
+) -> None:
+    async with balanced() as (port, first, second):
         first.health = health
         await until_alone(port, b"second")
         first.health, second.health = OK, health
         await until_alone(port, b"first")
 
-    run(scenario)
 
-
-def test_a_node_that_refuses_keeps_the_connections_that_it_has() -> None:
+async def test_a_node_that_refuses_keeps_the_connections_that_it_has() -> None:
     """It ends: its answers are completed."""
-
-    async def scenario(port: int, first: Node, _second: Node) -> None:
+    async with balanced() as (port, first, _second):
         reader, writer = await asyncio.open_connection(HOST, port)
         writer.write(b"request\n")
         assert await reader.readline() == b"first\n"
@@ -131,14 +120,11 @@ def test_a_node_that_refuses_keeps_the_connections_that_it_has() -> None:
         assert await reader.readline() == b"first\n"
         writer.close()
 
-    run(scenario)
-
 
 @pytest.mark.usefixtures("_notices_silence_soon")
-def test_who_waits_for_a_node_that_says_nothing_is_disconnected() -> None:
+async def test_who_waits_for_a_node_that_says_nothing_is_disconnected() -> None:
     """A client may wait for long: a turn may take long."""
-
-    async def scenario(port: int, first: Node, _second: Node) -> None:
+    async with balanced() as (port, first, _second):
         reader, writer = await asyncio.open_connection(HOST, port)
         writer.write(b"wait\n")
         first.health = b""
@@ -146,15 +132,11 @@ def test_who_waits_for_a_node_that_says_nothing_is_disconnected() -> None:
             assert await reader.read() == b""
         writer.close()
 
-    run(scenario)
 
-
-def test_if_no_node_is_ready_each_is_tried() -> None:
-    async def scenario(port: int, first: Node, second: Node) -> None:
+async def test_if_no_node_is_ready_each_is_tried() -> None:
+    async with balanced() as (port, first, second):
         first.health = second.health = REFUSED
         for node in (first, second):
             node.asked.clear()
             await node.asked.wait()
         assert {await name_at(port), await name_at(port)} == {b"first", b"second"}
-
-    run(scenario)

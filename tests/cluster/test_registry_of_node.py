@@ -80,70 +80,60 @@ async def opened(
         await store.close()
 
 
-def test_what_was_claimed_is_loaded_though_the_database_fails_first(
+async def test_what_was_claimed_is_loaded_though_the_database_fails_first(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            run = calibration_run()
-            run.owner, run.fence = runs.ownership.node_id, 1
-            assert await runs.store.insert(run, None, "")
-            right, calls = runs.store.load, 0
+    async with opened(tmp_path) as runs:
+        run = calibration_run()
+        run.owner, run.fence = runs.ownership.node_id, 1
+        assert await runs.store.insert(run, None, "")
+        right, calls = runs.store.load, 0
 
-            async def load(run_id: str) -> Run | None:
-                nonlocal calls
-                calls += 1
-                if calls == 1:
-                    raise StoreFailed("not now")
-                return await right(run_id)
+        async def load(run_id: str) -> Run | None:
+            nonlocal calls
+            calls += 1
+            if calls == 1:
+                raise StoreFailed("not now")
+            return await right(run_id)
 
-            monkeypatch.setattr(runs.store, "load", load)
-            monkeypatch.setattr(registry_module, "RELOAD_S", 0.01)
-            runs.registry.load_in_background(run.run_id)
-            async with asyncio.timeout(10):  # a push run is driven from then on
-                assert (await runs.changed.get()).run_id == run.run_id
-            assert calls == 2
-
-    asyncio.run(scenario())
+        monkeypatch.setattr(runs.store, "load", load)
+        monkeypatch.setattr(registry_module, "RELOAD_S", 0.01)
+        runs.registry.load_in_background(run.run_id)
+        async with asyncio.timeout(10):  # a push run is driven from then on
+            assert (await runs.changed.get()).run_id == run.run_id
+        assert calls == 2
 
 
-def test_a_run_that_the_node_loses_while_it_is_stored_is_not_kept(
+async def test_a_run_that_the_node_loses_while_it_is_stored_is_not_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The submit is refused; who asks again gets the run as it is stored."""
-
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            blocked = BlockedCall(monkeypatch, runs.store, "insert")
-            run = calibration_run()
-            adding = asyncio.ensure_future(runs.registry.add(run, "key", "sha"))
-            await blocked.wait_until_reached()
-            runs.ownership.node_id = "again"
-            runs.registry.drop_all()
-            blocked.open()
-            with pytest.raises(Refused) as refused:
-                await adding
-            assert refused.value.code == "unavailable"
-            assert not runs.registry.has(run.run_id)
-            assert runs.registry.count_open()["ready"] == 0
-            change = "UPDATE runs SET owner = 'again', fence = 2"
-            async with runs.store.write() as connection:
-                await connection.execute(sa.text(change))
-            loaded = await runs.registry.get(run.run_id)
-            assert (loaded.owner, loaded.lost) == ("again", False)
-
-    asyncio.run(scenario())
+    async with opened(tmp_path) as runs:
+        blocked = BlockedCall(monkeypatch, runs.store, "insert")
+        run = calibration_run()
+        adding = asyncio.ensure_future(runs.registry.add(run, "key", "sha"))
+        await blocked.wait_until_reached()
+        runs.ownership.node_id = "again"
+        runs.registry.drop_all()
+        blocked.open()
+        with pytest.raises(Refused) as refused:
+            await adding
+        assert refused.value.code == "unavailable"
+        assert not runs.registry.has(run.run_id)
+        assert runs.registry.count_open()["ready"] == 0
+        change = "UPDATE runs SET owner = 'again', fence = 2"
+        async with runs.store.write() as connection:
+            await connection.execute(sa.text(change))
+        loaded = await runs.registry.get(run.run_id)
+        assert (loaded.owner, loaded.lost) == ("again", False)
 
 
-def test_a_lost_run_is_loaded_again(tmp_path: Path) -> None:
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            run = calibration_run()
-            await runs.registry.add(run, None, "")
-            run.lost = True
-            assert not (await runs.registry.get(run.run_id)).lost
-
-    asyncio.run(scenario())
+async def test_a_lost_run_is_loaded_again(tmp_path: Path) -> None:
+    async with opened(tmp_path) as runs:
+        run = calibration_run()
+        await runs.registry.add(run, None, "")
+        run.lost = True
+        assert not (await runs.registry.get(run.run_id)).lost
 
 
 class OtherQueues:
@@ -196,211 +186,182 @@ async def forget_what_waits(runs: NodeRuns, run_id: str) -> None:
         gc.collect()
 
 
-def test_a_run_that_another_node_has_taken_is_forgotten(tmp_path: Path) -> None:
+async def test_a_run_that_another_node_has_taken_is_forgotten(tmp_path: Path) -> None:
     """Who asks for it is sent there; a view of what was stored here is still right."""
-
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            run = await add_full(runs)
-            change = runs.registry.change_event(run.run_id)
-            runs.registry.note_queue(taken(run))
-            with pytest.raises(OwnedElsewhere):
-                await runs.registry.wait_for_change(change, 5)
-            view = await runs.registry.render_when_stored(run, lambda run: run.state)
-            assert view == "queued"
-            assert run.lost
-            assert runs.registry.queued_ids() == []
-            run.reason = "too late"
-            with pytest.raises(OwnedElsewhere):
-                await runs.registry.commit(run)
-
-    asyncio.run(scenario())
+    async with opened(tmp_path) as runs:
+        run = await add_full(runs)
+        change = runs.registry.change_event(run.run_id)
+        runs.registry.note_queue(taken(run))
+        with pytest.raises(OwnedElsewhere):
+            await runs.registry.wait_for_change(change, 5)
+        view = await runs.registry.render_when_stored(run, lambda run: run.state)
+        assert view == "queued"
+        assert run.lost
+        assert runs.registry.queued_ids() == []
+        run.reason = "too late"
+        with pytest.raises(OwnedElsewhere):
+            await runs.registry.commit(run)
 
 
-def test_a_run_that_is_not_in_memory_is_forgotten_when_it_is_taken(
+async def test_a_run_that_is_not_in_memory_is_forgotten_when_it_is_taken(
     tmp_path: Path,
 ) -> None:
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            run = await add_full(runs)
-            seen, run_id = taken(run), run.run_id
-            change = runs.registry.change_event(run_id)
-            del run
-            await forget_what_waits(runs, run_id)
-            assert runs.registry.queued_ids() == [run_id]
-            runs.registry.note_queue(seen)
-            with pytest.raises(OwnedElsewhere):
-                await runs.registry.wait_for_change(change, 5)
-            assert runs.registry.queued_ids() == []
-            assert runs.registry.count_open()["queued"] == 0
-
-    asyncio.run(scenario())
+    async with opened(tmp_path) as runs:
+        run = await add_full(runs)
+        seen, run_id = taken(run), run.run_id
+        change = runs.registry.change_event(run_id)
+        del run
+        await forget_what_waits(runs, run_id)
+        assert runs.registry.queued_ids() == [run_id]
+        runs.registry.note_queue(seen)
+        with pytest.raises(OwnedElsewhere):
+            await runs.registry.wait_for_change(change, 5)
+        assert runs.registry.queued_ids() == []
+        assert runs.registry.count_open()["queued"] == 0
 
 
-def test_what_was_read_before_a_run_came_does_not_remove_it(tmp_path: Path) -> None:
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            run = await add_full(runs)
-            old = OwnedRun(waiting(run), "other", run.fence - 1)
-            runs.registry.note_queue(StoredQueue([old], []))
-            assert not run.lost
-            assert runs.registry.queue_position(run) == 1
+async def test_what_was_read_before_a_run_came_does_not_remove_it(
+    tmp_path: Path,
+) -> None:
+    async with opened(tmp_path) as runs:
+        run = await add_full(runs)
+        old = OwnedRun(waiting(run), "other", run.fence - 1)
+        runs.registry.note_queue(StoredQueue([old], []))
+        assert not run.lost
+        assert runs.registry.queue_position(run) == 1
 
-    asyncio.run(scenario())
 
-
-def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
+async def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
     tmp_path: Path,
 ) -> None:
     """A claim whose answer was lost, or a look that came at the wrong moment."""
-
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            run = calibration_run()
-            run.owner, run.fence = runs.ownership.node_id, 1
-            assert await runs.store.insert(run, None, "")
-            seen = OwnedRun(waiting(run), run.owner, run.fence)
-            runs.registry.note_queue(StoredQueue([seen], []))
-            async with asyncio.timeout(10):
-                assert (await runs.changed.get()).state == "ready"
-
-    asyncio.run(scenario())
+    async with opened(tmp_path) as runs:
+        run = calibration_run()
+        run.owner, run.fence = runs.ownership.node_id, 1
+        assert await runs.store.insert(run, None, "")
+        seen = OwnedRun(waiting(run), run.owner, run.fence)
+        runs.registry.note_queue(StoredQueue([seen], []))
+        async with asyncio.timeout(10):
+            assert (await runs.changed.get()).state == "ready"
 
 
-def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
+async def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
     tmp_path: Path,
 ) -> None:
-    async def scenario() -> None:
-        others = OtherQueues()
-        async with opened(tmp_path, others) as runs:
-            gone, next_one = (
-                calibration_run(run_id=f"run_{n}", number=n, owner="other", fence=1)
-                for n in (1, 2)
+    others = OtherQueues()
+    async with opened(tmp_path, others) as runs:
+        gone, next_one = (
+            calibration_run(run_id=f"run_{n}", number=n, owner="other", fence=1)
+            for n in (1, 2)
+        )
+        assert await runs.store.insert(gone, None, "")
+        assert await runs.store.insert(next_one, None, "")
+
+        async def take(run_id: str) -> bool:
+            if run_id == gone.run_id:
+                return False
+            change = (
+                "UPDATE runs SET owner = 'first', fence = 2, state = 'ready' "
+                "WHERE number = 2"
             )
-            assert await runs.store.insert(gone, None, "")
-            assert await runs.store.insert(next_one, None, "")
+            async with runs.store.write() as connection:
+                await connection.execute(sa.text(change))
+            return True
 
-            async def take(run_id: str) -> bool:
-                if run_id == gone.run_id:
-                    return False
-                change = (
-                    "UPDATE runs SET owner = 'first', fence = 2, state = 'ready' "
-                    "WHERE number = 2"
-                )
-                async with runs.store.write() as connection:
-                    await connection.execute(sa.text(change))
-                return True
-
-            others.take_now = take
-            both = [waiting(gone), waiting(next_one)]
-            runs.registry.note_waiting_elsewhere(both, {})
-            async with asyncio.timeout(10):
-                run = await runs.changed.get()
-                assert await runs.registry.is_stored(run)
-            assert (run.run_id, run.state, run.fence) == ("run_2", "ready", 2)
-            assert runs.registry.places_of_accounts() == {"alice": 1}
-            assert others.announced == 1
-
-    asyncio.run(scenario())
+        others.take_now = take
+        both = [waiting(gone), waiting(next_one)]
+        runs.registry.note_waiting_elsewhere(both, {})
+        async with asyncio.timeout(10):
+            run = await runs.changed.get()
+            assert await runs.registry.is_stored(run)
+        assert (run.run_id, run.state, run.fence) == ("run_2", "ready", 2)
+        assert runs.registry.places_of_accounts() == {"alice": 1}
+        assert others.announced == 1
 
 
-def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
+async def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
     tmp_path: Path,
 ) -> None:
     """It waited here and is not in memory; this node finds out when it loads it."""
-
-    async def scenario() -> None:
-        others = OtherQueues()
-        async with opened(tmp_path, others) as runs:
-            runs.ownership.claims = False
-            run_ids = [f"run_{number}" for number in range(6)]
-            for run_id in run_ids:
-                await runs.registry.add(calibration_run(run_id=run_id), None, "")
-            await forget_what_waits(runs, "run_4")
-            change = "UPDATE runs SET owner = 'other', fence = 2 WHERE run_id = 'run_4'"
-            async with runs.store.write() as connection:
-                await connection.execute(sa.text(change))
-            first = await runs.registry.get("run_0")
-            effects.stop(first, "abort", 0.0)
-            await runs.registry.commit(first)
-            async with asyncio.timeout(10):
-                await others.looked.wait()
-                assert runs.registry.places_of_accounts() == {"alice": 3}
-                runs.registry.note_waiting_elsewhere([], {})
-                others.looked.clear()
-                await others.looked.wait()  # the run was another node's by then
-                runs.registry.note_waiting_elsewhere([], {})
-                while (changed := await runs.changed.get()).run_id != "run_5" or (
-                    changed.state != "ready"
-                ):
-                    pass
-
-    asyncio.run(scenario())
+    others = OtherQueues()
+    async with opened(tmp_path, others) as runs:
+        runs.ownership.claims = False
+        run_ids = [f"run_{number}" for number in range(6)]
+        for run_id in run_ids:
+            await runs.registry.add(calibration_run(run_id=run_id), None, "")
+        await forget_what_waits(runs, "run_4")
+        change = "UPDATE runs SET owner = 'other', fence = 2 WHERE run_id = 'run_4'"
+        async with runs.store.write() as connection:
+            await connection.execute(sa.text(change))
+        first = await runs.registry.get("run_0")
+        effects.stop(first, "abort", 0.0)
+        await runs.registry.commit(first)
+        async with asyncio.timeout(10):
+            await others.looked.wait()
+            assert runs.registry.places_of_accounts() == {"alice": 3}
+            runs.registry.note_waiting_elsewhere([], {})
+            others.looked.clear()
+            await others.looked.wait()  # the run was another node's by then
+            runs.registry.note_waiting_elsewhere([], {})
+            while (changed := await runs.changed.get()).run_id != "run_5" or (
+                changed.state != "ready"
+            ):
+                pass
 
 
-def test_only_what_is_not_held_may_be_taken_by_other_nodes(tmp_path: Path) -> None:
-    async def scenario() -> None:
-        async with opened(tmp_path, OtherQueues()) as runs:
-            submission = calibration_run().submission
-            assert runs.registry.queue_until(submission) == 0
-            submission["options"] = {"queue_s": 9}
-            later = runs.registry.queue_until(submission)
-            assert later > steady_clock.now_wall()
-            for number in range(4):
-                await runs.registry.add(
-                    calibration_run(run_id=f"run_{number}"), None, ""
-                )
-            for name, until in (("past", 1.0), ("free", 0.0), ("held", later)):
-                run = calibration_run(run_id=name, queue_until_wall=until)
-                await runs.registry.add(run, None, "")
-            assert runs.registry.held_no_more() == ["past"]
-
-    asyncio.run(scenario())
+async def test_only_what_is_not_held_may_be_taken_by_other_nodes(
+    tmp_path: Path,
+) -> None:
+    async with opened(tmp_path, OtherQueues()) as runs:
+        submission = calibration_run().submission
+        assert runs.registry.queue_until(submission) == 0
+        submission["options"] = {"queue_s": 9}
+        later = runs.registry.queue_until(submission)
+        assert later > steady_clock.now_wall()
+        for number in range(4):
+            await runs.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
+        for name, until in (("past", 1.0), ("free", 0.0), ("held", later)):
+            run = calibration_run(run_id=name, queue_until_wall=until)
+            await runs.registry.add(run, None, "")
+        assert runs.registry.held_no_more() == ["past"]
 
 
-def test_a_resumed_run_is_known_though_the_clock_was_set_back(
+async def test_a_resumed_run_is_known_though_the_clock_was_set_back(
     database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its owner alone knows what ended its sessions: no other node takes it."""
-
-    async def scenario() -> None:
-        async with opened(database, OtherQueues()) as runs:
-            monkeypatch.setattr("time.time", lambda: 5000.0)
-            times = {"created_at_wall": 5000.0, "updated_at_wall": 5000.0}
-            for number in range(4):
-                name = f"run_{number}"
-                await runs.registry.add(calibration_run(run_id=name), None, "")
-            new = calibration_run(run_id="run_new", **times)
-            resumed = calibration_run(run_id="run_resumed", **times)
-            for run in (new, resumed):
-                assert (await runs.registry.add(run, None, "")).state == "queued"
-            monkeypatch.setattr("time.time", lambda: 4000.0)
-            effects.stop(resumed, "abort", 4000.0)
-            await runs.registry.commit(resumed)
-            effects.resume(resumed, 0.0)
-            await runs.registry.commit_opened(resumed)
-            queue = await NodeStore(runs.store, 60.0).queue([])
-            seen = {one.run.run_id: one.is_new for one in queue.queued}
-            assert seen == {"run_new": True, "run_resumed": False}
-
-    asyncio.run(scenario())
+    async with opened(database, OtherQueues()) as runs:
+        monkeypatch.setattr("time.time", lambda: 5000.0)
+        times = {"created_at_wall": 5000.0, "updated_at_wall": 5000.0}
+        for number in range(4):
+            name = f"run_{number}"
+            await runs.registry.add(calibration_run(run_id=name), None, "")
+        new = calibration_run(run_id="run_new", **times)
+        resumed = calibration_run(run_id="run_resumed", **times)
+        for run in (new, resumed):
+            assert (await runs.registry.add(run, None, "")).state == "queued"
+        monkeypatch.setattr("time.time", lambda: 4000.0)
+        effects.stop(resumed, "abort", 4000.0)
+        await runs.registry.commit(resumed)
+        effects.resume(resumed, 0.0)
+        await runs.registry.commit_opened(resumed)
+        queue = await NodeStore(runs.store, 60.0).queue([])
+        seen = {one.run.run_id: one.is_new for one in queue.queued}
+        assert seen == {"run_new": True, "run_resumed": False}
 
 
 @pytest.mark.parametrize("write", ["commit", "delete"])
-def test_a_write_after_another_node_has_claimed_the_run_is_counted(
+async def test_a_write_after_another_node_has_claimed_the_run_is_counted(
     tmp_path: Path, write: str
 ) -> None:
-    async def scenario() -> None:
-        async with opened(tmp_path) as runs:
-            run = calibration_run()
-            await runs.registry.add(run, None, "")
-            await runs.registry.commit(run)
-            before = COUNTERS.fenced_writes
-            async with runs.store.write() as connection:
-                await connection.execute(sa.text("UPDATE runs SET fence = 7"))
-            with pytest.raises((Refused, StoreFailed)):
-                await getattr(runs.registry, write)(run)
-            assert COUNTERS.fenced_writes == before + 1
-            assert not runs.registry.has(run.run_id)
-
-    asyncio.run(scenario())
+    async with opened(tmp_path) as runs:
+        run = calibration_run()
+        await runs.registry.add(run, None, "")
+        await runs.registry.commit(run)
+        before = COUNTERS.fenced_writes
+        async with runs.store.write() as connection:
+            await connection.execute(sa.text("UPDATE runs SET fence = 7"))
+        with pytest.raises((Refused, StoreFailed)):
+            await getattr(runs.registry, write)(run)
+        assert COUNTERS.fenced_writes == before + 1
+        assert not runs.registry.has(run.run_id)

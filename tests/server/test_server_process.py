@@ -1,4 +1,8 @@
-"""The server as people run it: a process that starts, says so, ends, and is killed."""
+"""The server as people run it: a process that starts, says so, and ends.
+
+That a kill loses nothing is judged by the kit (tests/kit/test_reference_server.py) and
+by the campaigns.
+"""
 
 import asyncio
 import contextlib
@@ -44,20 +48,6 @@ def environment(**settings: str) -> dict[str, str]:
         and not name.lower().endswith("_proxy")
     }
     return inherited | settings
-
-
-def predict(
-    client: httpx.Client, run_id: str, turn: dict[str, Any], **values: float
-) -> dict[str, Any]:
-    path = worker_path(run_id) + "/predict"
-    answer = client.post(path, json=predict_body(turn, **values))
-    assert answer.status_code == 200, answer.text
-    return dict(answer.json())
-
-
-def results(client: httpx.Client, run_id: str) -> list[Any]:
-    episodes = client.get(f"/v1/runs/{run_id}/episodes").json()["episodes"]
-    return [(e["attempt"], e.get("result")) for e in episodes]
 
 
 def is_one_line(code: int | None, stderr_text: str, *, about: str) -> bool:
@@ -395,54 +385,3 @@ def in_play(
             expected = client.post(path, json=ahead).json()["expected_seq"]
         yield
         playing.result(TIMEOUT_S)
-
-
-# --- being killed ---
-
-
-def test_a_kill_loses_no_scored_episode(server: ReferenceServer) -> None:
-    with server.client() as client:
-        run_id = submit(client, "score", "score", "delay")
-        turn = attach(client, run_id)
-        turn = predict(client, run_id, turn, score=0.25, end=1)
-        turn = predict(client, run_id, turn, score=0.75)
-        turn = predict(client, run_id, turn, score=1 / 3, end=1)
-        turn = predict(client, run_id, turn)
-        results_before = results(client, run_id)
-        before = client.get(f"/v1/runs/{run_id}").json()
-        with in_play(server, client, run_id, turn, delay_s=5):
-            server.end(signal.SIGKILL)
-    server.start()
-    with server.client() as client:
-        assert results(client, run_id) == results_before
-        assert [result and result["score"] for _, result in results_before] == [
-            0.25,
-            1 / 3,
-            None,
-        ]
-        after = client.get(f"/v1/runs/{run_id}").json()
-        assert (before["state"], after["state"]) == ("running", "ready")
-        assert after["live_workers"] == 0
-        path = worker_path(run_id)
-        refused = client.post(f"{path}/predict", json=predict_body(turn))
-        assert refused.json()["ended_by"] == "unknown"
-        turn = attach(client, run_id)
-        # CRASH-002: the attempt in play was not counted.
-        assert (turn["episode"]["index"], turn["episode"]["attempt"]) == (2, 1)
-        assert predict(client, run_id, turn, end=1)["done"]
-        score = client.get(f"/v1/runs/{run_id}/score").json()
-        assert score["complete"]
-        assert abs(score["score"] - (0.25 + 1 / 3) / 3) <= 1e-12
-
-
-def test_an_idempotency_key_survives_a_kill(server: ReferenceServer) -> None:
-    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
-    headers = {"Idempotency-Key": "key"}
-    with server.client() as client:
-        first = client.post("/v1/runs", json=body, headers=headers).json()
-    server.end(signal.SIGKILL)
-    server.start()
-    with server.client() as client:
-        again = client.post("/v1/runs", json=body, headers=headers).json()
-        assert again["run_id"] == first["run_id"]
-        assert len(client.get("/v1/runs").json()["runs"]) == 1

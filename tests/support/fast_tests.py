@@ -4,10 +4,13 @@ A test is slow when it is marked so, or when it has one of SLOW_FIXTURES. Any ot
 fails when it starts a server or a kit, or computes for long: the marks stay complete.
 """
 
+import asyncio
+import functools
+import inspect
 import resource
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Coroutine, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +19,8 @@ import pytest
 # What a fast test may not start, and how long it may compute.
 SLOW_PROGRAMS = {"reference_server", "conformance", "conformance.policy"}
 FAST_TEST_MAX_S = 20.0
+# A test that is a coroutine function and still waits then fails.
+ASYNC_TEST_MAX_S = 120.0
 # Fixtures that start a server, or build the wheel.
 SLOW_FIXTURES = {"push_server", "server", "wheel"}
 
@@ -55,12 +60,25 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
         _fast_test[0] = False
 
 
+def _limited(test: Callable[..., Coroutine[Any, Any, None]]) -> Callable[..., Any]:
+    """The same test, which fails instead of waiting for ever."""
+
+    @functools.wraps(test)
+    async def run_limited(*fixtures: Any, **named: Any) -> None:
+        async with asyncio.timeout(ASYNC_TEST_MAX_S):
+            await test(*fixtures, **named)
+
+    return run_limited
+
+
 @pytest.hookimpl(wrapper=True)
-def pytest_pyfunc_call() -> Iterator[None]:
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
     """A fast test that computes for long fails, unless it is traced.
 
     A tracer, which coverage is, makes Python several times slower.
     """
+    if inspect.iscoroutinefunction(pyfuncitem.obj):
+        pyfuncitem.obj = _limited(pyfuncitem.obj)
     began_at = _processor_time_s()
     result = yield
     took_s = _processor_time_s() - began_at

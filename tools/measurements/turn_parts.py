@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from tests.attack.attacked_server import WATCHER, AttackedServer
+from tests.campaigns.campaign_server import WATCHER, CampaignServer
 from tests.support.server.http_runs import predict_body, worker_path
 
 ROUNDS, REQUESTS, WARM_UP = 60, 100, 5
@@ -40,7 +40,7 @@ class Costs:
 class TurnParts:
     """A server, and a run of `calibration` that is played over one connection."""
 
-    def __init__(self, server: AttackedServer) -> None:
+    def __init__(self, server: CampaignServer) -> None:
         self._server = server
         self._connection = http.client.HTTPConnection(urlsplit(server.url).netloc)
         body = {
@@ -110,7 +110,7 @@ def _cpu_us(pid: int) -> tuple[float, float]:
 def main() -> None:
     with (
         tempfile.TemporaryDirectory() as directory,
-        AttackedServer(Path(directory), SETTINGS) as server,
+        CampaignServer(Path(directory), SETTINGS) as server,
     ):
         parts = TurnParts(server)
         for number in range(WARM_UP + ROUNDS):

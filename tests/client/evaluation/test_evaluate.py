@@ -10,7 +10,6 @@ import signal
 import threading
 import time
 from collections import deque
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -24,7 +23,7 @@ from tests.support.client.evaluations import (
     ignore_progress,
     run_in_thread,
 )
-from tests.support.client.faulty_proxy import FaultyProxy, serve_in_thread
+from tests.support.client.faulty_proxy import FaultyProxy
 from tests.support.client.policies import (
     Actions,
     BlockingPolicy,
@@ -33,19 +32,6 @@ from tests.support.client.policies import (
 )
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action as action
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    with ReferenceServer(tmp_path_factory.mktemp("server")) as process:
-        yield process
-
-
-@pytest.fixture
-def proxy(server: ReferenceServer) -> Iterator[FaultyProxy]:
-    with serve_in_thread(FaultyProxy(server.url)) as proxy:
-        yield proxy
-
 
 # An undisturbed evaluation
 

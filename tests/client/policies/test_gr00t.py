@@ -11,6 +11,7 @@ import socket
 import struct
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack, closing
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,7 @@ from reference_client.policies.gr00t.gr00t_client import Gr00tClient
 from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
 from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
 from tests.support.client.command import ProctorCommand, options
-from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.servers import TIMEOUT_S
 
 # A greeting of ZMTP 3.1 with NULL, and READY of a REP socket.
 LIBZMQ_HELLO = (
@@ -127,23 +128,10 @@ class RepServer:
 
 @pytest.fixture
 def start_server() -> Iterator[Callable[..., RepServer]]:
-    made: list[RepServer] = []
-
-    def make(answer: Answer = answer_calls, hello: bytes = LIBZMQ_HELLO) -> RepServer:
-        made.append(RepServer(answer, hello))
-        return made[-1]
-
-    yield make
-    for one in made:
-        one.close()
-
-
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    (policy_folder / "m.toml").write_text(MAPPING)
-    return ProctorCommand(server.url, capsys)
+    with ExitStack() as stack:
+        yield lambda answer=answer_calls, hello=LIBZMQ_HELLO: stack.enter_context(
+            closing(RepServer(answer, hello))
+        )
 
 
 def run(address: str, *tasks: str, workers: int = 1) -> list[str]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator
-from pathlib import Path
+from contextlib import ExitStack, closing
 from typing import Any
 
 import msgspec
@@ -20,7 +20,7 @@ from reference_client import ProctorError
 from reference_client.policies.ndarray import BadMessage, pack, unpack
 from reference_client.policies.openpi_client import OpenpiClient
 from tests.support.client.command import ProctorCommand, options
-from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
 
 # {"actions": float32 2x3, "n": np.float64(1.5), "i": uint8, "t", "l", "b": bool}
@@ -101,23 +101,8 @@ class OpenpiServer:
 
 @pytest.fixture
 def start_policy_server() -> Iterator[Callable[..., OpenpiServer]]:
-    made: list[OpenpiServer] = []
-
-    def make(answer: Callable[[bytes, int], bytes | str | None]) -> OpenpiServer:
-        made.append(OpenpiServer(answer))
-        return made[-1]
-
-    yield make
-    for one in made:
-        one.close()
-
-
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    (policy_folder / "m.toml").write_text(MAPPING)
-    return ProctorCommand(server.url, capsys)
+    with ExitStack() as stack:
+        yield lambda answer: stack.enter_context(closing(OpenpiServer(answer)))
 
 
 def run(policies: str, *tasks: str, workers: int = 1) -> list[str]:

@@ -98,6 +98,11 @@ def answer_fields(answer: Answer) -> tuple[int, str, bytes]:
     return answer.status, answer.reason, bytes(answer.body)
 
 
+def assert_ok(client_connection: HttpConnection) -> None:
+    answer = client_connection.send_request(REQUEST)
+    assert answer_fields(answer) == (200, "OK", b"body")
+
+
 def test_a_connection_is_kept() -> None:
     with scripted_server([OK], [OK], [OK]) as (server, client_connection):
         for _ in range(3):
@@ -123,16 +128,8 @@ def test_a_connection_is_kept() -> None:
 )
 def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
     with scripted_server(pieces, [OK]) as (server, client_connection):
-        assert answer_fields(client_connection.send_request(REQUEST)) == (
-            200,
-            "OK",
-            b"body",
-        )
-        assert answer_fields(client_connection.send_request(REQUEST)) == (
-            200,
-            "OK",
-            b"body",
-        )
+        assert_ok(client_connection)
+        assert_ok(client_connection)
         assert server.connections == 1
 
 
@@ -149,16 +146,8 @@ def test_a_connection_closed_by_the_server_is_not_reused(
     pieces: list[bytes | None],
 ) -> None:
     with scripted_server(pieces, [OK]) as (server, client_connection):
-        assert answer_fields(client_connection.send_request(REQUEST)) == (
-            200,
-            "OK",
-            b"body",
-        )
-        assert answer_fields(client_connection.send_request(REQUEST)) == (
-            200,
-            "OK",
-            b"body",
-        )
+        assert_ok(client_connection)
+        assert_ok(client_connection)
         assert server.connections == 2
 
 
@@ -187,16 +176,9 @@ def test_a_large_body_is_received_where_it_will_be_used() -> None:
 def test_an_answer_may_have_no_body(head: bytes) -> None:
     answer = b"HTTP/1.1 304 Not Modified\r\n" + head + b"\r\n"
     with scripted_server([answer], [OK]) as (server, client_connection):
-        assert answer_fields(client_connection.send_request(REQUEST)) == (
-            304,
-            "Not Modified",
-            b"",
-        )
-        assert answer_fields(client_connection.send_request(REQUEST)) == (
-            200,
-            "OK",
-            b"body",
-        )
+        unchanged = client_connection.send_request(REQUEST)
+        assert answer_fields(unchanged) == (304, "Not Modified", b"")
+        assert_ok(client_connection)
         assert server.connections == 1
 
 
@@ -278,11 +260,7 @@ def test_tls_verifies_the_name_in_the_certificate(
     with scripted_server([OK], [OK], tls=tls) as (server, client_connection):
         monkeypatch.setenv("SSL_CERT_FILE", str(authority))
         for _ in range(2):
-            assert answer_fields(client_connection.send_request(REQUEST)) == (
-                200,
-                "OK",
-                b"body",
-            )
+            assert_ok(client_connection)
         assert server.connections == 1
     body = b"x" * 9000
     large = b"HTTP/1.1 200 OK\r\nContent-Length: 9000\r\n\r\n" + body
@@ -293,11 +271,7 @@ def test_tls_verifies_the_name_in_the_certificate(
     ):
         # What TLS has read ahead is no answer to the next request.
         assert client_connection.send_request(REQUEST).body == body
-        assert answer_fields(client_connection.send_request(REQUEST)) == (
-            200,
-            "OK",
-            b"body",
-        )
+        assert_ok(client_connection)
         assert server.connections == 2
     with scripted_server([OK], tls=tls) as (_, client_connection):
         monkeypatch.delenv("SSL_CERT_FILE")

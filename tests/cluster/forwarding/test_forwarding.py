@@ -107,77 +107,67 @@ async def never() -> Any:
     await asyncio.Event().wait()
 
 
-def test_an_answer_that_breaks_off_is_the_only_one() -> None:
+async def test_an_answer_that_breaks_off_is_the_only_one() -> None:
     """Also when the database does not answer at that moment."""
 
     async def break_off(_: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 9\r\n\r\nhalf")
         await writer.drain()
 
-    async def scenario() -> None:
-        sent: list[str] = []
+    sent: list[str] = []
 
-        async def send(message: Any) -> None:
-            sent.append(message["type"])
+    async def send(message: Any) -> None:
+        sent.append(message["type"])
 
-        async with connected(break_off) as (connections, other):
-            connections.membership._nodes.is_reached = False  # type: ignore[attr-defined]
-            await connections.pass_on(other, scope_of(""), never, send)
-        assert sent == ["http.response.start", "http.response.body"]
-
-    asyncio.run(scenario())
+    async with connected(break_off) as (connections, other):
+        connections.membership._nodes.is_reached = False  # type: ignore[attr-defined]
+        await connections.pass_on(other, scope_of(""), never, send)
+    assert sent == ["http.response.start", "http.response.body"]
 
 
-def test_no_answer_is_awaited_of_a_node_that_is_gone() -> None:
-    async def scenario() -> None:
-        asked = asyncio.Event()
+async def test_no_answer_is_awaited_of_a_node_that_is_gone() -> None:
+    asked = asyncio.Event()
 
-        async def say_nothing(reader: asyncio.StreamReader, *_: Any) -> None:
-            asked.set()
-            await reader.read()  # until this node closes the connection
+    async def say_nothing(reader: asyncio.StreamReader, *_: Any) -> None:
+        asked.set()
+        await reader.read()  # until this node closes the connection
 
-        async with asyncio.timeout(10), connected(say_nothing) as (connections, other):
-            answer = asyncio.ensure_future(connections.post(other, "/", b""))
-            await asked.wait()
-            connections.membership.gone(other).set()
-            assert await answer is None
-
-    asyncio.run(scenario())
+    async with asyncio.timeout(10), connected(say_nothing) as (connections, other):
+        answer = asyncio.ensure_future(connections.post(other, "/", b""))
+        await asked.wait()
+        connections.membership.gone(other).set()
+        assert await answer is None
 
 
-def test_a_node_that_answers_nothing_is_not_waited_for(
+async def test_a_node_that_answers_nothing_is_not_waited_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """It may still renew its lease; no other node claims its runs then."""
     monkeypatch.setattr(node_connections, "SILENT_S", 0.2)
+    is_lost = True
 
-    async def scenario() -> None:
-        is_lost = True
+    async def answer(
+        reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        if is_lost:
+            await reader.read()  # until this node closes the connection
+        else:
+            await reader.readuntil(b"\r\n\r\n")
+            writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
 
-        async def answer(
-            reader: asyncio.StreamReader, writer: asyncio.StreamWriter
-        ) -> None:
-            if is_lost:
-                await reader.read()  # until this node closes the connection
-            else:
-                await reader.readuntil(b"\r\n\r\n")
-                writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
+    async def send(message: Any) -> None:
+        sent.append(message["type"])
 
-        async def send(message: Any) -> None:
-            sent.append(message["type"])
-
-        sent: list[str] = []
-        async with asyncio.timeout(10), connected(answer, 0.2) as (connections, other):
-            for _ in range(2):  # the second one at once
-                with pytest.raises(Refused):
-                    await connections.pass_on(other, scope_of(""), never, send)
-            is_lost = False
-            while not sent:
-                with contextlib.suppress(Refused):
-                    await connections.pass_on(other, scope_of(""), never, send)
-                await asyncio.sleep(0.01)
-
-    asyncio.run(scenario())
+    sent: list[str] = []
+    async with asyncio.timeout(10), connected(answer, 0.2) as (connections, other):
+        for _ in range(2):  # the second one at once
+            with pytest.raises(Refused):
+                await connections.pass_on(other, scope_of(""), never, send)
+        is_lost = False
+        while not sent:
+            with contextlib.suppress(Refused):
+                await connections.pass_on(other, scope_of(""), never, send)
+            await asyncio.sleep(0.01)
 
 
 async def answer_ok(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -185,57 +175,49 @@ async def answer_ok(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) 
     writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
 
 
-def test_a_node_that_misses_one_question_is_asked_again(
+async def test_a_node_that_misses_one_question_is_asked_again(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(node_connections, "SILENT_S", 1.0)
+    asked: list[str] = []
 
-    async def scenario() -> None:
-        asked: list[str] = []
+    async def miss_one(
+        reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        asked.append("question")
+        if len(asked) == 1:
+            await reader.read()  # until this node closes the connection
+        else:
+            await answer_ok(reader, writer)
 
-        async def miss_one(
-            reader: asyncio.StreamReader, writer: asyncio.StreamWriter
-        ) -> None:
-            asked.append("question")
-            if len(asked) == 1:
-                await reader.read()  # until this node closes the connection
-            else:
-                await answer_ok(reader, writer)
-
-        async with asyncio.timeout(10), connected(miss_one, 0.2) as (node, other):
-            assert await node._answers(other)
-        assert len(asked) == 2
-
-    asyncio.run(scenario())
+    async with asyncio.timeout(10), connected(miss_one, 0.2) as (node, other):
+        assert await node._answers(other)
+    assert len(asked) == 2
 
 
-def test_connections_that_are_used_up_are_no_sign_of_a_dead_node(
+async def test_connections_that_are_used_up_are_no_sign_of_a_dead_node(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Requests that wait for a node have all that they share."""
     monkeypatch.setattr(node_connections, "SILENT_S", 1.0)
     monkeypatch.setattr(node_connections, "CONNECTIONS_MAX", 1)
+    posted = asyncio.Event()
 
-    async def scenario() -> None:
-        posted = asyncio.Event()
+    async def answer(
+        reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        head = await reader.readuntil(b"\r\n\r\n")
+        if head.startswith(b"POST"):
+            posted.set()
+            await reader.read()
+        else:
+            writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
 
-        async def answer(
-            reader: asyncio.StreamReader, writer: asyncio.StreamWriter
-        ) -> None:
-            head = await reader.readuntil(b"\r\n\r\n")
-            if head.startswith(b"POST"):
-                posted.set()
-                await reader.read()
-            else:
-                writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
-
-        async with asyncio.timeout(10), connected(answer, 0.2) as (node, other):
-            waiting = asyncio.ensure_future(node.post(other, "/", b""))
-            await posted.wait()
-            assert await node._answers(other)
-            waiting.cancel()
-
-    asyncio.run(scenario())
+    async with asyncio.timeout(10), connected(answer, 0.2) as (node, other):
+        waiting = asyncio.ensure_future(node.post(other, "/", b""))
+        await posted.wait()
+        assert await node._answers(other)
+        waiting.cancel()
 
 
 # --- runs that move ---
@@ -305,7 +287,7 @@ def test_a_long_request_is_not_repeated() -> None:
     assert len(run.bodies) == 1
 
 
-def test_the_stream_of_a_long_request_is_not_followed() -> None:
+async def test_the_stream_of_a_long_request_is_not_followed() -> None:
     """It cannot be sent again. Expect its end, not silence until its reader leaves."""
 
     class StreamingRun(MovingRun):
@@ -314,42 +296,32 @@ def test_the_stream_of_a_long_request_is_not_followed() -> None:
             event = 'event: run\nid: 1\ndata: {"state":"ready","retryable":null}\n\n'
             await Response(event, media_type="text/event-stream")(scope, receive, send)
 
-    async def scenario() -> None:
-        run = StreamingRun(moves=0)
-        body = b"x" * (forwarding.REPEATED_BYTES_MAX + 1)
-        async with asyncio.timeout(10):
-            assert await run.answer(body) == (200, False)
-        assert len(run.bodies) == 1
-
-    asyncio.run(scenario())
+    run = StreamingRun(moves=0)
+    body = b"x" * (forwarding.REPEATED_BYTES_MAX + 1)
+    async with asyncio.timeout(10):
+        assert await run.answer(body) == (200, False)
+    assert len(run.bodies) == 1
 
 
-def test_the_node_that_passed_a_request_on_repeats_it() -> None:
+async def test_the_node_that_passed_a_request_on_repeats_it() -> None:
     """It would be passed on twice, else."""
-
-    async def scenario() -> None:
-        run = MovingRun(moves=1)
-        secret = (await run.member()).secret
-        assert await run.answer(b"stop", secret) == (503, True)
-        assert len(run.bodies) == 1
-
-    asyncio.run(scenario())
+    run = MovingRun(moves=1)
+    secret = (await run.member()).secret
+    assert await run.answer(b"stop", secret) == (503, True)
+    assert len(run.bodies) == 1
 
 
-def test_a_node_that_lost_a_run_says_so_to_who_passed_it_on() -> None:
+async def test_a_node_that_lost_a_run_says_so_to_who_passed_it_on() -> None:
     """Its memory may not know yet what the database says."""
 
     class TakenRun(MovingRun):
         async def owner_of(self, _run_id: str) -> StoredOwner:
             return StoredOwner(OTHER.node_id, 2, "ready", 0.0)
 
-    async def scenario() -> None:
-        run = TakenRun(moves=0)
-        secret = (await run.member()).secret
-        assert await run.answer(b"attach", secret) == (503, True)
-        assert run.bodies == []
-
-    asyncio.run(scenario())
+    run = TakenRun(moves=0)
+    secret = (await run.member()).secret
+    assert await run.answer(b"attach", secret) == (503, True)
+    assert run.bodies == []
 
 
 # --- pages ---
@@ -375,27 +347,23 @@ def page_scope(path: str) -> dict[str, Any]:
         ("/pages/static/pages.css", "this node"),
     ],
 )
-def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
+async def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
     path: str, answered_by: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(node_connections, "SILENT_S", 0.2)
+    answers: list[str] = []
 
-    async def scenario() -> None:
-        answers: list[str] = []
+    def answering(name: str) -> Callable[..., Awaitable[None]]:
+        async def answer(*_: Any) -> None:
+            answers.append(name)
 
-        def answering(name: str) -> Callable[..., Awaitable[None]]:
-            async def answer(*_: Any) -> None:
-                answers.append(name)
+        return answer
 
-            return answer
+    async def say_nothing(reader: asyncio.StreamReader, *_: Any) -> None:
+        await reader.read()
 
-        async def say_nothing(reader: asyncio.StreamReader, *_: Any) -> None:
-            await reader.read()
-
-        async with asyncio.timeout(10), connected(say_nothing, 0.2) as (node, other):
-            pages = PageForwarding(answering("this node"), answering("away"), node)
-            await pages(page_scope(path), never, ignore)
-            await node._answers(other)  # so that it was connected
-        assert answers == [answered_by]
-
-    asyncio.run(scenario())
+    async with asyncio.timeout(10), connected(say_nothing, 0.2) as (node, other):
+        pages = PageForwarding(answering("this node"), answering("away"), node)
+        await pages(page_scope(path), never, ignore)
+        await node._answers(other)  # so that it was connected
+    assert answers == [answered_by]

@@ -103,45 +103,35 @@ def test_a_refusal_is_a_problem_document(
     assert {"code", "detail", "title"} <= problem.keys()
 
 
-def test_a_node_that_ends_while_it_asks_is_not_answered() -> None:
-    async def scenario() -> None:
-        messages = [
-            {"type": "http.request", "body": b"{", "more_body": True},
-            {"type": "http.disconnect"},
-        ]
+async def test_a_node_that_ends_while_it_asks_is_not_answered() -> None:
+    messages = [
+        {"type": "http.request", "body": b"{", "more_body": True},
+        {"type": "http.disconnect"},
+    ]
 
-        async def receive() -> Any:
-            return messages.pop(0)
+    async def receive() -> Any:
+        return messages.pop(0)
 
-        async def send(message: Any) -> None:
-            pytest.fail(f"{message} was sent")
+    async def send(message: Any) -> None:
+        pytest.fail(f"{message} was sent")
 
-        headers = [(b"proctor-node-secret", SECRET.encode())]
-        scope = {"type": "http", "method": "POST", "headers": headers, "path": "/"}
-        await requests_of(FakeConnections())(scope, receive, send)
-        assert not messages
-
-    asyncio.run(scenario())
+    headers = [(b"proctor-node-secret", SECRET.encode())]
+    scope = {"type": "http", "method": "POST", "headers": headers, "path": "/"}
+    await requests_of(FakeConnections())(scope, receive, send)
+    assert not messages
 
 
-def test_another_node_is_asked() -> None:
-    async def scenario() -> None:
-        node = FakeConnections(b'{"number":8}')
-        node.may_answer.set()
-        assert await requests_of(node).ask(OTHER, Count(7)) == Count(8)
-        assert node.posted == [(OTHER, "/node/count", b'{"number":7}')]
-
-    asyncio.run(scenario())
+async def test_another_node_is_asked() -> None:
+    node = FakeConnections(b'{"number":8}')
+    node.may_answer.set()
+    assert await requests_of(node).ask(OTHER, Count(7)) == Count(8)
+    assert node.posted == [(OTHER, "/node/count", b'{"number":7}')]
 
 
-def test_no_answer_is_none() -> None:
+async def test_no_answer_is_none() -> None:
     """Expect the same of a node that ends, and of one that says nothing in time."""
-
-    async def scenario() -> None:
-        ended = FakeConnections(None)
-        ended.may_answer.set()
-        assert await requests_of(ended).ask(OTHER, Count(7)) is None
-        silent = FakeConnections(b'{"number":8}')
-        assert await requests_of(silent, 0.01).ask(OTHER, Count(7)) is None
-
-    asyncio.run(scenario())
+    ended = FakeConnections(None)
+    ended.may_answer.set()
+    assert await requests_of(ended).ask(OTHER, Count(7)) is None
+    silent = FakeConnections(b'{"number":8}')
+    assert await requests_of(silent, 0.01).ask(OTHER, Count(7)) is None

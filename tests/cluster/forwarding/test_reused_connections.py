@@ -65,57 +65,47 @@ async def _ask(connections: ReusedConnections, server: _Server) -> None:
         assert await response.aread() == b"ok"
 
 
-def test_one_request_after_another_uses_one_connection() -> None:
-    async def scenario() -> None:
-        async with _Server.open() as server:
-            server.may_answer.set()
-            connections = ReusedConnections(10, expiry_s=30.0)
-            for _ in range(3):
-                await _ask(connections, server)
-            assert len(server.writers) == 1
-            await connections.close()
-
-    asyncio.run(scenario())
+async def test_one_request_after_another_uses_one_connection() -> None:
+    async with _Server.open() as server:
+        server.may_answer.set()
+        connections = ReusedConnections(10, expiry_s=30.0)
+        for _ in range(3):
+            await _ask(connections, server)
+        assert len(server.writers) == 1
+        await connections.close()
 
 
 @pytest.mark.parametrize("is_closed_by", ["the node", "its age"])
-def test_a_connection_that_has_ended_is_not_used_again(is_closed_by: str) -> None:
-    async def scenario() -> None:
-        async with _Server.open() as server:
-            server.may_answer.set()
-            is_old = is_closed_by == "its age"
-            connections = ReusedConnections(10, expiry_s=0.0 if is_old else 30.0)
-            await _ask(connections, server)
-            if not is_old:
-                server.writers[0].close()
-                await server.writers[0].wait_closed()
-            await _ask(connections, server)
-            assert len(server.writers) == 2
-            await connections.close()
-
-    asyncio.run(scenario())
+async def test_a_connection_that_has_ended_is_not_used_again(is_closed_by: str) -> None:
+    async with _Server.open() as server:
+        server.may_answer.set()
+        is_old = is_closed_by == "its age"
+        connections = ReusedConnections(10, expiry_s=0.0 if is_old else 30.0)
+        await _ask(connections, server)
+        if not is_old:
+            server.writers[0].close()
+            await server.writers[0].wait_closed()
+        await _ask(connections, server)
+        assert len(server.writers) == 2
+        await connections.close()
 
 
-def test_a_request_that_was_given_up_leaves_no_connection_to_others() -> None:
+async def test_a_request_that_was_given_up_leaves_no_connection_to_others() -> None:
     """The late answer would be read as the one to the next request."""
-
-    async def scenario() -> None:
-        async with _Server.open() as server:
-            connections = ReusedConnections(1, expiry_s=30.0)
-            given_up = asyncio.ensure_future(_ask(connections, server))
-            await server.was_asked(1)
-            given_up.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await given_up
-            server.may_answer.set()
-            await _ask(connections, server)  # the only place is free again
-            assert len(server.writers) == 2
-            await connections.close()
-
-    asyncio.run(scenario())
+    async with _Server.open() as server:
+        connections = ReusedConnections(1, expiry_s=30.0)
+        given_up = asyncio.ensure_future(_ask(connections, server))
+        await server.was_asked(1)
+        given_up.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await given_up
+        server.may_answer.set()
+        await _ask(connections, server)  # the only place is free again
+        assert len(server.writers) == 2
+        await connections.close()
 
 
-def test_many_requests_at_once_look_at_each_connection_a_few_times(
+async def test_many_requests_at_once_look_at_each_connection_a_few_times(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A pool that looks at all of them each time is busy with nothing else."""
@@ -128,67 +118,52 @@ def test_many_requests_at_once_look_at_each_connection_a_few_times(
         return has_expired(connection)
 
     monkeypatch.setattr(httpcore.AsyncHTTPConnection, "has_expired", look)
-
-    async def scenario() -> None:
-        async with _Server.open() as server:
-            connections = ReusedConnections(count, expiry_s=30.0)
-            for _ in range(2):  # over new connections, and over those that have none
-                server.may_answer.clear()
-                asked = [
-                    asyncio.ensure_future(_ask(connections, server))
-                    for _ in range(count)
-                ]
-                await server.was_asked(count)
-                server.may_answer.set()
-                await asyncio.gather(*asked)
-            assert len(server.writers) == count
-            await connections.close()
-
-    asyncio.run(scenario())
-    assert looks <= 6 * count
-
-
-def test_connections_that_have_no_use_are_closed_without_another_request() -> None:
-    """A node that has ended, or has nothing to do: its connections take descriptors."""
-    count = 20
-
-    async def scenario() -> None:
-        async with _Server.open() as server:
-            connections = ReusedConnections(count, expiry_s=0.05)
+    async with _Server.open() as server:
+        connections = ReusedConnections(count, expiry_s=30.0)
+        for _ in range(2):  # over new connections, and over those that have none
+            server.may_answer.clear()
             asked = [
                 asyncio.ensure_future(_ask(connections, server)) for _ in range(count)
             ]
             await server.was_asked(count)
             server.may_answer.set()
             await asyncio.gather(*asked)
-            await server.was_left(count)
-            await connections.close()
+        assert len(server.writers) == count
+        await connections.close()
+    assert looks <= 6 * count
 
-    asyncio.run(scenario())
 
-
-def test_a_connection_that_could_not_be_opened_is_not_kept() -> None:
-    async def scenario() -> None:
-        async with _Server.open() as server:
-            pass
-        connections = ReusedConnections(1, expiry_s=30.0)
-        with pytest.raises(httpcore.ConnectError):
-            await _ask(connections, server)
-        assert not connections._idle
+async def test_connections_that_have_no_use_are_closed_without_another_request() -> (
+    None
+):
+    """A node that has ended, or has nothing to do: its connections take descriptors."""
+    count = 20
+    async with _Server.open() as server:
+        connections = ReusedConnections(count, expiry_s=0.05)
+        asked = [asyncio.ensure_future(_ask(connections, server)) for _ in range(count)]
+        await server.was_asked(count)
+        server.may_answer.set()
+        await asyncio.gather(*asked)
+        await server.was_left(count)
         await connections.close()
 
-    asyncio.run(scenario())
+
+async def test_a_connection_that_could_not_be_opened_is_not_kept() -> None:
+    async with _Server.open() as server:
+        pass
+    connections = ReusedConnections(1, expiry_s=30.0)
+    with pytest.raises(httpcore.ConnectError):
+        await _ask(connections, server)
+    assert not connections._idle
+    await connections.close()
 
 
-def test_what_is_under_way_at_the_end_leaves_no_connection() -> None:
-    async def scenario() -> None:
-        async with _Server.open() as server:
-            connections = ReusedConnections(1, expiry_s=30.0)
-            asked = asyncio.ensure_future(_ask(connections, server))
-            await server.was_asked(1)
-            await connections.close()
-            server.may_answer.set()
-            await asked
-            await server.was_left(1)
-
-    asyncio.run(scenario())
+async def test_what_is_under_way_at_the_end_leaves_no_connection() -> None:
+    async with _Server.open() as server:
+        connections = ReusedConnections(1, expiry_s=30.0)
+        asked = asyncio.ensure_future(_ask(connections, server))
+        await server.was_asked(1)
+        await connections.close()
+        server.may_answer.set()
+        await asked
+        await server.was_left(1)

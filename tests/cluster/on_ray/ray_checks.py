@@ -11,7 +11,8 @@ import dataclasses
 import os
 import signal
 import sys
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import asynccontextmanager
 from functools import partial
 from pathlib import Path
 
@@ -71,27 +72,22 @@ def launchers() -> list[str]:
     return [line for line in process_commands() if line.startswith(command)]
 
 
-def with_parts(
-    tmp_path: Path,
-    scenario: Callable[[ServerParts], Awaitable[None]],
-    folder: Path | None = None,
-) -> None:
-    """A story with a server whose simulators are on the cluster.
+@asynccontextmanager
+async def opened_parts(
+    tmp_path: Path, folder: Path | None = None
+) -> AsyncIterator[ServerParts]:
+    """A server whose simulators are on the cluster.
 
     folder: of recordings, if there are any.
     """
-
-    async def run() -> None:
-        pool = RayPool("ray", "CPU=1", recordings=folder, place_s=DEADLINE_S)
-        await pool.start()
-        recordings = None if folder is None else Recordings(folder)
-        if recordings is not None:
-            recordings.open()
-        database = tmp_path / "proctor.sqlite"
-        async with open_server_parts(database, 10, recordings, pool) as parts:
-            await asyncio.wait_for(scenario(parts), DEADLINE_S)
-
-    asyncio.run(run())
+    pool = RayPool("ray", "CPU=1", recordings=folder, place_s=DEADLINE_S)
+    await pool.start()
+    recordings = None if folder is None else Recordings(folder)
+    if recordings is not None:
+        recordings.open()
+    database = tmp_path / "proctor.sqlite"
+    async with open_server_parts(database, 10, recordings, pool) as parts:
+        yield parts
 
 
 async def episode(pool: SimulatorPool) -> list[bytes]:
@@ -147,10 +143,10 @@ def test_a_server_leaves_nothing_behind(
         assert server.log() == ""
 
 
-def test_a_full_cluster_refuses_and_is_asked_for_more(
+async def test_a_full_cluster_refuses_and_is_asked_for_more(
     cluster: RayCluster, tmp_path: Path
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
+    async with opened_parts(tmp_path) as parts:
         # No lease ends while others wait, however long Ray takes to place something.
         run = calibration_run(idle_timeout_s=10 * DEADLINE_S)
         run = await parts.registry.add(run, None, "")
@@ -166,52 +162,44 @@ def test_a_full_cluster_refuses_and_is_asked_for_more(
         await until(lambda: parts.pool.idle == 1)
         await parts.executor.attach(run, Attach("c", "key"))
 
-    with_parts(tmp_path, scenario)
 
-
-def test_a_simulator_is_placed_where_what_its_benchmark_declares_is(
+async def test_a_simulator_is_placed_where_what_its_benchmark_declares_is(
     cluster: RayCluster,
 ) -> None:
-    async def play() -> None:
-        pool = RayPool("ray", "CPU=1")
-        await pool.start()
-        try:
-            pool._queue_for(WITH_ARM)._place_s = 1.0
-            with pytest.raises(NoCapacity, match=r"no machine of the .* has arm=1 "):
-                await pool.acquire(WITH_ARM)
-            await (await pool.acquire(WORLD)).release()
-            machine = cluster.add_machine({"arm": 1})
-            cluster.machines.append(machine)
-            await until(lambda: len(pool._idle_for(WITH_ARM)) == 1)
-            lent = await pool.acquire(WITH_ARM)
-            (where,) = [
-                one["Address"]["NodeID"]
-                for one in cluster.actors().values()
-                if one["Pid"] == lent.pid
-            ]
-            assert where == machine.node_id
-        finally:
-            await pool.close()
-
-    asyncio.run(play())
+    pool = RayPool("ray", "CPU=1")
+    await pool.start()
+    try:
+        pool._queue_for(WITH_ARM)._place_s = 1.0
+        with pytest.raises(NoCapacity, match=r"no machine of the .* has arm=1 "):
+            await pool.acquire(WITH_ARM)
+        await (await pool.acquire(WORLD)).release()
+        machine = cluster.add_machine({"arm": 1})
+        cluster.machines.append(machine)
+        await until(lambda: len(pool._idle_for(WITH_ARM)) == 1)
+        lent = await pool.acquire(WITH_ARM)
+        (where,) = [
+            one["Address"]["NodeID"]
+            for one in cluster.actors().values()
+            if one["Pid"] == lent.pid
+        ]
+        assert where == machine.node_id
+    finally:
+        await pool.close()
 
 
-def test_recordings_are_in_the_folder_that_machines_share(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_recordings_are_in_the_folder_that_machines_share(tmp_path: Path) -> None:
+    async with opened_parts(tmp_path, folder=tmp_path / "records") as parts:
         run = await parts.registry.add(calibration_run("score"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         turn = await parts.executor.predict(run, predict_command(turn, end=1))
         assert run.episodes[0].recording is not None
 
-    with_parts(tmp_path, scenario, folder=tmp_path / "records")
 
-
-def test_what_is_lost_is_a_fault_that_costs_no_attempt(
+async def test_what_is_lost_is_a_fault_that_costs_no_attempt(
     cluster: RayCluster, tmp_path: Path
 ) -> None:
     """First the actor's process is killed in a turn, then its machine is removed."""
-
-    async def scenario(parts: ServerParts) -> None:
+    async with opened_parts(tmp_path) as parts:
         run = await parts.registry.add(calibration_run("delay"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         for faults in (1, 2):
@@ -230,5 +218,3 @@ def test_what_is_lost_is_a_fault_that_costs_no_attempt(
             assert run.episodes[0].attempt == 1
         turn = await parts.executor.predict(run, predict_command(turn))
         assert turn["episode"]["step"] == 1
-
-    with_parts(tmp_path, scenario)

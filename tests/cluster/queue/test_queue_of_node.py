@@ -102,25 +102,24 @@ class FakeNode:
         )
 
 
-def test_one_read_is_for_all_who_ask_before_it_begins() -> None:
-    async def scenario() -> None:
-        node = FakeNode()
-        queue = node.queue_of()
-        node.reading.clear()
-        first = asyncio.ensure_future(queue.refresh())
-        await wait_in_loop(lambda: node.reads == 1)
-        later = [asyncio.ensure_future(queue.refresh()) for _ in range(20)]
-        later[0].cancel()  # who leaves takes nothing from the others
-        await asyncio.sleep(0)
-        node.reading.set()
-        await asyncio.wait_for(asyncio.gather(first, *later[1:]), LIMIT_S)
-        assert node.reads == 2
-        await queue.close()
-
-    asyncio.run(scenario())
+async def test_one_read_is_for_all_who_ask_before_it_begins() -> None:
+    node = FakeNode()
+    queue = node.queue_of()
+    node.reading.clear()
+    first = asyncio.ensure_future(queue.refresh())
+    await wait_in_loop(lambda: node.reads == 1)
+    later = [asyncio.ensure_future(queue.refresh()) for _ in range(20)]
+    later[0].cancel()  # who leaves takes nothing from the others
+    await asyncio.sleep(0)
+    node.reading.set()
+    await asyncio.wait_for(asyncio.gather(first, *later[1:]), LIMIT_S)
+    assert node.reads == 2
+    await queue.close()
 
 
-def test_a_long_queue_is_not_read_all_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_long_queue_is_not_read_all_the_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(shared_queue, "LONG_QUEUE", 0)
     monkeypatch.setattr(shared_queue, "RESTS_AFTER_READ", 1e9)
     slept: list[float] = []
@@ -130,55 +129,45 @@ def test_a_long_queue_is_not_read_all_the_time(monkeypatch: pytest.MonkeyPatch) 
         slept.append(delay_s)
         await sleep(0)
 
-    async def scenario() -> None:
-        node = FakeNode()
-        node.queued = [waiting(1)]
-        queue = node.queue_of()
-        monkeypatch.setattr(asyncio, "sleep", note_sleep)
-        for _ in range(2):
-            await queue.refresh()
-
-    asyncio.run(scenario())
+    node = FakeNode()
+    node.queued = [waiting(1)]
+    queue = node.queue_of()
+    monkeypatch.setattr(asyncio, "sleep", note_sleep)
+    for _ in range(2):
+        await queue.refresh()
     assert slept[0] <= 0 < slept[1] <= shared_queue.LOOK_S
 
 
-def test_a_database_that_is_away_hides_no_run() -> None:
-    async def scenario() -> None:
-        node = FakeNode()
-        node.is_reached = False
-        await node.queue_of().refresh()
-        assert node.reads == 1
-
-    asyncio.run(scenario())
+async def test_a_database_that_is_away_hides_no_run() -> None:
+    node = FakeNode()
+    node.is_reached = False
+    await node.queue_of().refresh()
+    assert node.reads == 1
 
 
-def test_a_look_is_due_when_another_node_says_so(
+async def test_a_look_is_due_when_another_node_says_so(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Expect it without waiting for the next one in time."""
     monkeypatch.setattr(shared_queue, "LOOK_S", 1e6)
     monkeypatch.setattr(node_requests, "is_from_node", lambda _scope, _member: True)
-
-    async def scenario() -> None:
-        node = FakeNode()
-        node.queued = [waiting(1), waiting(2, "me"), waiting(3, until=9e9)]
-        queue = node.queue_of()
-        queue.open()
-        try:
-            answer = await said_to(queue, has_changed=True)
-            assert answer == {"places": {"bob": 1}}
-            async with asyncio.timeout(LIMIT_S):
-                seen, places = await node.noted.get()
-            assert (seen, places) == (["run_1"], {"alice": 3})
-            assert node.posted == [{"has_changed": False}]
-            assert await queue.take("run_1")
-            assert not await queue.take("run_1")
-            assert not await queue.take("run_3")
-            assert node.taken == [("run_1", 7)]
-        finally:
-            await queue.close()
-
-    asyncio.run(scenario())
+    node = FakeNode()
+    node.queued = [waiting(1), waiting(2, "me"), waiting(3, until=9e9)]
+    queue = node.queue_of()
+    queue.open()
+    try:
+        answer = await said_to(queue, has_changed=True)
+        assert answer == {"places": {"bob": 1}}
+        async with asyncio.timeout(LIMIT_S):
+            seen, places = await node.noted.get()
+        assert (seen, places) == (["run_1"], {"alice": 3})
+        assert node.posted == [{"has_changed": False}]
+        assert await queue.take("run_1")
+        assert not await queue.take("run_1")
+        assert not await queue.take("run_3")
+        assert node.taken == [("run_1", 7)]
+    finally:
+        await queue.close()
 
 
 async def said_to(queue: SharedQueue, *, has_changed: bool) -> dict[str, Any]:
@@ -197,53 +186,45 @@ async def said_to(queue: SharedQueue, *, has_changed: bool) -> dict[str, Any]:
     return dict(msgspec.json.decode(sent[1]["body"]))
 
 
-def test_other_nodes_hear_of_a_change_once(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_other_nodes_hear_of_a_change_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(shared_queue, "LOOK_S", 1e6)
-
-    async def scenario() -> None:
-        node = FakeNode()
-        queue = node.queue_of()
-        queue.open()
-        for _ in range(5):
-            queue.announce()
-        await wait_in_loop(lambda: node.posted)
-        await queue.close()
-        assert node.posted == [{"has_changed": True}]
-
-    asyncio.run(scenario())
+    node = FakeNode()
+    queue = node.queue_of()
+    queue.open()
+    for _ in range(5):
+        queue.announce()
+    await wait_in_loop(lambda: node.posted)
+    await queue.close()
+    assert node.posted == [{"has_changed": True}]
 
 
-def test_what_is_held_no_more_is_let_go_once(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_what_is_held_no_more_is_let_go_once(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(shared_queue, "LOOK_S", 0.001)
     monkeypatch.setattr(shared_queue, "PAUSE_S", 0.001)
-
-    async def scenario() -> None:
-        node = FakeNode()
-        node.held = ["run_1"]
-        queue = node.queue_of()
-        queue.open()
-        async with asyncio.timeout(LIMIT_S):
-            for _ in range(3):
-                await node.noted.get()
-            node.held = []
-        await wait_in_loop(lambda: node.reads > 5)
-        await queue.close()
-        assert node.let_go_ids == ["run_1"]
-
-    asyncio.run(scenario())
+    node = FakeNode()
+    node.held = ["run_1"]
+    queue = node.queue_of()
+    queue.open()
+    async with asyncio.timeout(LIMIT_S):
+        for _ in range(3):
+            await node.noted.get()
+        node.held = []
+    await wait_in_loop(lambda: node.reads > 5)
+    await queue.close()
+    assert node.let_go_ids == ["run_1"]
 
 
-def test_a_node_that_ends_looks_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_node_that_ends_looks_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shared_queue, "LOOK_S", 0.001)
     monkeypatch.setattr(shared_queue, "PAUSE_S", 0.001)
-
-    async def scenario() -> None:
-        node = FakeNode()
-        node.claims = False
-        queue = node.queue_of()
-        queue.open()
-        await asyncio.sleep(0.05)  # what is tested is that nothing happens
-        await queue.close()
-        assert node.reads == 0
-
-    asyncio.run(scenario())
+    node = FakeNode()
+    node.claims = False
+    queue = node.queue_of()
+    queue.open()
+    await asyncio.sleep(0.05)  # what is tested is that nothing happens
+    await queue.close()
+    assert node.reads == 0

@@ -28,16 +28,11 @@ from conformance.oracle.run_model import (
 )
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
+from tests.support.kit.run_answers import refused, run
 
 RULES = Rules.of(load_spec().lifecycle, max_workers=1, max_steps=3, max_attempts=2)
 START: PossibleRuns = frozenset({RunModel("ready", (EpisodeModel(), EpisodeModel()))})
 STEP, END = Step(0.25), Step(0.5, success=1, end=1)
-
-
-def refused(code: str, **members: Any) -> AnswerSummary:
-    return AnswerSummary(
-        429 if code == "worker_limit" else 409, code, {"code": code, **members}
-    )
 
 
 def shown(
@@ -81,18 +76,6 @@ def turn(
 def result(index: int, steps: int, attempt: int = 1) -> dict[str, Any]:
     outcome = {"outcome": "success", "score": 0.5}
     return {"index": index, "steps": steps, "attempt": attempt, **outcome}
-
-
-def run(
-    state: str, live: int, scored: int, playing: int, pending: int
-) -> AnswerSummary:
-    progress = {
-        "episodes_scored": scored,
-        "episodes_in_progress": playing,
-        "episodes_pending": pending,
-    }
-    body = {"state": state, "live_workers": live, "progress": progress}
-    return AnswerSummary(200, None, body)
 
 
 def after(

@@ -23,6 +23,7 @@ from conformance.oracle.run_model import (
     Stop,
 )
 from conformance.specification.document import load_spec
+from tests.support.kit.run_answers import refused, run
 
 RULES = Rules.of(load_spec().lifecycle, max_workers=2, max_steps=3, max_attempts=2)
 STEP, END = Step(0.25), Step(0.5, end=1)
@@ -32,10 +33,6 @@ OK, GONE = AnswerSummary(200, None, {}), AnswerSummary(204, None, None)
 def one_episode_run(attempt: int = 1) -> PossibleRuns:
     """A run of one episode."""
     return frozenset({RunModel("ready", (EpisodeModel(attempt),))})
-
-
-def refused(code: str, **members: Any) -> AnswerSummary:
-    return AnswerSummary(409, code, {"code": code, **members})
 
 
 def turn(session: str, seq: int, steps: list[Step], attempt: int = 1) -> AnswerSummary:
@@ -59,18 +56,6 @@ def turn(session: str, seq: int, steps: list[Step], attempt: int = 1) -> AnswerS
     return AnswerSummary(
         200, None, body | {"episode": episode, "observation": observation}
     )
-
-
-def shown(
-    state: str, live: int, scored: int, playing: int, pending: int
-) -> AnswerSummary:
-    progress = {
-        "episodes_scored": scored,
-        "episodes_in_progress": playing,
-        "episodes_pending": pending,
-    }
-    body = {"state": state, "live_workers": live, "progress": progress}
-    return AnswerSummary(200, None, body)
 
 
 def advance_all(
@@ -134,10 +119,10 @@ def test_abort_of_the_last_attempt_completes_the_run() -> None:
         (PLAY, turn("s1", 1, [STEP], attempt=2)),
     )
     after = advance_all(played, (Stop("abort"), OK))
-    assert advance_all(after, (Read(), shown("completed", 0, 1, 0, 0)))
+    assert advance_all(after, (Read(), run("completed", 0, 1, 0, 0)))
     for state, scored in (("stopped", 1), ("completed", 0)):
         with pytest.raises(Deviation):
-            advance_all(after, (Read(), shown(state, 0, scored, 0, 1 - scored)))
+            advance_all(after, (Read(), run(state, 0, scored, 0, 1 - scored)))
 
 
 def test_abort_ends_a_session_that_is_done() -> None:
@@ -148,7 +133,7 @@ def test_abort_ends_a_session_that_is_done() -> None:
         LAST,
         (Stop("abort"), OK),
     )
-    assert advance_all(draining, (Read(), shown("stopped", 0, 1, 0, 1)))
+    assert advance_all(draining, (Read(), run("stopped", 0, 1, 0, 1)))
     # What became of its kept turn is said nowhere: both are allowed, see STOP-002.
     assert advance_all(draining, LAST)
     assert advance_all(draining, (LAST[0], refused("session_ended")))
@@ -214,7 +199,7 @@ def test_a_failed_order_is_not_tried_again() -> None:
     models = advance_all(one_episode_run(), attach_exchange())
     beats = [at(Heartbeat("a", "s1"), OK, 0, 9) for _ in range(6)]
     assert explain(RULES, models, beats)
-    wrong = at(Read(), shown("ready", 0, 0, 0, 1), 0, 9)
+    wrong = at(Read(), run("ready", 0, 0, 0, 1), 0, 9)
     assert not explain(RULES, models, [*beats, wrong])
 
 

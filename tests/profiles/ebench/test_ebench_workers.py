@@ -92,46 +92,6 @@ def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:
     assert (answer.status_code, answer.json()["code"]) == (429, "worker_limit")
 
 
-def test_a_killed_worker_starts_a_new_attempt(http: httpx.Client) -> None:
-    client = open_client(http, "count", "count", workers=("0", "1"))
-    client.step({"0": action(), "1": action()})
-    client.worker_ids = ("0",)
-    assert client.workers("kill").json() == {"data": {"success": True}}
-    assert client.workers("kill").status_code == 200
-    assert client.status()["active_workers"] == ["1"]
-    assert client.workers("create_workers").json() == {"data": {"success": True}}
-    assert client.workers("create_workers").status_code == 200
-    assert client.status()["active_workers"] == ["0", "1"]
-    assert count(client.reset()) == 0
-    assert [e["attempt"] for e in episodes_of(client)] == [2, 1]
-    assert count(client.step({"1": action(), "0": action()})[0], "1") == 2
-
-
-def test_reset_continues_the_current_attempt(http: httpx.Client) -> None:
-    """A client that was started again gets no second try."""
-    client = open_client(http, "count")
-    client.step([{"0": action()}] * 3)
-    seen = client.reset()
-    assert (count(seen), seen["0"]["obs"]["reset"]) == (3, False)
-    assert count(client.step({"0": action()})[0]) == 4
-    assert episodes_of(client)[0]["attempt"] == 1
-
-
-def test_a_step_after_the_lease_ended_returns_a_new_attempt(
-    http: httpx.Client,
-) -> None:
-    """The ten-minute rule, in seconds: what was chosen before is not executed."""
-    client = open_client(http, "count", idle_timeout_s=3)
-    client.step({"0": action()})
-    wait_until(lambda: not client.status()["active_workers"], "the lease has ended")
-    assert client.status()["status"] == "idle"
-    seen, done = client.step({"0": action()})
-    assert (count(seen), done, seen["0"]["obs"]["reset"]) == (0, False, True)
-    assert seen["0"]["metric"] is None
-    assert count(client.step({"0": action()})[0]) == 1
-    assert episodes_of(client)[0]["attempt"] == 2
-
-
 @pytest.mark.parametrize("at_root", [False, True])
 def test_stop_and_resume_keep_scored_episodes(
     http: httpx.Client, at_root: bool

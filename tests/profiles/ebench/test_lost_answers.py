@@ -1,6 +1,5 @@
 """Lost answers of EBench: which step repeats the last one, and which is new."""
 
-import asyncio
 import gc
 from typing import Any
 
@@ -107,40 +106,31 @@ class FailingSession:
 
 @pytest.mark.parametrize("is_begun", [False, True])
 @pytest.mark.parametrize("fails", [1, 2, 3])
-def test_a_list_that_failed_goes_on_with_the_failed_turn(
+async def test_a_list_that_failed_goes_on_with_the_failed_turn(
     fails: int, is_begun: bool
 ) -> None:
     """Expect each action to be executed once, and an answer that counts them all."""
-
-    async def repeat() -> None:
-        player, chunks = FailingSession(fails, is_begun=is_begun), LongChunks()
-        session = player.session
-        turns = split(Predict("w", "s", 1, [ACTION] * 10), 4)
-        with pytest.raises(RuntimeError):
-            await chunks.start(session, "digest", turns, player.play).result()
-        assert chunks.find_repeated(session, "digest") is None
-        assert chunks.find_failed(session, "another") is None
-        failed = chunks.find_failed(session, "digest")
-        assert failed is not None
-        again = chunks.start(
-            session, "digest", failed.turns, player.play, failed.executed
-        )
-        turn = await again.result()
-        assert player.executed == [4, 4, 2]
-        assert (turn["executed_steps"], turn["stopped_early"]) == (10, False)
-        assert chunks.find_failed(session, "digest") is None
-        assert chunks.find_repeated(session, "digest") is again
-
-    asyncio.run(repeat())
+    player, chunks = FailingSession(fails, is_begun=is_begun), LongChunks()
+    session = player.session
+    turns = split(Predict("w", "s", 1, [ACTION] * 10), 4)
+    with pytest.raises(RuntimeError):
+        await chunks.start(session, "digest", turns, player.play).result()
+    assert chunks.find_repeated(session, "digest") is None
+    assert chunks.find_failed(session, "another") is None
+    failed = chunks.find_failed(session, "digest")
+    assert failed is not None
+    again = chunks.start(session, "digest", failed.turns, player.play, failed.executed)
+    turn = await again.result()
+    assert player.executed == [4, 4, 2]
+    assert (turn["executed_steps"], turn["stopped_early"]) == (10, False)
+    assert chunks.find_failed(session, "digest") is None
+    assert chunks.find_repeated(session, "digest") is again
 
 
-def test_a_list_that_failed_is_over_when_something_else_was_played() -> None:
-    async def play_another() -> None:
-        player, chunks = FailingSession(2, is_begun=False), LongChunks()
-        turns = split(Predict("w", "s", 1, [ACTION] * 10), 4)
-        with pytest.raises(RuntimeError):
-            await chunks.start(player.session, "digest", turns, player.play).result()
-        player.session.seq += 2
-        assert chunks.find_failed(player.session, "digest") is None
-
-    asyncio.run(play_another())
+async def test_a_list_that_failed_is_over_when_something_else_was_played() -> None:
+    player, chunks = FailingSession(2, is_begun=False), LongChunks()
+    turns = split(Predict("w", "s", 1, [ACTION] * 10), 4)
+    with pytest.raises(RuntimeError):
+        await chunks.start(player.session, "digest", turns, player.play).result()
+    player.session.seq += 2
+    assert chunks.find_failed(player.session, "digest") is None

@@ -22,27 +22,6 @@ from tests.support.profiles.flageval_client import (
 from tests.support.servers import ReferenceServer
 
 
-def test_a_repeated_request_makes_no_second_evaluation(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    first = submit_evaluation(client, model_info(chat, "e-once"))
-    assert submit_evaluation(client, model_info(chat, "e-once", api_key=KEY)) == first
-    answer = post_evaluation(
-        client, model_info(chat, "e-new"), model_info(chat, "e-once", batch_size=2)
-    )
-    assert is_refused(answer, "/eval_infos/1/eval_model must be unique in the account")
-    answer = post_evaluation(
-        client, model_info(chat, "e-twice"), model_info(chat, "e-twice")
-    )
-    assert is_refused(answer, "/eval_infos/1/eval_model must be unique")
-    runs = client.get("/v1/runs", params={"limit": 1000}).json()["runs"]
-    names = [run["policy"]["name"] for run in runs]
-    # What was refused has begun nothing, not even the part that was right.
-    assert names.count("e-once") == 1
-    assert "e-new" not in names
-    assert "e-twice" not in names
-
-
 @pytest.mark.parametrize(
     ("change", "about"),
     [

@@ -7,7 +7,7 @@ import asyncio
 import contextlib
 import sqlite3
 import threading
-from collections.abc import Awaitable, Callable
+from collections.abc import AsyncIterator, Callable
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, cast
@@ -36,31 +36,24 @@ from tests.support.server.server_parts import (
     calibration_run,
     count_rows,
     expect_refusal,
-    run_scenarios,
+    open_server_parts,
 )
 
 KEY = SigningKey(bytes(32))
 PUBLIC = {"model_name": "A", "is_public": True}
 PRIVATE = {"model_name": "A", "is_public": False}
 
-Story = Callable[[ServerParts, BoardService], Awaitable[None]]
 
-
-def run_stories(path: Path, *stories: Story) -> None:
-    """Each with a server of its own, over the same database."""
-
-    def scenario(story: Story) -> Callable[[ServerParts], Awaitable[None]]:
-        async def open_and_run(parts: ServerParts) -> None:
-            store = BoardStore(parts.store, leaf_hash)
-            records = SimpleNamespace(key=KEY, host_name="https://eval.example.org/a b")
-            history = BoardHistory(store, cast("RunRecords", records))
-            service = parts.service
-            board = BoardService(service.registry, service.benchmarks, store, history)
-            await story(parts, board)
-
-        return open_and_run
-
-    run_scenarios(path, *map(scenario, stories))
+@contextlib.asynccontextmanager
+async def opened_board(path: Path) -> AsyncIterator[tuple[ServerParts, BoardService]]:
+    """A server of its own, over the same database each time."""
+    async with open_server_parts(path / "proctor.sqlite") as parts:
+        store = BoardStore(parts.store, leaf_hash)
+        records = SimpleNamespace(key=KEY, host_name="https://eval.example.org/a b")
+        history = BoardHistory(store, cast("RunRecords", records))
+        service = parts.service
+        board = BoardService(service.registry, service.benchmarks, store, history)
+        yield parts, board
 
 
 async def completed(parts: ServerParts, run_id: str, account: str = "alice") -> str:
@@ -73,17 +66,15 @@ async def completed(parts: ServerParts, run_id: str, account: str = "alice") -> 
     return run.manifest_sha256
 
 
-def test_an_entry_outlives_a_restart(tmp_path: Path) -> None:
+async def test_an_entry_outlives_a_restart(tmp_path: Path) -> None:
     """With its leaf; the history goes on where it was."""
     seen: dict[str, Any] = {}
-
-    async def before(parts: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (parts, board):
         seen["manifest"] = await completed(parts, "run_1")
         seen["entry"], is_new = await board.publish("alice", "run_1", PUBLIC)
         assert is_new
         seen["checkpoint"] = await board.checkpoint()
-
-    async def after(_: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (_, board):
         entry_id = seen["entry"]["entry_id"]
         assert await board.get("bob", entry_id) == seen["entry"]
         found, total = await board.rank("calibration", seen["manifest"], 0, 10)
@@ -99,30 +90,24 @@ def test_an_entry_outlives_a_restart(tmp_path: Path) -> None:
         assert is_consistent(1, old.root, 2, new.root, hashes)
         assert new.origin == "eval.example.org/a_b/board"
 
-    run_stories(tmp_path, before, after)
 
-
-def test_a_database_without_a_leaderboard_gets_one(tmp_path: Path) -> None:
-    async def before(parts: ServerParts, _: BoardService) -> None:
+async def test_a_database_without_a_leaderboard_gets_one(tmp_path: Path) -> None:
+    async with opened_board(tmp_path) as (parts, _):
         await completed(parts, "run_1")
         with contextlib.closing(sqlite3.connect(parts.path)) as database:
             database.execute("DROP TABLE entries")
             database.execute("DROP TABLE history")
             for statement in MAKE_UNVERSIONED:
                 database.execute(statement)
-
-    async def after(_: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (_, board):
         assert (await board.checkpoint())["tree_size"] == 0
         await board.publish("alice", "run_1", PUBLIC)
         assert len(await board.leaves(0, 10)) == 1
 
-    run_stories(tmp_path, before, after)
 
-
-def test_a_run_is_deleted_or_published_and_never_both(tmp_path: Path) -> None:
+async def test_a_run_is_deleted_or_published_and_never_both(tmp_path: Path) -> None:
     """Decided in the transaction: what was looked at before may have changed since."""
-
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async with board_of_two(tmp_path) as (parts, board):
         object.__setattr__(parts.service, "deletes_played", True)
         await board.publish("alice", "run_1", PUBLIC)
         with expect_refusal("not_deletable"):
@@ -142,12 +127,15 @@ def test_a_run_is_deleted_or_published_and_never_both(tmp_path: Path) -> None:
             await board._store.change("run_1", never, needs_run=True)
         assert deleted.lost
 
-    run_stories(tmp_path, complete_two, story)
 
-
-async def complete_two(parts: ServerParts, _: BoardService) -> None:
-    for run_id in ("run_1", "run_2"):
-        await completed(parts, run_id)
+@contextlib.asynccontextmanager
+async def board_of_two(path: Path) -> AsyncIterator[tuple[ServerParts, BoardService]]:
+    """A server that has started after two runs were completed."""
+    async with opened_board(path) as (parts, _):
+        for run_id in ("run_1", "run_2"):
+            await completed(parts, run_id)
+    async with opened_board(path) as opened:
+        yield opened
 
 
 def never(_: BoardEntry | None) -> Change:
@@ -159,10 +147,9 @@ def entries_of(run_id: str) -> Callable[[sa.Connection], int]:
     return lambda connection: int(connection.scalar(query, {"run_id": run_id}) or 0)
 
 
-def test_the_host_deletes_old_runs_with_private_entries(tmp_path: Path) -> None:
+async def test_the_host_deletes_old_runs_with_private_entries(tmp_path: Path) -> None:
     """The owner withdraws them first. A public entry keeps its run."""
-
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async with board_of_two(tmp_path) as (parts, board):
         described = {"run_1": PUBLIC, "run_2": PRIVATE}
         for run_id, description in described.items():
             await board.publish("alice", run_id, description)
@@ -176,13 +163,10 @@ def test_the_host_deletes_old_runs_with_private_entries(tmp_path: Path) -> None:
         assert [view["run_id"] for _, view in entries] == ["run_1"]
         assert len(await board.leaves(0, 10)) == 1
 
-    run_stories(tmp_path, complete_two, story)
 
-
-def test_requests_at_once_make_one_entry(tmp_path: Path) -> None:
+async def test_requests_at_once_make_one_entry(tmp_path: Path) -> None:
     """And each change one leaf, in one order."""
-
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (parts, board):
         await completed(parts, "run_1")
         described = [PUBLIC | {"notes": str(number)} for number in range(20)]
         made = await asyncio.gather(
@@ -193,16 +177,13 @@ def test_requests_at_once_make_one_entry(tmp_path: Path) -> None:
         assert count_rows(parts.path, "entries") == 1
         assert len(await board.leaves(0, 100)) == 20
 
-    run_stories(tmp_path, story)
 
-
-def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> None:
+async def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> None:
     """Also after the run was deleted. Flags of the host count for no account.
 
     An account without room publishes and changes nothing, and withdraws.
     """
-
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async with board_of_two(tmp_path) as (parts, board):
         object.__setattr__(parts.service, "deletes_played", True)
         usage = parts.registry.usage
 
@@ -236,16 +217,17 @@ def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> None:
         usage.quota = Quota(stored_bytes=left + 1)
         await parts.registry.add(calibration_run(run_id="run_3"), None, "")
 
-    run_stories(tmp_path, complete_two, story)
-
 
 @pytest.mark.parametrize("is_stored", [True, False])
-def test_a_publish_whose_caller_is_cancelled_is_counted_as_it_is_stored(
+async def test_a_publish_whose_caller_is_cancelled_is_counted_as_it_is_stored(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_stored: bool
 ) -> None:
     """The leaf is kept for good, and counts for its account from then on."""
 
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async def fail(_: object) -> None:
+        raise StoreFailed("full")
+
+    async with board_of_two(tmp_path) as (parts, board):
         if not is_stored:
             monkeypatch.setattr(parts.store, "_write_at_once", fail)
         usage = parts.registry.usage
@@ -262,13 +244,8 @@ def test_a_publish_whose_caller_is_cancelled_is_counted_as_it_is_stored(
         assert bool(kept) is is_stored
         assert usage._bytes.get("alice", 0) - before == kept
 
-    async def fail(_: object) -> None:
-        raise StoreFailed("full")
 
-    run_stories(tmp_path, complete_two, story)
-
-
-def test_entries_are_stored_in_the_thread_of_all_writes(tmp_path: Path) -> None:
+async def test_entries_are_stored_in_the_thread_of_all_writes(tmp_path: Path) -> None:
     """One whose caller is gone ends before the next one: none finds a locked file."""
     threads: list[str] = []
 
@@ -276,15 +253,13 @@ def test_entries_are_stored_in_the_thread_of_all_writes(tmp_path: Path) -> None:
         threads.append(threading.current_thread().name)
         raise LookupError
 
-    async def story(_: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (_, board):
         with pytest.raises(LookupError):
             await board._store.change("run_1", note)
         assert threads[0].startswith("store-writer")
 
-    run_stories(tmp_path, story)
 
-
-def test_a_ranking_is_computed_once_for_its_entries(
+async def test_a_ranking_is_computed_once_for_its_entries(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Also when a description changes; again when an entry comes, is flagged, goes."""
@@ -295,8 +270,7 @@ def test_a_ranking_is_computed_once_for_its_entries(
         return ranking.rank(contenders, episodes_total)
 
     monkeypatch.setattr(board_service, "rank", count)
-
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (parts, board):
         manifest = await completed(parts, "run_1")
         await completed(parts, "run_2", "bob")
 
@@ -321,27 +295,22 @@ def test_a_ranking_is_computed_once_for_its_entries(
         assert await read_twice() == [({"low": 1, "high": 1}, "A")]
         assert counted == [1, 2, 2, 1]
 
-    run_stories(tmp_path, story)
 
-
-def test_cached_rankings_are_bounded(
+async def test_cached_rankings_are_bounded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Readers may name any manifest."""
     monkeypatch.setattr(board_service, "CACHED_RANKINGS_MAX", 3)
-
-    async def story(_: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (_, board):
         for number in range(10):
             await board.rank("calibration", f"{number:064x}", 0, 10)
         assert len(board._rankings) == 3
 
-    run_stories(tmp_path, story)
 
-
-def test_private_entries_are_seen_by_their_account_and_a_reader_of_all(
+async def test_private_entries_are_seen_by_their_account_and_a_reader_of_all(
     tmp_path: Path,
 ) -> None:
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (parts, board):
         await completed(parts, "run_1")
         entry, _ = await board.publish("alice", "run_1", PRIVATE)
         for account in ("alice", None):
@@ -354,11 +323,9 @@ def test_private_entries_are_seen_by_their_account_and_a_reader_of_all(
         with expect_refusal("not_found"):
             await board.flag(entry["entry_id"], flagged=True, reason="odd")
 
-    run_stories(tmp_path, story)
 
-
-def test_runs_of_other_accounts_are_not_published(tmp_path: Path) -> None:
-    async def story(parts: ServerParts, board: BoardService) -> None:
+async def test_runs_of_other_accounts_are_not_published(tmp_path: Path) -> None:
+    async with opened_board(tmp_path) as (parts, board):
         await completed(parts, "run_1")
         with expect_refusal("not_found"):
             await board.publish("bob", "run_1", PUBLIC)
@@ -366,13 +333,10 @@ def test_runs_of_other_accounts_are_not_published(tmp_path: Path) -> None:
             await board.withdraw("bob", "run_1")
         assert count_rows(parts.path, "entries") == 0
 
-    run_stories(tmp_path, story)
 
-
-def test_a_leaf_that_is_not_stored_stores_no_entry(tmp_path: Path) -> None:
+async def test_a_leaf_that_is_not_stored_stores_no_entry(tmp_path: Path) -> None:
     """The disk is full between both. Expect neither, and both at the next try."""
-
-    async def story(parts: ServerParts, board: BoardService) -> None:
+    async with opened_board(tmp_path) as (parts, board):
         await completed(parts, "run_1")
         with contextlib.closing(sqlite3.connect(parts.path)) as database:
             database.execute(
@@ -386,5 +350,3 @@ def test_a_leaf_that_is_not_stored_stores_no_entry(tmp_path: Path) -> None:
             database.execute("DROP TRIGGER full")
         _, is_new = await board.publish("alice", "run_1", PUBLIC)
         assert is_new
-
-    run_stories(tmp_path, story)

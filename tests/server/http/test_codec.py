@@ -292,6 +292,7 @@ def test_other_media_types_are_not_read(declared: str) -> None:
         (f"{JSON};q=much", None),
         (f"{JSON};q=nan", None),
         (",", None),
+        (f"{JSON}," * 5000, None),  # longer than is read
     ],
 )
 def test_the_preferred_media_type_is_chosen(

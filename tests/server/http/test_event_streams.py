@@ -33,8 +33,8 @@ from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
     expect_refusal,
+    open_server_parts,
     record_score,
-    run_scenarios,
 )
 from tests.support.servers import TIMEOUT_S
 
@@ -105,56 +105,49 @@ async def complete_run(parts: ServerParts, run: Run) -> None:
 # --- changes of a run ---
 
 
-def test_a_stream_carries_each_change(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await add_stored_run(parts, *["score"] * 3)
-        stream = await StreamClient.open(make_event_stream(parts))
-        first = await stream.part()
-        assert first.startswith(b"retry: 1000\n\nevent: run\n")
-        await score_episodes(parts, run, 2)
-        events = await stream.events()
-        assert (kinds(events), indices(events)) == (["episode", "run"], [2])
-        assert events[0].body == run_views.episode_view(run.episodes[2])
-        assert events[1].body == view(run)
-        await complete_run(parts, run)
-        last = await stream.rest()
-        assert indices(last) == [0, 1]
-        assert last[-1].body["state"] == "completed"
-        answer = await make_event_stream(parts).answer(last[-1].id)
-        assert (answer.status_code, answer.body) == (204, b"")
-
-    run_scenarios(tmp_path, scenario)
+async def test_a_stream_carries_each_change(parts: ServerParts) -> None:
+    run = await add_stored_run(parts, *["score"] * 3)
+    stream = await StreamClient.open(make_event_stream(parts))
+    first = await stream.part()
+    assert first.startswith(b"retry: 1000\n\nevent: run\n")
+    await score_episodes(parts, run, 2)
+    events = await stream.events()
+    assert (kinds(events), indices(events)) == (["episode", "run"], [2])
+    assert events[0].body == run_views.episode_view(run.episodes[2])
+    assert events[1].body == view(run)
+    await complete_run(parts, run)
+    last = await stream.rest()
+    assert indices(last) == [0, 1]
+    assert last[-1].body["state"] == "completed"
+    answer = await make_event_stream(parts).answer(last[-1].id)
+    assert (answer.status_code, answer.body) == (204, b"")
 
 
-def test_unstored_results_are_not_sent(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_unstored_results_are_not_sent(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await add_stored_run(parts, "score", "score")
-        stream = await StreamClient.open(make_event_stream(parts))
-        assert kinds(await stream.events()) == ["run"]
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        record_score(run, 0)
-        parts.registry.commit_later(run)
-        await blocked.wait_until_reached()
-        parts.registry.notify(run)  # whatever wakes the stream
-        batch = asyncio.ensure_future(stream.events())
-        done, _ = await asyncio.wait([batch], timeout=2 * event_streams.PAUSE_S)
-        assert done == set()
-        blocked.open()
-        assert indices(await batch) == [0]
-
-    run_scenarios(tmp_path, scenario)
+    run = await add_stored_run(parts, "score", "score")
+    stream = await StreamClient.open(make_event_stream(parts))
+    assert kinds(await stream.events()) == ["run"]
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    record_score(run, 0)
+    parts.registry.commit_later(run)
+    await blocked.wait_until_reached()
+    parts.registry.notify(run)  # whatever wakes the stream
+    batch = asyncio.ensure_future(stream.events())
+    done, _ = await asyncio.wait([batch], timeout=2 * event_streams.PAUSE_S)
+    assert done == set()
+    blocked.open()
+    assert indices(await batch) == [0]
 
 
-def test_a_stream_of_an_unchanged_busy_run_sends_comments(
+async def test_a_stream_of_an_unchanged_busy_run_sends_comments(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It is looked at again and again, and nothing of it has changed."""
     monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.2)
     monkeypatch.setattr(event_streams, "PAUSE_S", 0.0)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await add_stored_run(parts)
         stream = await StreamClient.open(make_event_stream(parts))
         await stream.events()
@@ -169,16 +162,13 @@ def test_a_stream_of_an_unchanged_busy_run_sends_comments(
             assert await stream.part() == b":\n\n"
         busy.cancel()
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_frequent_changes_are_sent_in_one_batch(
+async def test_frequent_changes_are_sent_in_one_batch(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Changes that follow one another closely are sent together."""
     monkeypatch.setattr(event_streams, "PAUSE_S", 4.0)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await add_stored_run(parts, *["score"] * 9)
         stream = await StreamClient.open(make_event_stream(parts))
         await stream.part()
@@ -187,16 +177,13 @@ def test_frequent_changes_are_sent_in_one_batch(
             await score_episodes(parts, run, index)
         assert indices(await next_events) == [0, 1, 2]
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_a_wrong_count_does_not_cause_polling(
+async def test_a_wrong_count_does_not_cause_polling(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run that says that more is scored than there is: the rest is waited for."""
     monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.1)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await add_stored_run(parts, *["score"] * 3)
         await score_episodes(parts, run, 1)
         run.scored += 1
@@ -204,10 +191,8 @@ def test_a_wrong_count_does_not_cause_polling(
         assert indices(await stream.events()) == [1]
         assert await stream.part() == b":\n\n"
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_nothing_is_queued_for_a_slow_client(
+async def test_nothing_is_queued_for_a_slow_client(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No event is read while it takes nothing; then all are sent at once."""
@@ -219,8 +204,7 @@ def test_nothing_is_queued_for_a_slow_client(
         return await right(self, cursor)
 
     monkeypatch.setattr(EventStream, "_read_batch", counted)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await add_stored_run(parts, *["score"] * 250)
         stream = await StreamClient.open(make_event_stream(parts))
         await stream.part()
@@ -234,23 +218,19 @@ def test_nothing_is_queued_for_a_slow_client(
         assert indices(events) == [*reversed(range(100))]
         assert (events[-1].body, len(cursors_read)) == (view(run), 3)
 
-    run_scenarios(tmp_path, scenario)
-
 
 # --- what it costs ---
 
 
-def test_a_finished_run_is_sent_in_batches_and_not_cached(tmp_path: Path) -> None:
+async def test_a_finished_run_is_sent_in_batches_and_not_cached(tmp_path: Path) -> None:
     order = [(7 * index) % MANY for index in range(MANY)]
-
-    async def play(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await add_stored_run(parts, *["score"] * MANY)
         for first in range(0, MANY, 250):
             await score_episodes(parts, run, *order[first : first + 250])
         run.state = "completed"
         await parts.registry.commit(run)
-
-    async def read(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         stream = await StreamClient.open(make_event_stream(parts))
         events = await stream.events()
         assert len(events) == EPISODES_PER_BATCH
@@ -260,11 +240,11 @@ def test_a_finished_run_is_sent_in_batches_and_not_cached(tmp_path: Path) -> Non
         assert indices(await middle.rest()) == order[500:]
         assert len(parts.registry._in_memory) == 0
 
-    run_scenarios(tmp_path, play, read)
 
-
-def test_an_idle_stream_keeps_no_run_in_memory(tmp_path: Path) -> None:
-    async def wait(parts: ServerParts) -> None:
+async def test_an_idle_stream_keeps_no_run_in_memory(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
+        await add_stored_run(parts, state="ready")
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         stream = await StreamClient.open(make_event_stream(parts))
         assert kinds(await stream.events()) == ["run"]
         batch = asyncio.ensure_future(stream.events())
@@ -277,177 +257,156 @@ def test_an_idle_stream_keeps_no_run_in_memory(tmp_path: Path) -> None:
         (event,) = await batch
         assert event.body["state"] == "stopped"
 
-    async def make(parts: ServerParts) -> None:
-        await add_stored_run(parts, state="ready")
 
-    run_scenarios(tmp_path, make, wait)
+async def test_a_disconnect_releases_the_stream(parts: ServerParts) -> None:
+    await add_stored_run(parts)
+    answer = await make_event_stream(parts).answer(None)
+    sent, gone = asyncio.Event(), asyncio.Event()
 
+    async def send(message: Any) -> None:
+        if message.get("body"):
+            sent.set()
 
-def test_a_disconnect_releases_the_stream(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await add_stored_run(parts)
-        answer = await make_event_stream(parts).answer(None)
-        sent, gone = asyncio.Event(), asyncio.Event()
+    async def receive() -> Any:
+        await gone.wait()
+        return {"type": "http.disconnect"}
 
-        async def send(message: Any) -> None:
-            if message.get("body"):
-                sent.set()
-
-        async def receive() -> Any:
-            await gone.wait()
-            return {"type": "http.disconnect"}
-
-        scope = {"type": "http", "asgi": {"spec_version": "2.3"}}
-        sending = asyncio.ensure_future(answer(scope, receive, send))
-        await sent.wait()
-        assert len(parts.registry._changes) == 1
-        gone.set()
-        await sending
-        del answer, sending
-        gc.collect()
-        assert len(parts.registry._changes) == 0
-
-    run_scenarios(tmp_path, scenario)
+    scope = {"type": "http", "asgi": {"spec_version": "2.3"}}
+    sending = asyncio.ensure_future(answer(scope, receive, send))
+    await sent.wait()
+    assert len(parts.registry._changes) == 1
+    gone.set()
+    await sending
+    del answer, sending
+    gc.collect()
+    assert len(parts.registry._changes) == 0
 
 
 # --- refusals and failures ---
 
 
-def test_an_id_that_is_ahead_of_the_run_is_refused(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await add_stored_run(parts)
-        await score_episodes(parts, run, 0)
-        stream = await StreamClient.open(make_event_stream(parts))
-        id_ = (await stream.events())[0].id
-        run.scored, run.scored_order = 0, []
-        with expect_refusal("invalid_request"):
-            await make_event_stream(parts).answer(id_)
-
-    run_scenarios(tmp_path, scenario)
+async def test_an_id_that_is_ahead_of_the_run_is_refused(parts: ServerParts) -> None:
+    run = await add_stored_run(parts)
+    await score_episodes(parts, run, 0)
+    stream = await StreamClient.open(make_event_stream(parts))
+    id_ = (await stream.events())[0].id
+    run.scored, run.scored_order = 0, []
+    with expect_refusal("invalid_request"):
+        await make_event_stream(parts).answer(id_)
 
 
 @pytest.mark.parametrize("account", ["bob", "unknown"])
-def test_runs_of_other_accounts_are_not_found(tmp_path: Path, account: str) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await add_stored_run(parts)
-        with expect_refusal("not_found"):
-            await make_event_stream(parts, account=account).answer(None)
-        with expect_refusal("not_found"):
-            await make_event_stream(parts, "run_2").answer(None)
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_a_stream_ends_when_the_store_fails(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_runs_of_other_accounts_are_not_found(
+    account: str, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await add_stored_run(parts, state="ready")
-        stream = await StreamClient.open(make_event_stream(parts))
-        await stream.events()
+    await add_stored_run(parts)
+    with expect_refusal("not_found"):
+        await make_event_stream(parts, account=account).answer(None)
+    with expect_refusal("not_found"):
+        await make_event_stream(parts, "run_2").answer(None)
 
-        async def fail(*_: object, **__: object) -> None:
-            raise StoreFailed("gone")
 
-        monkeypatch.setattr(parts.registry, "read_view", fail)
-        parts.registry.notify(run)
-        assert await stream.rest() == []
+async def test_a_stream_ends_when_the_store_fails(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
+) -> None:
+    run = await add_stored_run(parts, state="ready")
+    stream = await StreamClient.open(make_event_stream(parts))
+    await stream.events()
 
-    run_scenarios(tmp_path, scenario)
+    async def fail(*_: object, **__: object) -> None:
+        raise StoreFailed("gone")
+
+    monkeypatch.setattr(parts.registry, "read_view", fail)
+    parts.registry.notify(run)
+    assert await stream.rest() == []
 
 
 # --- an older database ---
 
 
-def test_results_of_older_databases_come_first(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
+async def test_results_of_older_databases_come_first(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await add_stored_run(parts, *["score"] * 5, state="ready")
         await score_episodes(parts, run, 3, 1)
         with contextlib.closing(sqlite3.connect(parts.path)) as database:
             for statement in MAKE_UNVERSIONED:
                 database.execute(statement)
             database.execute("ALTER TABLE episodes DROP COLUMN place")
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         found = await parts.store.read_window("run_1", 0, 9, scored=True)
         assert found is not None
         assert [episode.index for episode in found[1]] == [1, 3]
         run = await parts.registry.get("run_1")
         await score_episodes(parts, run, 4, 0)
-
-    async def read(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         stream = await StreamClient.open(make_event_stream(parts))
         assert indices(await stream.events()) == [1, 3, 4, 0]
         run = await parts.registry.get("run_1")
         assert run.scored_order == [1, 3, 4, 0]
 
-    run_scenarios(tmp_path, before, after, read)
-
 
 # --- many readers ---
 
 
-def test_one_change_is_read_and_encoded_once_for_all_readers(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await add_stored_run(parts, *["score"] * 3)
-        shown: list[RunHead] = []
+async def test_one_change_is_read_and_encoded_once_for_all_readers(
+    parts: ServerParts,
+) -> None:
+    run = await add_stored_run(parts, *["score"] * 3)
+    shown: list[RunHead] = []
 
-        def counted(head: RunHead) -> dict[str, Any]:
-            shown.append(head)
-            return view(head)
+    def counted(head: RunHead) -> dict[str, Any]:
+        shown.append(head)
+        return view(head)
 
-        shared = SharedStreams()
-        readers = [
-            EventStream(parts.registry, run.run_id, "alice", counted, "", shared)
-            for _ in range(50)
-        ]
-        clients = [await StreamClient.open(reader) for reader in readers]
-        assert len({await client.part() for client in clients}) == 1
-        assert len(shown) == 1
-        await score_episodes(parts, run, 2)
-        batches = await asyncio.gather(*(client.events() for client in clients))
-        assert len({tuple(one.id for one in batch) for batch in batches}) == 1
-        # One more for each write that ended while the readers were pausing.
-        assert len(shown) <= 4
-        other = EventStream(parts.registry, run.run_id, "alice", counted, "x", shared)
-        await (await StreamClient.open(other)).part()
-        assert len(shown) <= 5
-        await asyncio.sleep(event_streams.SHARED_S + 0.1)
-        assert not any(shared._batches.values())
-
-    run_scenarios(tmp_path, scenario)
+    shared = SharedStreams()
+    readers = [
+        EventStream(parts.registry, run.run_id, "alice", counted, "", shared)
+        for _ in range(50)
+    ]
+    clients = [await StreamClient.open(reader) for reader in readers]
+    assert len({await client.part() for client in clients}) == 1
+    assert len(shown) == 1
+    await score_episodes(parts, run, 2)
+    batches = await asyncio.gather(*(client.events() for client in clients))
+    assert len({tuple(one.id for one in batch) for batch in batches}) == 1
+    # One more for each write that ended while the readers were pausing.
+    assert len(shown) <= 4
+    other = EventStream(parts.registry, run.run_id, "alice", counted, "x", shared)
+    await (await StreamClient.open(other)).part()
+    assert len(shown) <= 5
+    await asyncio.sleep(event_streams.SHARED_S + 0.1)
+    assert not any(shared._batches.values())
 
 
-def test_streams_of_a_run_and_of_an_account_are_counted(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        shared = SharedStreams(1)
-        leave = [
-            shared.enter("alice", f"run_{number}")
-            for number in range(event_streams.STREAMS_PER_ACCOUNT)
-        ]
-        for account, run_id in (("bob", "run_0"), ("alice", "run_9")):
-            with pytest.raises(Refused) as caught:
-                shared.enter(account, run_id)
-            assert caught.value.code == "unavailable"
-        leave.pop()()
-        shared.enter("alice", "run_9")()
-        for one in leave:
-            one()
-        assert not shared._open
-        await add_stored_run(parts)
-        stream = EventStream(parts.registry, "run_1", "alice", view, "", shared)
-        answer = await stream.answer(None)
-        with pytest.raises(Refused):
-            await stream.answer(None)
+async def test_streams_of_a_run_and_of_an_account_are_counted(
+    parts: ServerParts,
+) -> None:
+    shared = SharedStreams(1)
+    leave = [
+        shared.enter("alice", f"run_{number}")
+        for number in range(event_streams.STREAMS_PER_ACCOUNT)
+    ]
+    for account, run_id in (("bob", "run_0"), ("alice", "run_9")):
+        with pytest.raises(Refused) as caught:
+            shared.enter(account, run_id)
+        assert caught.value.code == "unavailable"
+    leave.pop()()
+    shared.enter("alice", "run_9")()
+    for one in leave:
+        one()
+    assert not shared._open
+    await add_stored_run(parts)
+    stream = EventStream(parts.registry, "run_1", "alice", view, "", shared)
+    answer = await stream.answer(None)
+    with pytest.raises(Refused):
+        await stream.answer(None)
 
-        async def disconnected() -> dict[str, str]:
-            return {"type": "http.disconnect"}
+    async def disconnected() -> dict[str, str]:
+        return {"type": "http.disconnect"}
 
-        async def gone(_: Any) -> None:
-            raise OSError
+    async def gone(_: Any) -> None:
+        raise OSError
 
-        with contextlib.suppress(Exception):
-            await answer({"type": "http"}, disconnected, gone)
-        assert not shared._open
-
-    run_scenarios(tmp_path, scenario)
+    with contextlib.suppress(Exception):
+        await answer({"type": "http"}, disconnected, gone)
+    assert not shared._open

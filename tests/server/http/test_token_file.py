@@ -84,10 +84,8 @@ def test_a_file_that_is_gone_or_none_keeps_the_old_tokens(tmp_path: Path) -> Non
     assert account_of(tokens, "a") == "alice"
 
 
-def test_the_server_follows_it_off_the_event_loop_and_complains_once(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    caplog: pytest.LogCaptureFixture,
+async def test_the_server_follows_it_off_the_event_loop_and_complains_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(token_file, "LOOK_S", 0.01)
     caplog.set_level(logging.INFO, "proctor.tokens")
@@ -113,19 +111,16 @@ def test_the_server_follows_it_off_the_event_loop_and_complains_once(
         new.write_text(text)
         new.replace(path)
 
-    async def scenario() -> None:
-        following = asyncio.create_task(TokenFile(path, tokens).follow())
-        await until("a", "alice")
-        put("nonsense")
-        await wait_in_loop(lambda: "cannot be used" in caplog.text)
-        await asyncio.sleep(0.1)  # for complaints that must not come
-        assert account_of(tokens, "a") == "alice"
-        put(BOB)
-        await until("b", "bob")
-        assert account_of(tokens, "a") is None
-        following.cancel()
-
-    asyncio.run(scenario())
+    following = asyncio.create_task(TokenFile(path, tokens).follow())
+    await until("a", "alice")
+    put("nonsense")
+    await wait_in_loop(lambda: "cannot be used" in caplog.text)
+    await asyncio.sleep(0.1)  # for complaints that must not come
+    assert account_of(tokens, "a") == "alice"
+    put(BOB)
+    await until("b", "bob")
+    assert account_of(tokens, "a") is None
+    following.cancel()
     assert threading.get_ident() not in readers
     texts = [record.getMessage() for record in caplog.records]
     assert sum("cannot be used" in text for text in texts) == 1

@@ -92,7 +92,7 @@ def test_a_server_that_ends_checks_nothing() -> None:
     assert part.checks == 0
 
 
-def test_simulators_are_started_again_by_the_check(
+async def test_simulators_are_started_again_by_the_check(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """No run is played on a server that is not ready: it has to find out itself."""
@@ -100,26 +100,23 @@ def test_simulators_are_started_again_by_the_check(
     def fail(*_: object) -> None:
         raise OSError("no processes are left")
 
-    async def scenario() -> None:
-        pool = SimulatorPool(4, 0)
-        try:
-            await pool.check_start()
-            assert pool.idle == 0, "one is started only after a failure"
-            with monkeypatch.context() as patch:
-                patch.setattr(type(pool._starter), "start", fail)
-                with pytest.raises(SimulatorFault):
-                    await pool._start_process(pool._new_process())
-                with pytest.raises(SimulatorFault):
-                    await pool.check_start()
-            await pool.check_start()
-            await pool.check_start()
-            assert pool.idle == 1
-        finally:
-            await pool.close()
-        with pytest.raises(SimulatorFault):
-            await pool.check_start()
-
-    asyncio.run(scenario())
+    pool = SimulatorPool(4, 0)
+    try:
+        await pool.check_start()
+        assert pool.idle == 0, "one is started only after a failure"
+        with monkeypatch.context() as patch:
+            patch.setattr(type(pool._starter), "start", fail)
+            with pytest.raises(SimulatorFault):
+                await pool._start_process(pool._new_process())
+            with pytest.raises(SimulatorFault):
+                await pool.check_start()
+        await pool.check_start()
+        await pool.check_start()
+        assert pool.idle == 1
+    finally:
+        await pool.close()
+    with pytest.raises(SimulatorFault):
+        await pool.check_start()
 
 
 @pytest.mark.slow("starts a server")

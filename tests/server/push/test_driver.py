@@ -35,7 +35,7 @@ from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
     expect_refusal,
-    run_scenarios,
+    open_server_parts,
 )
 
 ORDER = {"url": "http://127.0.0.1:9", "protocol": "proctor", "max_concurrent": 1}
@@ -120,7 +120,7 @@ def matches_backoff(asked: list[float], *due: float) -> bool:
     )
 
 
-def test_waits_for_a_simulator_back_off(
+async def test_waits_for_a_simulator_back_off(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
 ) -> None:
     """And begins anew with short pauses after a turn."""
@@ -133,30 +133,24 @@ def test_waits_for_a_simulator_back_off(
         return await right(self, *given, **named)
 
     monkeypatch.setattr(SimulatorPool, "acquire", acquire)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         push_driver = make_driver(parts)
         await parts.registry.add(push_run(), None, "")
         run = await wait_until_completed(parts)
         assert [e.attempt for e in run.episodes] == [1]
         await push_driver.close()
-
-    run_scenarios(tmp_path, scenario)
     assert matches_backoff(backoff, 0.2, 0.4, 0.8, 1.6, 3.2, 5.0, 5.0), backoff
 
 
-def test_a_worker_pauses_after_a_fault_of_its_policy(
+async def test_a_worker_pauses_after_a_fault_of_its_policy(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, backoff: list[float]
 ) -> None:
     monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy(faults=2))
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         push_driver = make_driver(parts)
         await parts.registry.add(push_run(), None, "")
         await wait_until_completed(parts)
         await push_driver.close()
-
-    run_scenarios(tmp_path, scenario)
     assert matches_backoff(backoff, 0.2, 0.4), backoff
 
 
@@ -167,7 +161,7 @@ def test_the_backoff_restarts() -> None:
     assert matches_backoff([one.next_s()], 0.2)
 
 
-def test_a_session_without_a_simulator_is_not_stored(
+async def test_a_session_without_a_simulator_is_not_stored(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No stored part of the run has changed; clients that wait are notified."""
@@ -176,8 +170,7 @@ def test_a_session_without_a_simulator_is_not_stored(
         raise NoCapacity("All simulators are busy.")
 
     monkeypatch.setattr(SimulatorPool, "acquire", acquire)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("score"), None, "")
         assert await parts.registry.is_stored(run)
         saved: list[str] = []
@@ -191,20 +184,16 @@ def test_a_session_without_a_simulator_is_not_stored(
         await parts.registry.close()
         assert (run.state, run.workers, saved) == ("ready", {}, [])
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_loading_a_run_is_retried(
+async def test_loading_a_run_is_retried(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """PUSH-017: no client requests it meanwhile."""
     monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
     monkeypatch.setattr(driver, "RELOAD_S", 0.001, raising=False)
-
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await parts.registry.add(push_run(), None, "")
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         right, failed, scored = parts.store.load, 0, asyncio.Event()
 
         async def load(run_id: str) -> Run | None:
@@ -223,16 +212,13 @@ def test_loading_a_run_is_retried(
         await wait_until_completed(parts)
         await push_driver.close()
 
-    run_scenarios(tmp_path, before, scenario)
 
-
-def test_sessions_of_a_played_run_end_with_it(
+async def test_sessions_of_a_played_run_end_with_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No client repeats a turn of theirs, and their lease is a day."""
     monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         push_driver = make_driver(parts)
         await parts.registry.add(push_run(), None, "")
         run = await wait_until_completed(parts)
@@ -241,8 +227,6 @@ def test_sessions_of_a_played_run_end_with_it(
         assert run.workers == {}
         assert list(run.ended.values()) == ["detached"]
         await push_driver.close()
-
-    run_scenarios(tmp_path, scenario)
 
 
 # --- keys ---
@@ -343,7 +327,7 @@ def test_a_key_in_a_refused_action_name_is_redacted() -> None:
     )
 
 
-def test_a_key_in_the_assumptions_is_redacted(
+async def test_a_key_in_the_assumptions_is_redacted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     class AssumingPolicy(FaultyPolicy):
@@ -351,8 +335,7 @@ def test_a_key_in_the_assumptions_is_redacted(
             return Description(1, {"action": {SLASHED: {"size": 1}}})
 
     monkeypatch.setitem(PROTOCOLS, "proctor", AssumingPolicy())
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         key_encryption = KeyEncryption()
         push_driver = make_driver_with(parts, key_encryption)
         run = push_run()
@@ -362,5 +345,3 @@ def test_a_key_in_the_assumptions_is_redacted(
         with pytest.raises(AssertionError, match=r"/action/\[API key removed\]"):
             await wait_until_completed(parts)
         await push_driver.close()
-
-    run_scenarios(tmp_path, scenario)

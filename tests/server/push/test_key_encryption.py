@@ -12,11 +12,7 @@ from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.runs.service import body_digest
 from tests.support.push_runs import push_submission
-from tests.support.server.server_parts import (
-    ServerParts,
-    expect_refusal,
-    run_scenarios,
-)
+from tests.support.server.server_parts import expect_refusal, open_server_parts
 
 
 def open_key_encryption(path: Path | None) -> KeyEncryption:
@@ -46,13 +42,12 @@ def test_the_key_file_has_mode_0600(tmp_path: Path) -> None:
     assert file.stat().st_mode & 0o777 == 0o600
 
 
-def test_no_digest_of_an_api_key_is_stored(tmp_path: Path) -> None:
+async def test_no_digest_of_an_api_key_is_stored(tmp_path: Path) -> None:
     """A reader of the database alone could try likely keys, one after another."""
     submission = push_submission("http://127.0.0.1:1", api_key="sesame")
     encryption = KeyEncryption()
     validator = PolicyServerValidator(EgressPolicy("all"), encryption, ("proctor",))
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         service = replace(
             parts.service,
             validate_submission=validator.validate_and_encrypt,
@@ -66,8 +61,6 @@ def test_no_digest_of_an_api_key_is_stored(tmp_path: Path) -> None:
         use = await service.find_by_key("alice", "key")
         assert use is not None
         assert use.body_sha256 != body_digest(submission)
-
-    run_scenarios(tmp_path, scenario)
     assert KeyEncryption().digest("sesame") != encryption.digest("sesame")
 
 

@@ -2,7 +2,6 @@
 with a reason for the submitter, nothing of the answer is executed, and nothing hangs.
 """
 
-import itertools
 import re
 import socket
 import threading
@@ -263,25 +262,6 @@ def test_an_executed_action_makes_the_attempt_count(
     assert episode["result"]["outcome"] == "abandoned"
     assert episode["result"]["attempt"] == 2
     assert "status 400" in episode["policy_fault"]
-
-
-def test_a_call_is_repeated_with_the_same_body_until_it_is_answered(
-    push_server: ReferenceServer, policy: ScriptedPolicy
-) -> None:
-    turns = itertools.count()
-
-    def busy_at_first(call: PolicyCall) -> PolicyReply:
-        return busy_reply() if next(turns) % 3 < 2 else policy.final_action_reply(call)
-
-    policy.on("predict", busy_at_first)
-    run = play_push_run(
-        push_server, policy.url, "score", "score", max_retries=2, max_concurrent=1
-    )
-    assert run["state"] == "completed"
-    assert [e["result"]["steps"] for e in run["episodes"]] == [1, 1]
-    asked = [call.raw for call in policy.calls_of("predict")]
-    assert len(asked) == 6
-    assert len(set(asked[:3])) == len(set(asked[3:])) == 1
 
 
 def test_a_policy_that_is_sometimes_slow_is_waited_for(

@@ -1,5 +1,7 @@
-"""Runs that the server plays by calling a policy: scores, stops, failures, restarts,
-and an API key that is in no answer.
+"""Runs that the server plays by calling a policy: scores, drains, faults, restarts.
+
+Workers that attach, stops and unreachable policies are judged by the kit
+(tests/kit/test_reference_server.py).
 """
 
 import json
@@ -199,55 +201,6 @@ def hold_predict(policy: ScriptedPolicy) -> threading.Event:
     return may_continue
 
 
-def test_workers_cannot_attach_to_a_push_run(
-    client: httpx.Client, policy: ScriptedPolicy
-) -> None:
-    may_continue = hold_predict(policy)
-    run_id = submit_push_run(client, policy.url)
-    assert policy.wait_for("predict")
-    path = f"/v1/runs/{run_id}/workers/push-1"
-    for takeover in (False, True):
-        body = {"attach_key": "k", "takeover": takeover}
-        answer = client.put(path, json=body)
-        assert (answer.status_code, answer.json()["code"]) == (
-            409,
-            "illegal_transition",
-        )
-        assert answer.json()["state"] == "running"
-    # What the policy server received about the session gives no access either.
-    turn = policy.calls_of("predict")[0].body
-    session = {"session_id": turn["session_id"]}
-    play = {"seq": turn["seq"] + 1, "actions": [CheckContext.action(end=1)]}
-    for answer in (
-        client.post(f"{path}/predict", json=session | play),
-        client.post(f"{path}/heartbeat", json=session),
-        client.delete(path, params=session),
-    ):
-        assert answer.json()["code"] == "illegal_transition"
-    may_continue.set()
-    assert wait_for_state(client, run_id)["state"] == "completed"
-    assert len(policy.calls_of("reset")) == 1
-    (episode,) = episodes(client, run_id)
-    assert episode["result"]["score"] == 0.25
-
-
-def test_a_stop_ends_the_calls_and_a_resume_continues(
-    client: httpx.Client, policy: ScriptedPolicy
-) -> None:
-    may_continue = hold_predict(policy)
-    run_id = submit_push_run(client, policy.url, "score", "score", max_concurrent=1)
-    assert policy.wait_for("predict")
-    assert client.post(f"/v1/runs/{run_id}/stop", json={}).json()["state"] == "stopped"
-    calls = len(policy.calls)
-    may_continue.set()
-    assert client.get(f"/v1/runs/{run_id}").json()["state"] == "stopped"
-    assert len(policy.calls) == calls
-    assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
-    assert wait_for_state(client, run_id)["state"] == "completed"
-    # No action of the attempt that was stopped had been executed.
-    assert [e["result"]["attempt"] for e in episodes(client, run_id)] == [1, 1]
-
-
 def test_a_drain_plays_the_episode_to_its_end(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:
@@ -261,34 +214,6 @@ def test_a_drain_plays_the_episode_to_its_end(
     assert statuses == ["scored", "pending"]
     client.post(f"/v1/runs/{run_id}/resume")
     assert wait_for_state(client, run_id)["state"] == "completed"
-
-
-def test_an_unreachable_policy_fails_the_run_and_a_resume_continues(
-    client: httpx.Client, policy: ScriptedPolicy
-) -> None:
-    def down_at_the_third(call: PolicyCall) -> PolicyReply:
-        if call.body["episode"]["index"] < 2:
-            return policy.final_action_reply(call)
-        policy.on("describe_policy", lambda _: PolicyReply(b"", 500))
-        return PolicyReply(b"", 500)
-
-    policy.on("predict", down_at_the_third)
-    run_id = submit_push_run(client, policy.url, *["score"] * 4, max_concurrent=1)
-    run = wait_for_state(client, run_id)
-    assert (run["state"], run["retryable"]) == ("failed", True)
-    assert run["reason"] == (
-        f"The policy server at {policy.url} answered with status 500 (policy)."
-    )
-    before = episodes(client, run_id)
-    assert [e["status"] for e in before] == ["scored"] * 2 + ["pending"] * 2
-    assert "(predict)" in before[2]["policy_fault"]
-    policy.on("predict", policy.final_action_reply)
-    policy.on("describe_policy", policy.description)
-    assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
-    assert wait_for_state(client, run_id)["state"] == "completed"
-    after = episodes(client, run_id)
-    assert after[:2] == before[:2]
-    assert [e["result"]["score"] for e in after] == [0.25] * 4
 
 
 def test_a_queued_run_is_played_when_its_turn_comes(

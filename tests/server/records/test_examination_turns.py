@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
 
 import pytest
 
@@ -45,74 +44,57 @@ async def settle() -> None:
         await asyncio.sleep(0)
 
 
-def run(story: Callable[[], Awaitable[None]]) -> None:
-    asyncio.run(asyncio.wait_for(story(), LONG_S))
+async def test_an_account_waits_for_itself_alone() -> None:
+    all_of_them = Examinations(at_once=2)
+    all_of_them.add("aaab")
+    await settle()
+    assert all_of_them.begun == ["a", "b"]
+    await all_of_them.end(1)
+    assert all_of_them.begun == ["a", "b"]
+    all_of_them.add("c")
+    await settle()
+    assert all_of_them.begun == ["a", "b", "c"]
+    await all_of_them.end(0)
+    assert all_of_them.begun == ["a", "b", "c", "a"]
+    assert all_of_them.turns.waiting == 1
 
 
-def test_an_account_waits_for_itself_alone() -> None:
-    async def story() -> None:
-        all_of_them = Examinations(at_once=2)
-        all_of_them.add("aaab")
-        await settle()
-        assert all_of_them.begun == ["a", "b"]
-        await all_of_them.end(1)
-        assert all_of_them.begun == ["a", "b"]
-        all_of_them.add("c")
-        await settle()
-        assert all_of_them.begun == ["a", "b", "c"]
-        await all_of_them.end(0)
-        assert all_of_them.begun == ["a", "b", "c", "a"]
-        assert all_of_them.turns.waiting == 1
-
-    run(story)
+async def test_accounts_are_served_in_turn() -> None:
+    all_of_them = Examinations(at_once=1)
+    all_of_them.add("aaabbc")
+    await settle()
+    for number in range(5):
+        await all_of_them.end(number)
+    assert "".join(all_of_them.begun) == "abcaba"
 
 
-def test_accounts_are_served_in_turn() -> None:
-    async def story() -> None:
-        all_of_them = Examinations(at_once=1)
-        all_of_them.add("aaabbc")
-        await settle()
-        for number in range(5):
-            await all_of_them.end(number)
-        assert "".join(all_of_them.begun) == "abcaba"
-
-    run(story)
-
-
-def test_who_waits_too_long_gives_up_and_holds_nothing() -> None:
-    async def story() -> None:
-        all_of_them = Examinations(at_once=1)
-        all_of_them.add("a")
-        await settle()
-        with pytest.raises(NoTurn):
-            async with all_of_them.turns.place("b", 0.0):
-                pass
-        assert all_of_them.turns.waiting == 0
-        await all_of_them.end(0)
-        all_of_them.add("b")
-        await settle()
-        assert all_of_them.begun == ["a", "b"]
-
-    run(story)
+async def test_who_waits_too_long_gives_up_and_holds_nothing() -> None:
+    all_of_them = Examinations(at_once=1)
+    all_of_them.add("a")
+    await settle()
+    with pytest.raises(NoTurn):
+        async with all_of_them.turns.place("b", 0.0):
+            pass
+    assert all_of_them.turns.waiting == 0
+    await all_of_them.end(0)
+    all_of_them.add("b")
+    await settle()
+    assert all_of_them.begun == ["a", "b"]
 
 
 @pytest.mark.parametrize("has_its_turn", [False, True])
-def test_who_is_cut_off_holds_nothing(has_its_turn: bool) -> None:
+async def test_who_is_cut_off_holds_nothing(has_its_turn: bool) -> None:
     """Also at the moment at which it gets its place."""
-
-    async def story() -> None:
-        all_of_them = Examinations(at_once=1)
-        all_of_them.add("abc")
-        await settle()
-        if has_its_turn:
-            all_of_them._ends[0].set()
-            await asyncio.sleep(0)
-        all_of_them.cancel(1)
-        await settle()
-        if not has_its_turn:
-            await all_of_them.end(0)
-        assert all_of_them.begun == ["a", "c"]
-        await all_of_them.end(1)
-        assert all_of_them.turns.waiting == 0
-
-    run(story)
+    all_of_them = Examinations(at_once=1)
+    all_of_them.add("abc")
+    await settle()
+    if has_its_turn:
+        all_of_them._ends[0].set()
+        await asyncio.sleep(0)
+    all_of_them.cancel(1)
+    await settle()
+    if not has_its_turn:
+        await all_of_them.end(0)
+    assert all_of_them.begun == ["a", "c"]
+    await all_of_them.end(1)
+    assert all_of_them.turns.waiting == 0

@@ -7,7 +7,8 @@ import errno
 import os
 import resource
 import time
-from collections.abc import Awaitable, Callable
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -32,25 +33,17 @@ from tests.support.server.server_parts import (
     predict_command,
     stop_run,
 )
-from tests.support.servers import TIMEOUT_S
-
-Story = Callable[[ServerParts, Recordings], Awaitable[None]]
 
 
-def play(path: Path, *stories: Story) -> None:
-    """Each story with a server of its own, over the same database and recordings."""
-
-    async def run() -> None:
-        for story in stories:
-            recordings = Recordings(path / "records")
-            async with asyncio.timeout(TIMEOUT_S):
-                async with open_server_parts(
-                    path / "proctor.sqlite", recordings=recordings
-                ) as parts:
-                    recordings.open()
-                    await story(parts, recordings)
-
-    asyncio.run(run())
+@asynccontextmanager
+async def played(path: Path) -> AsyncIterator[tuple[ServerParts, Recordings]]:
+    """A server of its own, over the same database and recordings each time."""
+    recordings = Recordings(path / "records")
+    async with open_server_parts(
+        path / "proctor.sqlite", recordings=recordings
+    ) as parts:
+        recordings.open()
+        yield parts, recordings
 
 
 async def attach(parts: ServerParts, run: Run, key: str = "key") -> dict[str, Any]:
@@ -74,8 +67,10 @@ def topics(path: Path) -> list[str]:
     return found
 
 
-def test_a_result_is_stored_with_the_digest_of_its_recording(tmp_path: Path) -> None:
-    async def first(parts: ServerParts, _: Recordings) -> None:
+async def test_a_result_is_stored_with_the_digest_of_its_recording(
+    tmp_path: Path,
+) -> None:
+    async with played(tmp_path) as (parts, _):
         run = await submit(parts)
         turn = await attach(parts, run)
         turn = await parts.executor.predict(run, predict_command(turn, score=0.5))
@@ -83,8 +78,7 @@ def test_a_result_is_stored_with_the_digest_of_its_recording(tmp_path: Path) -> 
         recording = run.episodes[0].recording
         assert recording is not None
         assert recording.turns == 2
-
-    async def second(parts: ServerParts, recordings: Recordings) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await parts.registry.get("run_1")
         recording = run.episodes[0].recording
         assert recording is not None
@@ -97,26 +91,23 @@ def test_a_result_is_stored_with_the_digest_of_its_recording(tmp_path: Path) -> 
         await recordings.remove_run("run_1")
         assert recordings.run_ids() == []
 
-    play(tmp_path, first, second)
 
-
-def test_a_recording_goes_on_after_a_restart(tmp_path: Path) -> None:
-    async def first(parts: ServerParts, _: Recordings) -> None:
+async def test_a_recording_goes_on_after_a_restart(tmp_path: Path) -> None:
+    async with played(tmp_path) as (parts, _):
         run = await submit(parts)
         await parts.executor.predict(run, predict_command(await attach(parts, run)))
-
-    async def second(parts: ServerParts, recordings: Recordings) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await parts.registry.get("run_1")
         turn = await attach(parts, run, "another")
         await parts.executor.predict(run, predict_command(turn, end=1))
         of_turns = ["/attempt", "/turn", "/attempt"]
         assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
 
-    play(tmp_path, first, second)
 
-
-def test_an_abandoned_episode_is_stored_with_its_recording(tmp_path: Path) -> None:
-    async def story(parts: ServerParts, recordings: Recordings) -> None:
+async def test_an_abandoned_episode_is_stored_with_its_recording(
+    tmp_path: Path,
+) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await submit(parts)
         for key in "abc":
             turn = await attach(parts, run, key)
@@ -131,13 +122,11 @@ def test_an_abandoned_episode_is_stored_with_its_recording(tmp_path: Path) -> No
         of_turns = ["/attempt", "/turn", "/attempt"]
         assert topics(recordings.path("run_1", 0)) == [*of_turns * 3, "/result"]
 
-    play(tmp_path, story)
 
-
-def test_what_cannot_be_recorded_fails_the_run_and_costs_no_attempt(
+async def test_what_cannot_be_recorded_fails_the_run_and_costs_no_attempt(
     tmp_path: Path,
 ) -> None:
-    async def story(parts: ServerParts, _: Recordings) -> None:
+    async with played(tmp_path) as (parts, _):
         (tmp_path / "records" / "run_1").write_text("in the way")
         run = await submit(parts)
         with pytest.raises(Refused):
@@ -146,10 +135,8 @@ def test_what_cannot_be_recorded_fails_the_run_and_costs_no_attempt(
         assert "recording could not be written" in str(run.reason)
         assert run.episodes[0].attempt == 1
 
-    play(tmp_path, story)
 
-
-def test_a_result_whose_recording_fails_does_not_count(
+async def test_a_result_whose_recording_fails_does_not_count(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The disk is full once, at the end. Expect `unavailable`, and nothing charged."""
@@ -161,8 +148,7 @@ def test_a_result_whose_recording_fails_does_not_count(
         return right(*arguments, **options)
 
     monkeypatch.setattr(recordings_module, "join_parts", join)
-
-    async def story(parts: ServerParts, recordings: Recordings) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await submit(parts)
         turn = await attach(parts, run)
         with pytest.raises(Refused) as refused:
@@ -174,11 +160,9 @@ def test_a_result_whose_recording_fails_does_not_count(
         assert turn["episode_result"]["attempt"] == 1
         assert topics(recordings.path("run_1", 0))[-2:] == ["/attempt", "/result"]
 
-    play(tmp_path, story)
-
 
 @pytest.mark.parametrize("room", [0, 10])
-def test_a_turn_for_which_the_disk_has_no_room_costs_nothing(
+async def test_a_turn_for_which_the_disk_has_no_room_costs_nothing(
     tmp_path: Path, room: int
 ) -> None:
     """The disk is full at the second turn, or within what is recorded of it.
@@ -186,8 +170,7 @@ def test_a_turn_for_which_the_disk_has_no_room_costs_nothing(
     room: bytes that it takes before. Expect `unavailable`, no fault and no attempt; and
     all that was answered in the recording when there is room again.
     """
-
-    async def story(parts: ServerParts, recordings: Recordings) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await submit(parts)
         turn = await parts.executor.predict(
             run, predict_command(await attach(parts, run))
@@ -212,10 +195,8 @@ def test_a_turn_for_which_the_disk_has_no_room_costs_nothing(
         of_turns = ["/attempt", "/turn", "/attempt"]
         assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
 
-    play(tmp_path, story)
 
-
-def test_what_could_not_be_appended_is_appended_later(
+async def test_what_could_not_be_appended_is_appended_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The end of an attempt meets a full disk, and is in the recording all the same."""
@@ -227,8 +208,7 @@ def test_what_could_not_be_appended_is_appended_later(
         right(*arguments)
 
     monkeypatch.setattr(recordings_module, "append_part", append)
-
-    async def story(parts: ServerParts, recordings: Recordings) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await submit(parts)
         turn = await attach(parts, run)
         await parts.executor.predict(run, predict_command(turn))
@@ -240,10 +220,8 @@ def test_what_could_not_be_appended_is_appended_later(
         of_turns = ["/attempt", "/turn", "/attempt"]
         assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
 
-    play(tmp_path, story)
 
-
-def test_each_event_is_written_once_by_several_writers(
+async def test_each_event_is_written_once_by_several_writers(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The second of three meets a full disk while `begin` writes them, too."""
@@ -258,18 +236,14 @@ def test_each_event_is_written_once_by_several_writers(
     monkeypatch.setattr(recording_parts.PartWriter, "write", write_message)
     run: Any = SimpleNamespace(run_id="run_1", fence=0)
     episode: Any = SimpleNamespace(index=0, attempt=1)
-
-    async def write() -> None:
-        recordings = Recordings(tmp_path)
-        for seq in range(3):
-            recordings.add_fault(run, episode, seq, "simulator_fault", "it broke")
-        await asyncio.gather(
-            *(recordings.begin(run, episode) for _ in range(3)), return_exceptions=True
-        )
-        await recordings.begin(run, episode)
-        await recordings.close()
-
-    asyncio.run(write())
+    recordings = Recordings(tmp_path)
+    for seq in range(3):
+        recordings.add_fault(run, episode, seq, "simulator_fault", "it broke")
+    await asyncio.gather(
+        *(recordings.begin(run, episode) for _ in range(3)), return_exceptions=True
+    )
+    await recordings.begin(run, episode)
+    await recordings.close()
     parts = recording_parts.parts_of(tmp_path / "run_1" / "00000.parts")
     found = [
         msgspec.json.decode(recording_parts.json_of(message))["seq"]
@@ -279,10 +253,9 @@ def test_each_event_is_written_once_by_several_writers(
     assert found == [0, 1, 2]
 
 
-def test_a_result_whose_turns_are_gone_does_not_count(tmp_path: Path) -> None:
+async def test_a_result_whose_turns_are_gone_does_not_count(tmp_path: Path) -> None:
     """Their parts were removed; the episode is played again in the same attempt."""
-
-    async def story(parts: ServerParts, recordings: Recordings) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await submit(parts)
         turn = await attach(parts, run)
         turn = await parts.executor.predict(run, predict_command(turn))
@@ -295,14 +268,11 @@ def test_a_result_whose_turns_are_gone_does_not_count(tmp_path: Path) -> None:
         turn = await parts.executor.predict(run, predict_command(turn, end=1))
         assert turn["episode_result"]["attempt"] == 1
 
-    play(tmp_path, story)
 
-
-def test_what_a_crash_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
+async def test_what_a_crash_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
     """Killed between the stored result and the removal of its parts."""
     kept = ["notes.draft", "00001.parts", "00002.draft.txt", "other.parts"]
-
-    async def story(parts: ServerParts, recordings: Recordings) -> None:
+    async with played(tmp_path) as (parts, recordings):
         run = await submit(parts)
         folder = tmp_path / "records" / "run_1"
         for name in ("00000.parts", *kept):
@@ -323,8 +293,6 @@ def test_what_a_crash_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
         await records.remove_leftovers()
         found = sorted(path.name for path in folder.iterdir())
         assert found == sorted([*kept, "00000.mcap", "other.mcap", "00004.draft"])
-
-    play(tmp_path, story)
 
 
 def test_parts_beyond_a_million_keep_their_order(tmp_path: Path) -> None:

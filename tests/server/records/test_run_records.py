@@ -110,20 +110,16 @@ def test_what_is_left_of_a_deleted_run_is_removed(
     assert runs.removed == ["r"]
 
 
-def test_the_key_of_the_server_is_made_its_owners_alone(tmp_path: Path) -> None:
+async def test_the_key_of_the_server_is_made_its_owners_alone(tmp_path: Path) -> None:
     """A volume that is mounted may have given it to a group."""
     path, nothing = tmp_path / "key", cast(Any, FewRuns())
     key = load_or_make(path)
     path.chmod(0o660)
-
-    async def open_and_close() -> None:
-        settings = HostSettings("host", path, keep_days=0)
-        records = RunRecords(nothing, nothing, settings)
-        await records.open()
-        assert records.key.keyid == key.keyid
-        await records.close()
-
-    asyncio.run(open_and_close())
+    settings = HostSettings("host", path, keep_days=0)
+    records = RunRecords(nothing, nothing, settings)
+    await records.open()
+    assert records.key.keyid == key.keyid
+    await records.close()
     assert path.stat().st_mode & 0o777 == 0o600
 
 

@@ -23,8 +23,8 @@ from tests.support.server.server_parts import (
     assert_no_simulator_lent,
     calibration_run,
     expect_refusal,
+    open_server_parts,
     predict_command,
-    run_scenarios,
     start_task,
 )
 
@@ -57,8 +57,10 @@ def let_unused_time_pass(parts: ServerParts) -> None:
 # --- places ---
 
 
-def test_unplayed_runs_of_one_account_do_not_keep_out_another(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_unplayed_runs_of_one_account_do_not_keep_out_another(
+    tmp_path: Path,
+) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=4) as parts:
         runs = [await submit(parts, f"run_{n}") for n in range(6)]
         assert [run.state for run in runs] == ["ready"] * 4 + ["queued"] * 2
         other = await submit(parts, "other", "bob")
@@ -73,39 +75,30 @@ def test_unplayed_runs_of_one_account_do_not_keep_out_another(tmp_path: Path) ->
         await parts.executor.predict(runs[0], predict_command(turn, score=1))
         assert [run.state for run in runs[4:]] == ["queued"] * 2
 
-    run_scenarios(tmp_path, scenario, active_max=4)
 
-
-def test_unplayed_runs_give_their_places_to_later_ones(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_unplayed_runs_give_their_places_to_later_ones(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         runs = [await submit(parts, f"run_{n}") for n in range(3)]
         await parts.executor.attach(runs[0], Attach("w", "key"))
         assert runs[2].state == "queued"
         let_unused_time_pass(parts)
         assert [run.state for run in runs] == ["running", "ready", "ready"]
 
-    run_scenarios(tmp_path, scenario, active_max=2)
+
+async def test_a_timer_ends_the_wait_for_an_unplayed_place(parts: ServerParts) -> None:
+    parts.registry._admission.places = places.Places(1, 0.05)
+    await submit(parts, "run_1")
+    await submit(parts, "run_2")
+    await until(parts, "run_2", "ready")
 
 
-def test_a_timer_ends_the_wait_for_an_unplayed_place(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        parts.registry._admission.places = places.Places(1, 0.05)
-        await submit(parts, "run_1")
-        await submit(parts, "run_2")
-        await until(parts, "run_2", "ready")
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_unplayed_runs_hold_nothing_after_a_restart(tmp_path: Path) -> None:
+async def test_unplayed_runs_hold_nothing_after_a_restart(tmp_path: Path) -> None:
     """What was played has its place again; what no worker played has none."""
-
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         await insert(parts, "ready", "unplayed_1", "unplayed_2")
         await insert(parts, "running", "played")
         await insert(parts, "queued", "queued_1", "queued_2")
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         await until(parts, "queued_1", "ready")
         second = await parts.registry.get("queued_2")
         assert second.state == "queued"
@@ -118,11 +111,9 @@ def test_unplayed_runs_hold_nothing_after_a_restart(tmp_path: Path) -> None:
         await parts.executor.attach(unplayed, Attach("w", "key"))
         assert second.state == "queued"
 
-    run_scenarios(tmp_path, before, after, active_max=2)
 
-
-def test_a_stopped_run_waits_for_no_place(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_a_stopped_run_waits_for_no_place(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         await submit(parts, "run_1")
         second = await submit(parts, "run_2")
         effects.stop(second, "abort", 0.0)
@@ -131,19 +122,15 @@ def test_a_stopped_run_waits_for_no_place(tmp_path: Path) -> None:
         assert second.state == "stopped"
         assert "run_1" in parts.registry._admission.places
 
-    run_scenarios(tmp_path, scenario, active_max=1)
-
 
 # --- a long queue ---
 
 
-def test_a_restart_loads_no_run_of_the_queue(tmp_path: Path) -> None:
+async def test_a_restart_loads_no_run_of_the_queue(tmp_path: Path) -> None:
     names = [f"run_{number:02}" for number in range(20)]
-
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         await insert(parts, "queued", *names)
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         for run_id in names[:2]:
             await until(parts, run_id, "ready")
         while parts.registry._tasks:
@@ -164,13 +151,11 @@ def test_a_restart_loads_no_run_of_the_queue(tmp_path: Path) -> None:
         assert set(parts.registry._in_memory) == loaded
         assert (await parts.registry.get("run_19")).state == "queued"
 
-    run_scenarios(tmp_path, before, after, active_max=2)
 
-
-def test_a_queued_run_that_cannot_be_loaded_is_admitted_later(
+async def test_a_queued_run_that_cannot_be_loaded_is_admitted_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         await insert(parts, "queued", "run_1", "run_2", "run_3")
         load, unread = Store.load, [StoreFailed("gone")]
 
@@ -181,13 +166,10 @@ def test_a_queued_run_that_cannot_be_loaded_is_admitted_later(
 
         monkeypatch.setattr(Store, "load", load_at_last)
         monkeypatch.setattr(registry, "RELOAD_S", 0.001)
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         await until(parts, "run_2", "ready")
         await until(parts, "run_1", "ready")
         assert (await parts.registry.get("run_3")).state == "queued"
-
-    run_scenarios(tmp_path, before, after, active_max=2)
 
 
 # --- simulators ---
@@ -203,90 +185,76 @@ async def hold_all_simulators(parts: ServerParts, account: str) -> list[Run]:
     return runs
 
 
-def test_heartbeats_do_not_hold_all_simulators(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        runs = await hold_all_simulators(parts, "alice")
-        ids = [run.workers["w"].session_id for run in runs]
-        waiting = [await submit(parts, f"bob_{n}", "bob") for n in range(3)]
-        with expect_refusal("no_capacity"):
-            await parts.executor.attach(waiting[0], Attach("w", "key"))
-        parts.executor._resources._unused_s = 0.0
-        for run, session_id in zip(runs, ids, strict=True):
-            parts.executor.heartbeat(run, Heartbeat("w", session_id))
-        for run in waiting[:2]:
-            await parts.executor.attach(run, Attach("w", "key"))
-        with expect_refusal("no_capacity"):  # each account has its share
-            await parts.executor.attach(waiting[2], Attach("w", "key"))
-        # Those that were longest without a turn; no attempt is counted.
-        assert [len(run.live_sessions) for run in runs] == [0, 0, 1, 1]
-        assert [run.state for run in runs] == ["ready", "ready", "running", "running"]
-        assert [run.episodes[0].attempt for run in runs] == [1, 1, 1, 1]
-        with expect_refusal("session_ended", ended_by="unknown"):
-            parts.executor.heartbeat(runs[0], Heartbeat("w", ids[0]))
-
-    run_scenarios(tmp_path, scenario)
+async def test_heartbeats_do_not_hold_all_simulators(parts: ServerParts) -> None:
+    runs = await hold_all_simulators(parts, "alice")
+    ids = [run.workers["w"].session_id for run in runs]
+    waiting = [await submit(parts, f"bob_{n}", "bob") for n in range(3)]
+    with expect_refusal("no_capacity"):
+        await parts.executor.attach(waiting[0], Attach("w", "key"))
+    parts.executor._resources._unused_s = 0.0
+    for run, session_id in zip(runs, ids, strict=True):
+        parts.executor.heartbeat(run, Heartbeat("w", session_id))
+    for run in waiting[:2]:
+        await parts.executor.attach(run, Attach("w", "key"))
+    with expect_refusal("no_capacity"):  # each account has its share
+        await parts.executor.attach(waiting[2], Attach("w", "key"))
+    # Those that were longest without a turn; no attempt is counted.
+    assert [len(run.live_sessions) for run in runs] == [0, 0, 1, 1]
+    assert [run.state for run in runs] == ["ready", "ready", "running", "running"]
+    assert [run.episodes[0].attempt for run in runs] == [1, 1, 1, 1]
+    with expect_refusal("session_ended", ended_by="unknown"):
+        parts.executor.heartbeat(runs[0], Heartbeat("w", ids[0]))
 
 
-def test_an_account_takes_no_simulator_of_its_own(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        runs = await hold_all_simulators(parts, "alice")
-        parts.executor._resources._unused_s = 0.0
-        with expect_refusal("no_capacity"):
-            await parts.executor.attach(await submit(parts, "more"), Attach("w", "key"))
-        assert [len(run.live_sessions) for run in runs] == [1, 1, 1, 1]
-        await parts.executor.close()
-        await assert_no_simulator_lent(parts)
-
-    run_scenarios(tmp_path, scenario)
+async def test_an_account_takes_no_simulator_of_its_own(parts: ServerParts) -> None:
+    runs = await hold_all_simulators(parts, "alice")
+    parts.executor._resources._unused_s = 0.0
+    with expect_refusal("no_capacity"):
+        await parts.executor.attach(await submit(parts, "more"), Attach("w", "key"))
+    assert [len(run.live_sessions) for run in runs] == [1, 1, 1, 1]
+    await parts.executor.close()
+    await assert_no_simulator_lent(parts)
 
 
-def test_no_session_ends_whose_simulator_would_not_serve(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_no_session_ends_whose_simulator_would_not_serve(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """On Ray, where what it took may not be what another benchmark declares."""
-
-    async def scenario(parts: ServerParts) -> None:
-        runs = await hold_all_simulators(parts, "alice")
-        parts.executor._resources._unused_s = 0.0
-        waiting = await submit(parts, "bob", "bob")
-        with monkeypatch.context() as patch:
-            patch.setattr(parts.pool, "makes_room", lambda _lent, _world: False)
-            with expect_refusal("no_capacity"):
-                await parts.executor.attach(waiting, Attach("w", "key"))
-        assert [len(run.live_sessions) for run in runs] == [1, 1, 1, 1]
-        await parts.executor.attach(waiting, Attach("w", "key"))
-        assert [len(run.live_sessions) for run in runs] == [0, 1, 1, 1]
-
-    run_scenarios(tmp_path, scenario)
+    runs = await hold_all_simulators(parts, "alice")
+    parts.executor._resources._unused_s = 0.0
+    waiting = await submit(parts, "bob", "bob")
+    with monkeypatch.context() as patch:
+        patch.setattr(parts.pool, "makes_room", lambda _lent, _world: False)
+        with expect_refusal("no_capacity"):
+            await parts.executor.attach(waiting, Attach("w", "key"))
+    assert [len(run.live_sessions) for run in runs] == [1, 1, 1, 1]
+    await parts.executor.attach(waiting, Attach("w", "key"))
+    assert [len(run.live_sessions) for run in runs] == [0, 1, 1, 1]
 
 
 @pytest.mark.parametrize("how", ["heartbeat", "attach", "predict"])
-def test_a_session_without_a_turn_ends(tmp_path: Path, how: str) -> None:
+async def test_a_session_without_a_turn_ends(how: str, parts: ServerParts) -> None:
     """LIM-006: heartbeats and repeats extend its lease for a time only."""
-
-    async def scenario(parts: ServerParts) -> None:
-        parts.executor._heartbeat_s_max = 1.0
-        run = calibration_run(idle_timeout_s=0.5)
-        run = await parts.registry.add(run, None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        command = predict_command(turn, score=0.5)
-        await parts.executor.predict(run, command)
-        session, began = run.workers["w"], time.monotonic()
-        with expect_refusal("session_ended", ended_by="lease_ended"):
-            while how != "attach" or run.workers.get("w") is session:
-                if how == "predict":
-                    await parts.executor.predict(run, command)
-                elif how == "attach":
-                    await parts.executor.attach(run, Attach("w", "key"))
-                else:
-                    heartbeat = Heartbeat("w", session.session_id)
-                    parts.executor.heartbeat(run, heartbeat)
-                await asyncio.sleep(0.02)
-            parts.executor.heartbeat(run, Heartbeat("w", session.session_id))
-        assert time.monotonic() - began > 0.75
-        assert run.episodes[0].attempt == 2  # LEASE-012
-
-    run_scenarios(tmp_path, scenario)
+    parts.executor._heartbeat_s_max = 1.0
+    run = calibration_run(idle_timeout_s=0.5)
+    run = await parts.registry.add(run, None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    command = predict_command(turn, score=0.5)
+    await parts.executor.predict(run, command)
+    session, began = run.workers["w"], time.monotonic()
+    with expect_refusal("session_ended", ended_by="lease_ended"):
+        while how != "attach" or run.workers.get("w") is session:
+            if how == "predict":
+                await parts.executor.predict(run, command)
+            elif how == "attach":
+                await parts.executor.attach(run, Attach("w", "key"))
+            else:
+                heartbeat = Heartbeat("w", session.session_id)
+                parts.executor.heartbeat(run, heartbeat)
+            await asyncio.sleep(0.02)
+        parts.executor.heartbeat(run, Heartbeat("w", session.session_id))
+    assert time.monotonic() - began > 0.75
+    assert run.episodes[0].attempt == 2  # LEASE-012
 
 
 # --- quotas ---
@@ -296,8 +264,8 @@ def set_quota(parts: ServerParts, **quota: int) -> None:
     parts.registry.usage.quota = Quota(**quota)
 
 
-def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, open_runs=2)
         first = await parts.registry.add(calibration_run(), "key", "body")
         second = await submit(parts, "run_2")
@@ -317,51 +285,44 @@ def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
         await parts.service.stop_run("alice", "run_3")
         await parts.service.resume_run("alice", "run_2")
         assert [run.state for run in (first, second)] == ["ready", "ready"]
-
-    async def after_a_restart(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, open_runs=2)
         with expect_refusal("quota_exceeded"):
             await submit(parts, "run_4")
 
-    run_scenarios(tmp_path, scenario, after_a_restart)
+
+async def test_runs_that_are_opened_at_once_count_each_other(
+    parts: ServerParts,
+) -> None:
+    set_quota(parts, open_runs=2)
+    submitted = [submit(parts, f"run_{n}") for n in range(4)]
+    found = await asyncio.gather(*submitted, return_exceptions=True)
+    assert [type(one) for one in found] == [Run, Run, Refused, Refused]
+    for number in (0, 1):
+        await parts.service.stop_run("alice", f"run_{number}")
+    set_quota(parts, open_runs=1)
+    resumed = [parts.service.resume_run("alice", f"run_{n}") for n in (0, 1)]
+    found = await asyncio.gather(*resumed, return_exceptions=True)
+    assert [type(one) for one in found] == [Run, Refused]
 
 
-def test_runs_that_are_opened_at_once_count_each_other(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        set_quota(parts, open_runs=2)
-        submitted = [submit(parts, f"run_{n}") for n in range(4)]
-        found = await asyncio.gather(*submitted, return_exceptions=True)
-        assert [type(one) for one in found] == [Run, Run, Refused, Refused]
-        for number in (0, 1):
-            await parts.service.stop_run("alice", f"run_{number}")
-        set_quota(parts, open_runs=1)
-        resumed = [parts.service.resume_run("alice", f"run_{n}") for n in (0, 1)]
-        found = await asyncio.gather(*resumed, return_exceptions=True)
-        assert [type(one) for one in found] == [Run, Refused]
-
-    run_scenarios(tmp_path, scenario)
+async def test_a_key_that_is_used_opens_no_run(parts: ServerParts) -> None:
+    for _ in range(3):
+        await parts.registry.add(calibration_run(), "key", "body")
+    set_quota(parts, open_runs=2)
+    await submit(parts, "run_2")
+    with expect_refusal("quota_exceeded"):
+        await submit(parts, "run_3")
 
 
-def test_a_key_that_is_used_opens_no_run(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        for _ in range(3):
-            await parts.registry.add(calibration_run(), "key", "body")
-        set_quota(parts, open_runs=2)
-        await submit(parts, "run_2")
-        with expect_refusal("quota_exceeded"):
-            await submit(parts, "run_3")
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_an_account_may_use_so_many_keys(tmp_path: Path) -> None:
+async def test_an_account_may_use_so_many_keys(tmp_path: Path) -> None:
     """LIM-009: used ones count for good; refused ones are not used."""
 
     async def add(parts: ServerParts, key: str | None, account: str = "alice") -> Run:
         run = calibration_run(run_id=f"{account}_{key}", account=account)
         return await parts.registry.add(run, key, "body")
 
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, keys=2)
         submitted = [add(parts, f"key_{n}") for n in range(3)]
         found = await asyncio.gather(*submitted, return_exceptions=True)
@@ -374,23 +335,19 @@ def test_an_account_may_use_so_many_keys(tmp_path: Path) -> None:
         assert await parts.registry.find_by_key("alice", "key_2") is None
         await add(parts, None)
         await add(parts, "key_2", "bob")
-
-    async def after_a_restart(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, keys=2)
         with expect_refusal("quota_exceeded"):
             await add(parts, "key_3")
         set_quota(parts, keys=3)
         await add(parts, "key_3")
 
-    run_scenarios(tmp_path, scenario, after_a_restart)
 
-
-def test_an_account_may_store_so_much(tmp_path: Path) -> None:
+async def test_an_account_may_store_so_much(tmp_path: Path) -> None:
     """LIM-010: what has ended counts, too; a submission that is not stored does not."""
     size = stored_bytes(calibration_run())
     assert stored_bytes(calibration_run(*["score"] * 9)) > size + 7 * EPISODE_BYTES
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, stored_bytes=2 * size)
         first = await parts.registry.add(calibration_run(), "key", "body")
         for number in range(3):
@@ -403,15 +360,12 @@ def test_an_account_may_store_so_much(tmp_path: Path) -> None:
             await submit(parts, "run_3")
         await parts.service.resume_run("alice", "run_2")
         await submit(parts, "other", "bob")
-
-    async def after_a_restart(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, stored_bytes=2 * size)
         with expect_refusal("quota_exceeded"):
             await submit(parts, "run_3")
         set_quota(parts, stored_bytes=2 * size + 1)
         await submit(parts, "run_3")
-
-    run_scenarios(tmp_path, scenario, after_a_restart)
 
 
 # --- the event loop ---
@@ -433,31 +387,26 @@ class OtherTask:
         self._task.cancel()
 
 
-def test_a_comparison_of_many_runs_leaves_the_loop_to_others(tmp_path: Path) -> None:
+async def test_a_comparison_of_many_runs_leaves_the_loop_to_others(
+    parts: ServerParts,
+) -> None:
     """Sixteen runs of a thousand episodes held it for a sixth of a second."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await submit(parts, "run_1")
-        other = OtherTask()
-        await parts.service.compare_runs("alice", [run.run_id] * 16)
-        other.end()
-        assert other.continued > 2 * 15
-
-    run_scenarios(tmp_path, scenario)
+    run = await submit(parts, "run_1")
+    other = OtherTask()
+    await parts.service.compare_runs("alice", [run.run_id] * 16)
+    other.end()
+    assert other.continued > 2 * 15
 
 
-def test_a_long_page_of_runs_leaves_the_loop_to_others(
+async def test_a_long_page_of_runs_leaves_the_loop_to_others(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A thousand runs in memory are shown without a wait."""
     monkeypatch.setattr(registry, "VIEWS_AT_ONCE", 2)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for number in range(9):
             await submit(parts, f"run_{number}")
         other = OtherTask()
         seen = await parts.registry.page("alice", None, 9, lambda _: other.continued)
         other.end()
         assert seen[-1] - seen[0] >= 4
-
-    run_scenarios(tmp_path, scenario)

@@ -31,7 +31,6 @@ from tests.support.server.server_parts import (
     open_server_parts,
     predict_command,
     record_score,
-    run_scenarios,
 )
 from tests.support.servers import TIMEOUT_S
 
@@ -50,8 +49,10 @@ async def is_there(parts: ServerParts, run_id: str) -> bool:
     return run_id in await parts.store.heads([run_id])
 
 
-def test_the_first_action_is_on_disk_before_it_is_answered(tmp_path: Path) -> None:
-    async def play(parts: ServerParts) -> None:
+async def test_the_first_action_is_on_disk_before_it_is_answered(
+    tmp_path: Path,
+) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for run_id in ("run_1", "run_2", "run_3"):
             run = await submit(parts, run_id)
             if run_id != "run_2":
@@ -59,8 +60,7 @@ def test_the_first_action_is_on_disk_before_it_is_answered(tmp_path: Path) -> No
                 with contextlib.closing(sqlite3.connect(parts.path)) as database:
                     rows = database.execute("SELECT run_id, played_number FROM runs")
                     assert dict(rows.fetchall())[run_id] == run.played_number
-
-    async def after_a_restart(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         ids = ["run_1", "run_2", "run_3"]
         heads = await parts.store.heads(ids)
         assert [heads[one].played_number for one in ids] == [1, None, 2]
@@ -68,41 +68,35 @@ def test_the_first_action_is_on_disk_before_it_is_answered(tmp_path: Path) -> No
             await parts.service.delete_run("alice", "run_1")
         await parts.service.delete_run("alice", "run_2")
 
-    run_scenarios(tmp_path, play, after_a_restart)
-
 
 @pytest.mark.parametrize("fails_first", [True, False])
-def test_a_first_action_that_is_not_stored_is_not_answered(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fails_first: bool
+async def test_a_first_action_that_is_not_stored_is_not_answered(
+    monkeypatch: pytest.MonkeyPatch, fails_first: bool, parts: ServerParts
 ) -> None:
     """Whichever is known first: that the write has failed, or how the turn went."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await submit(parts)
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        play = BlockedCall(monkeypatch, SimulatorHandle, "play", after=not fails_first)
-        save = BlockedCall(monkeypatch, parts.store, "save")
-        change = parts.registry.change_event(run.run_id)
-        with parts.reject_writes(), expect_refusal("unavailable"):
-            predicting = asyncio.create_task(
-                parts.executor.predict(run, predict_command(turn))
-            )
-            await play.wait_until_reached()
-            await save.wait_until_reached()
-            if fails_first:
-                save.open()
-                assert await parts.registry.wait_for_change(change, TIMEOUT_S)
-                play.open()
-            else:
-                play.open()
-                save.open()
-            await predicting
-
-    run_scenarios(tmp_path, scenario)
+    run = await submit(parts)
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    play = BlockedCall(monkeypatch, SimulatorHandle, "play", after=not fails_first)
+    save = BlockedCall(monkeypatch, parts.store, "save")
+    change = parts.registry.change_event(run.run_id)
+    with parts.reject_writes(), expect_refusal("unavailable"):
+        predicting = asyncio.create_task(
+            parts.executor.predict(run, predict_command(turn))
+        )
+        await play.wait_until_reached()
+        await save.wait_until_reached()
+        if fails_first:
+            save.open()
+            assert await parts.registry.wait_for_change(change, TIMEOUT_S)
+            play.open()
+        else:
+            play.open()
+            save.open()
+        await predicting
 
 
-def test_older_databases_count_what_has_left_a_trace(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
+async def test_older_databases_count_what_has_left_a_trace(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for run_id in ("run_1", "run_2", "run_3"):
             run = await submit(parts, run_id)
             if run_id != "run_2":
@@ -115,24 +109,15 @@ def test_older_databases_count_what_has_left_a_trace(tmp_path: Path) -> None:
             for column in ("played_number", "deleted_at_wall"):
                 database.execute(f"ALTER TABLE runs DROP COLUMN {column}")
             database.commit()
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         ids = ["run_1", "run_2", "run_3"]
         heads = await parts.store.heads(ids)
         assert [heads[one].played_number for one in ids] == [1, None, 2]
 
-    run_scenarios(tmp_path, before, after)
 
-
-def test_all_that_is_stored_goes_and_the_run_stays_counted(tmp_path: Path) -> None:
-    async def run() -> None:
-        async with asyncio.timeout(TIMEOUT_S):
-            recordings = Recordings(tmp_path / "records")
-            async with open_server_parts(
-                tmp_path / "proctor.sqlite", recordings=recordings
-            ) as parts:
-                await scenario(parts, recordings)
-
+async def test_all_that_is_stored_goes_and_the_run_stays_counted(
+    tmp_path: Path,
+) -> None:
     async def scenario(parts: ServerParts, recordings: Recordings) -> None:
         recordings.open()
         host = HostSettings("host", None)
@@ -156,72 +141,67 @@ def test_all_that_is_stored_goes_and_the_run_stays_counted(tmp_path: Path) -> No
         await play_one_action(parts, second)
         assert (second.played_number, second.attempts_by_submitter) == (2, 2)
 
-    asyncio.run(run())
+    async with asyncio.timeout(TIMEOUT_S):
+        recordings = Recordings(tmp_path / "records")
+        async with open_server_parts(
+            tmp_path / "proctor.sqlite", recordings=recordings
+        ) as parts:
+            await scenario(parts, recordings)
 
 
-def test_no_request_meanwhile_sees_half_a_deletion(tmp_path: Path) -> None:
+async def test_no_request_meanwhile_sees_half_a_deletion(parts: ServerParts) -> None:
     """A worker, a reader who waits, and a page of the list, while it is deleted."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await submit(parts)
-        other = await submit(parts, "run_2")
-        change = parts.registry.change_event("run_1")
-        waiting = asyncio.create_task(parts.registry.wait_for_change(change, TIMEOUT_S))
-        deleting = asyncio.create_task(parts.service.delete_run("alice", "run_1"))
-        await asyncio.sleep(0)
-        with expect_refusal("not_found"):
-            await parts.service.attach_worker("alice", "run_1", Attach("w", "key"))
-        await deleting
-        assert await waiting
-        with expect_refusal("not_found"):
-            await parts.executor.attach(run, Attach("w", "key"))
-        with expect_refusal("not_found"):
-            await parts.service.delete_run("alice", "run_1")
-        page = await parts.service.list_runs("alice", None, 10, "http://host")
-        assert [view["run_id"] for _, view in page] == [other.run_id]
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_a_page_is_not_short_of_a_run_that_is_deleted_meanwhile(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        for number in (1, 2, 3):
-            await submit(parts, f"run_{number}")
-        right = parts.store.heads
-
-        async def delete_first(run_ids: Any) -> Any:
-            monkeypatch.setattr(parts.store, "heads", right)
-            await parts.service.delete_run("alice", "run_2")
-            return await right(run_ids)
-
-        monkeypatch.setattr(parts.store, "heads", delete_first)
-        page = await parts.registry.page("alice", None, 2, lambda run: run.run_id)
-        assert page == ["run_3", "run_1"]
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_a_run_that_cannot_be_deleted_is_as_before(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await submit(parts)
-        with parts.reject_writes(), pytest.raises(StoreFailed):
-            await parts.service.delete_run("alice", "run_1")
-        run = await parts.registry.get("run_1")
-        assert run.state == "ready"
+    run = await submit(parts)
+    other = await submit(parts, "run_2")
+    change = parts.registry.change_event("run_1")
+    waiting = asyncio.create_task(parts.registry.wait_for_change(change, TIMEOUT_S))
+    deleting = asyncio.create_task(parts.service.delete_run("alice", "run_1"))
+    await asyncio.sleep(0)
+    with expect_refusal("not_found"):
+        await parts.service.attach_worker("alice", "run_1", Attach("w", "key"))
+    await deleting
+    assert await waiting
+    with expect_refusal("not_found"):
         await parts.executor.attach(run, Attach("w", "key"))
+    with expect_refusal("not_found"):
+        await parts.service.delete_run("alice", "run_1")
+    page = await parts.service.list_runs("alice", None, 10, "http://host")
+    assert [view["run_id"] for _, view in page] == [other.run_id]
 
-    run_scenarios(tmp_path, scenario)
+
+async def test_a_page_is_not_short_of_a_run_that_is_deleted_meanwhile(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
+) -> None:
+    for number in (1, 2, 3):
+        await submit(parts, f"run_{number}")
+    right = parts.store.heads
+
+    async def delete_first(run_ids: Any) -> Any:
+        monkeypatch.setattr(parts.store, "heads", right)
+        await parts.service.delete_run("alice", "run_2")
+        return await right(run_ids)
+
+    monkeypatch.setattr(parts.store, "heads", delete_first)
+    page = await parts.registry.page("alice", None, 2, lambda run: run.run_id)
+    assert page == ["run_3", "run_1"]
 
 
-def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -> None:
+async def test_a_run_that_cannot_be_deleted_is_as_before(parts: ServerParts) -> None:
+    await submit(parts)
+    with parts.reject_writes(), pytest.raises(StoreFailed):
+        await parts.service.delete_run("alice", "run_1")
+    run = await parts.registry.get("run_1")
+    assert run.state == "ready"
+    await parts.executor.attach(run, Attach("w", "key"))
+
+
+async def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -> None:
     names = ["old", "published", "resumed", "open", "new"]
 
     async def is_kept(run_id: str, _by_host: bool) -> bool:
         return run_id == "published"
 
-    async def long_ago(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for run_id in names:
             await submit(parts, run_id)
         for run_id in ("old", "published", "resumed"):
@@ -232,8 +212,7 @@ def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -> None
                 "UPDATE runs SET updated_at_wall = 0 WHERE run_id != 'new'"
             )
             database.commit()
-
-    async def today(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         object.__setattr__(parts.service, "is_kept", is_kept)
         await parts.service.stop_run("alice", "new")
         await parts.service.resume_run("alice", "resumed")
@@ -243,32 +222,26 @@ def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -> None
         with expect_refusal("not_deletable"):
             await parts.service.delete_run("alice", "published")
 
-    run_scenarios(tmp_path, long_ago, today)
 
-
-def test_hourly_work_is_repeated_after_it_failed(
+async def test_hourly_work_is_repeated_after_it_failed(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(hourly_work, "HOUR_S", 0.0)
+    calls: list[int] = []
+    is_repeated = asyncio.Event()
 
-    async def scenario() -> None:
-        calls: list[int] = []
-        is_repeated = asyncio.Event()
+    async def fail_first() -> None:
+        calls.append(1)
+        if len(calls) == 1:
+            raise StoreFailed("the disk is full")
+        is_repeated.set()
 
-        async def fail_first() -> None:
-            calls.append(1)
-            if len(calls) == 1:
-                raise StoreFailed("the disk is full")
-            is_repeated.set()
-
-        work = HourlyWork(fail_first, "old runs could not be deleted")
+    work = HourlyWork(fail_first, "old runs could not be deleted")
+    await work.close()
+    work.open()
+    async with asyncio.timeout(TIMEOUT_S):
+        await is_repeated.wait()
         await work.close()
-        work.open()
-        async with asyncio.timeout(TIMEOUT_S):
-            await is_repeated.wait()
-            await work.close()
-
-    asyncio.run(scenario())
     assert "old runs could not be deleted" in caplog.text
     assert "the disk is full" in caplog.text
 
@@ -283,14 +256,11 @@ def test_a_deleted_run_counts_little_and_its_key_as_before() -> None:
         usage.check_new("alice", has_key=True)
 
 
-def test_the_key_of_a_deleted_run_says_so(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await parts.registry.add(calibration_run(played_number=None), "key", "0" * 64)
-        await parts.service.delete_run("alice", "run_1")
-        again = calibration_run(run_id="run_2")
-        with expect_refusal("not_found") as caught:
-            await parts.registry.add(again, "key", "0" * 64)
-        assert "was deleted" in caught.value.detail
-        assert not await is_there(parts, "run_2")
-
-    run_scenarios(tmp_path, scenario)
+async def test_the_key_of_a_deleted_run_says_so(parts: ServerParts) -> None:
+    await parts.registry.add(calibration_run(played_number=None), "key", "0" * 64)
+    await parts.service.delete_run("alice", "run_1")
+    again = calibration_run(run_id="run_2")
+    with expect_refusal("not_found") as caught:
+        await parts.registry.add(again, "key", "0" * 64)
+    assert "was deleted" in caught.value.detail
+    assert not await is_there(parts, "run_2")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
-
 import pytest
 
 from reference_server.rules.run import Run, Session, SessionEnd
@@ -103,37 +101,28 @@ def test_a_run_has_the_sessions_that_ended_last(
 # --- changes ---
 
 
-def test_all_who_wait_for_a_run_see_one_change_of_it() -> None:
-    async def scenario() -> None:
-        changes = RunChanges()
-        first, second, other = (changes.next_of(name) for name in "aab")
-        assert first is second
-        changes.wake("a")
-        changes.wake("c")
-        assert first.is_set()
-        assert not first.is_elsewhere
-        assert not other.is_set()
-        assert changes.next_of("a") is not first
-
-    asyncio.run(scenario())
+async def test_all_who_wait_for_a_run_see_one_change_of_it() -> None:
+    changes = RunChanges()
+    first, second, other = (changes.next_of(name) for name in "aab")
+    assert first is second
+    changes.wake("a")
+    changes.wake("c")
+    assert first.is_set()
+    assert not first.is_elsewhere
+    assert not other.is_set()
+    assert changes.next_of("a") is not first
 
 
-def test_those_who_wait_are_sent_to_another_node() -> None:
-    async def scenario() -> None:
-        changes = RunChanges()
-        waiting = [changes.next_of(name) for name in "ab"]
-        changes.wake_all(is_elsewhere=True)
-        assert [one.is_elsewhere for one in waiting] == [True, True]
-
-    asyncio.run(scenario())
+async def test_those_who_wait_are_sent_to_another_node() -> None:
+    changes = RunChanges()
+    waiting = [changes.next_of(name) for name in "ab"]
+    changes.wake_all(is_elsewhere=True)
+    assert [one.is_elsewhere for one in waiting] == [True, True]
 
 
-def test_who_waits_no_more_is_forgotten() -> None:
-    async def scenario() -> None:
-        changes = RunChanges()
-        change = changes.next_of("a")
-        assert len(changes) == 1
-        del change
-        assert len(changes) == 0
-
-    asyncio.run(scenario())
+async def test_who_waits_no_more_is_forgotten() -> None:
+    changes = RunChanges()
+    change = changes.next_of("a")
+    assert len(changes) == 1
+    del change
+    assert len(changes) == 0

@@ -25,17 +25,17 @@ from tests.support.server.server_parts import (
     count_rows,
     expect_refusal,
     fail_writes,
+    open_server_parts,
     predict_command,
     record_score,
-    run_scenarios,
 )
 from tests.support.servers import TIMEOUT_S
 
 # --- the key of a submit ---
 
 
-def test_concurrent_submits_with_one_key_make_one_run(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_concurrent_submits_with_one_key_make_one_run(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         runs = [calibration_run(run_id=f"run_{number}") for number in range(8)]
         made = await asyncio.gather(
             *(parts.registry.add(r, "key", "same") for r in runs)
@@ -49,18 +49,15 @@ def test_concurrent_submits_with_one_key_make_one_run(tmp_path: Path) -> None:
         with expect_refusal("idempotency_conflict"):
             await parts.registry.add(calibration_run(run_id="c"), "key", "another")
         assert count_rows(parts.path, "runs") == 2
-
-    async def afterwards(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         again = await parts.registry.add(calibration_run(run_id="d"), "key", "same")
         assert again.run_id.startswith("run_")
-
-    run_scenarios(tmp_path, scenario, afterwards)
 
 
 # --- a new start ---
 
 
-def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
+async def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
     states = [
         "queued",
         "ready",
@@ -70,8 +67,7 @@ def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
         "failed",
         "completed",
     ]
-
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for state in states:
             held = {
                 "queue_until_wall": 1e11,
@@ -79,17 +75,14 @@ def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
             }
             run = calibration_run(run_id=state, state=state, **held)
             await parts.store.insert(run, None, "")
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         found = {state: (await parts.registry.get(state)).state for state in states}
         ended = {"running": "ready", "stopping": "stopped"}
         assert found == {state: ended.get(state, state) for state in states}
         assert parts.registry.queue_position(await parts.registry.get("queued")) == 1
 
-    run_scenarios(tmp_path, before, after)
 
-
-def test_the_age_of_the_queue_needs_no_database(
+async def test_the_age_of_the_queue_needs_no_database(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def age(parts: ServerParts) -> float:
@@ -97,140 +90,116 @@ def test_the_age_of_the_queue_needs_no_database(
             patch.setattr("time.time", lambda: 5000.0)
             return parts.registry.oldest_queued_s()
 
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         assert age(parts) == 0.0
         for number, updated in enumerate((500.0, 1000.0, 2000.0)):
             run = calibration_run(run_id=f"run_{number}", updated_at_wall=updated)
             await parts.registry.add(run, None, "")
         assert age(parts) == 4000.0, "run_0 is not queued"
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         assert (await parts.registry.get("run_1")).state == "ready"
         assert age(parts) == 3000.0
         await parts.service.stop_run("alice", "run_2", "abort")
         assert age(parts) == 0.0
 
-    run_scenarios(tmp_path, before, after, active_max=1)
 
-
-def test_a_restart_admits_runs_up_to_the_limit(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
+async def test_a_restart_admits_runs_up_to_the_limit(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         for number in range(3):
             run = calibration_run(run_id=f"run_{number}")
             await parts.store.insert(run, None, "")
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         runs = [await parts.registry.get(f"run_{number}") for number in range(3)]
         assert [run.state for run in runs] == ["ready", "ready", "queued"]
 
-    run_scenarios(tmp_path, before, after, active_max=2)
 
-
-def test_answered_results_are_stored(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        turn = await parts.executor.predict(
-            run, predict_command(turn, score=0.25, end=1)
-        )
-        assert turn["episode_result"]["score"] == 0.25
-        await parts.executor.predict(run, predict_command(turn, score=0.5))
-        # Nothing is said to the store of how this ends: as if the process were killed.
-        stored = await parts.store.load(run.run_id)
-        assert stored is not None
-        assert [e.result is not None for e in stored.episodes] == [True, False]
-        assert stored.episodes[1].attempt == 1  # CRASH-002
-
-    run_scenarios(tmp_path, before)
+async def test_answered_results_are_stored(parts: ServerParts) -> None:
+    run = await parts.registry.add(calibration_run(), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    turn = await parts.executor.predict(run, predict_command(turn, score=0.25, end=1))
+    assert turn["episode_result"]["score"] == 0.25
+    await parts.executor.predict(run, predict_command(turn, score=0.5))
+    # Nothing is said to the store of how this ends: as if the process were killed.
+    stored = await parts.store.load(run.run_id)
+    assert stored is not None
+    assert [e.result is not None for e in stored.episodes] == [True, False]
+    assert stored.episodes[1].attempt == 1  # CRASH-002
 
 
 # --- writes that fail ---
 
 
-def test_a_submit_that_cannot_be_stored_makes_no_run(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        with parts.reject_writes(), pytest.raises(StoreFailed, match="disk is full"):
-            await parts.registry.add(calibration_run(), "key", "body")
-        assert count_rows(parts.path, "runs") == 0
-        run = await parts.registry.add(calibration_run(), "key", "body")
-        assert run.number == 1
-
-    run_scenarios(tmp_path, scenario)
+async def test_a_submit_that_cannot_be_stored_makes_no_run(parts: ServerParts) -> None:
+    with parts.reject_writes(), pytest.raises(StoreFailed, match="disk is full"):
+        await parts.registry.add(calibration_run(), "key", "body")
+    assert count_rows(parts.path, "runs") == 0
+    run = await parts.registry.add(calibration_run(), "key", "body")
+    assert run.number == 1
 
 
-def test_an_unreadable_database_is_reported(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await parts.store.insert(calibration_run(), None, "")
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute("ALTER TABLE runs RENAME TO elsewhere")
-        with pytest.raises(StoreFailed):
-            await parts.registry.get("run_1")
-        with pytest.raises(StoreFailed):
-            await parts.registry.page("alice", None, 10, lambda run: run)
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute("ALTER TABLE elsewhere RENAME TO runs")
-        assert (await parts.registry.get("run_1")).run_id == "run_1"
-
-    run_scenarios(tmp_path, scenario)
+async def test_an_unreadable_database_is_reported(parts: ServerParts) -> None:
+    await parts.store.insert(calibration_run(), None, "")
+    with contextlib.closing(sqlite3.connect(parts.path)) as database:
+        database.execute("ALTER TABLE runs RENAME TO elsewhere")
+    with pytest.raises(StoreFailed):
+        await parts.registry.get("run_1")
+    with pytest.raises(StoreFailed):
+        await parts.registry.page("alice", None, 10, lambda run: run)
+    with contextlib.closing(sqlite3.connect(parts.path)) as database:
+        database.execute("ALTER TABLE elsewhere RENAME TO runs")
+    assert (await parts.registry.get("run_1")).run_id == "run_1"
 
 
-def test_an_unstored_result_is_not_answered(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("score", "score"), None, "")
-        other = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
-        a = await parts.executor.attach(run, Attach("a", "key"))
-        b = await parts.executor.attach(run, Attach("b", "key"))
-        elsewhere = await parts.executor.attach(other, Attach("w", "key"))
-        waiting = asyncio.create_task(
-            parts.registry.wait_for_change(
-                parts.registry.change_event(run.run_id), TIMEOUT_S
-            )
+async def test_an_unstored_result_is_not_answered(parts: ServerParts) -> None:
+    run = await parts.registry.add(calibration_run("score", "score"), None, "")
+    other = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
+    a = await parts.executor.attach(run, Attach("a", "key"))
+    b = await parts.executor.attach(run, Attach("b", "key"))
+    elsewhere = await parts.executor.attach(other, Attach("w", "key"))
+    waiting = asyncio.create_task(
+        parts.registry.wait_for_change(
+            parts.registry.change_event(run.run_id), TIMEOUT_S
         )
-        with parts.reject_writes(), expect_refusal("unavailable"):
-            await parts.executor.predict(run, predict_command(a, "a", score=1, end=1))
-        assert await waiting, "every caller that waits for a change is woken"
-        # The run is as the store has it: in no session's hands, with nothing scored.
-        found = await parts.registry.get(run.run_id)
-        assert found is not run
-        assert (found.state, found.scored, found.live_sessions) == ("ready", 0, [])
-        assert [e.attempt for e in found.episodes] == [1, 1]
-        for worker_id, turn in (("a", a), ("b", b)):
-            with expect_refusal("session_ended", ended_by="unknown"):
-                await parts.executor.predict(found, predict_command(turn, worker_id))
-        # Nothing else is lost.
-        await parts.executor.predict(other, predict_command(elsewhere, score=1))
-        turn = await parts.executor.attach(found, Attach("a", "again"))
-        while not turn["done"]:
-            turn = await parts.executor.predict(
-                found, predict_command(turn, "a", score=1, end=1)
-            )
-        stored = await parts.store.load(run.run_id)
-        assert stored is not None
-        assert stored.scored == 2
+    )
+    with parts.reject_writes(), expect_refusal("unavailable"):
+        await parts.executor.predict(run, predict_command(a, "a", score=1, end=1))
+    assert await waiting, "every caller that waits for a change is woken"
+    # The run is as the store has it: in no session's hands, with nothing scored.
+    found = await parts.registry.get(run.run_id)
+    assert found is not run
+    assert (found.state, found.scored, found.live_sessions) == ("ready", 0, [])
+    assert [e.attempt for e in found.episodes] == [1, 1]
+    for worker_id, turn in (("a", a), ("b", b)):
+        with expect_refusal("session_ended", ended_by="unknown"):
+            await parts.executor.predict(found, predict_command(turn, worker_id))
+    # Nothing else is lost.
+    await parts.executor.predict(other, predict_command(elsewhere, score=1))
+    turn = await parts.executor.attach(found, Attach("a", "again"))
+    while not turn["done"]:
+        turn = await parts.executor.predict(
+            found, predict_command(turn, "a", score=1, end=1)
+        )
+    stored = await parts.store.load(run.run_id)
+    assert stored is not None
+    assert stored.scored == 2
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_a_clock_that_is_set_back_does_not_set_a_run_back(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_clock_that_is_set_back_does_not_set_a_run_back(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """RUN-021. Each change is later than the one before, if by less than is shown."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        seen = []
-        for now in (5000.0, 4000.0, 6000.0):
-            monkeypatch.setattr("time.time", lambda now=now: now)
-            await parts.registry.commit(run)
-            seen.append(run.updated_at_wall)
-        assert 5000.0 == seen[0] < seen[1] < 5000.0001
-        assert seen[2] == 6000.0
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(), None, "")
+    seen = []
+    for now in (5000.0, 4000.0, 6000.0):
+        monkeypatch.setattr("time.time", lambda now=now: now)
+        await parts.registry.commit(run)
+        seen.append(run.updated_at_wall)
+    assert 5000.0 == seen[0] < seen[1] < 5000.0001
+    assert seen[2] == 6000.0
 
 
-def test_an_unstored_resume_has_no_effect(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_an_unstored_resume_has_no_effect(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         run = await parts.registry.add(calibration_run(state="stopped"), None, "")
         run.state = "queued"
         with parts.reject_writes(), expect_refusal("unavailable"):
@@ -248,31 +217,25 @@ def test_an_unstored_resume_has_no_effect(tmp_path: Path) -> None:
         later = [(await parts.registry.get(f"run_{n}")).state for n in (2, 3)]
         assert later == ["ready", "ready"]
 
-    run_scenarios(tmp_path, scenario, active_max=2)
-
 
 @pytest.mark.parametrize("error", [StoreFailed("full"), OSError("gone"), KeyError(1)])
-def test_any_failed_write_reloads_the_run(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception
+async def test_any_failed_write_reloads_the_run(
+    monkeypatch: pytest.MonkeyPatch, error: Exception, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        fail_writes(monkeypatch, parts, {run.run_id}, error)
-        record_score(run, 0)
-        with expect_refusal("unavailable"):
-            await parts.registry.commit(run)
-        found = await parts.registry.get(run.run_id)
-        assert (found is run, found.scored) == (False, 0)
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(), None, "")
+    fail_writes(monkeypatch, parts, {run.run_id}, error)
+    record_score(run, 0)
+    with expect_refusal("unavailable"):
+        await parts.registry.commit(run)
+    found = await parts.registry.get(run.run_id)
+    assert (found is run, found.scored) == (False, 0)
 
 
-def test_a_queued_run_whose_write_failed_keeps_its_turn(
+async def test_a_queued_run_whose_write_failed_keeps_its_turn(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """All places are taken. Expect it in the queue when it is read again."""
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         for number in (1, 2, 3):
             await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
         fail_writes(monkeypatch, parts, {"run_3"}, StoreFailed("full"))
@@ -281,41 +244,35 @@ def test_a_queued_run_whose_write_failed_keeps_its_turn(
         run = await parts.registry.get("run_3")
         assert (run.state, parts.registry.queue_position(run)) == ("queued", 2)
 
-    run_scenarios(tmp_path, scenario, active_max=1)
 
-
-def test_a_damaged_run_does_not_keep_others_in_the_queue(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_damaged_run_does_not_keep_others_in_the_queue(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def before(parts: ServerParts) -> None:
-        for number in (1, 2, 3):
-            run = calibration_run(run_id=f"run_{number}")
-            await parts.store.insert(run, None, "")
-        load = parts.store.load
+    for number in (1, 2, 3):
+        run = calibration_run(run_id=f"run_{number}")
+        await parts.store.insert(run, None, "")
+    load = parts.store.load
 
-        async def load_others(run_id: str) -> Run | None:
-            if run_id == "run_1":
-                raise ValueError("a row that cannot be read")
-            return await load(run_id)
+    async def load_others(run_id: str) -> Run | None:
+        if run_id == "run_1":
+            raise ValueError("a row that cannot be read")
+        return await load(run_id)
 
-        monkeypatch.setattr(parts.store, "load", load_others)
-        await parts.registry.open()
-        for run_id in ("run_2", "run_3"):
+    monkeypatch.setattr(parts.store, "load", load_others)
+    await parts.registry.open()
+    for run_id in ("run_2", "run_3"):
+        change = parts.registry.change_event(run_id)
+        while (await parts.store.heads([run_id]))[run_id].state != "ready":
+            await change.wait()
             change = parts.registry.change_event(run_id)
-            while (await parts.store.heads([run_id]))[run_id].state != "ready":
-                await change.wait()
-                change = parts.registry.change_event(run_id)
-
-    run_scenarios(tmp_path, before)
 
 
 @pytest.mark.parametrize("readable", [True, False])
-def test_a_run_whose_admission_failed_is_admitted_later(
+async def test_a_run_whose_admission_failed_is_admitted_later(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, readable: bool
 ) -> None:
     """No client requests it; it keeps its place, and the rest of the queue waits on."""
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         first = await parts.registry.add(calibration_run(), None, "")
         for number in (2, 3):
             await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
@@ -342,40 +299,34 @@ def test_a_run_whose_admission_failed_is_admitted_later(
         assert parts.registry.queue_position(await parts.registry.get("run_3")) == 1
         assert unread == []
 
-    run_scenarios(tmp_path, scenario, active_max=1)
 
-
-def test_two_failed_writes_of_a_run_reload_it_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_two_failed_writes_of_a_run_reload_it_once(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """The second one of the object that a request loaded meanwhile."""
-
-    async def scenario(parts: ServerParts) -> None:
-        failed: list[Any] = []
-        loop = asyncio.get_running_loop()
-        loop.set_exception_handler(lambda _, context: failed.append(context))
-        run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.is_stored(run)
-        broken = {run.run_id}
-        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
-        monkeypatch.setattr(registry, "RELOAD_S", 0.05)
-        for _ in range(2):
-            run = await parts.registry.get(run.run_id)
-            record_score(run, 0)
-            with expect_refusal("unavailable"):
-                await parts.registry.commit(run)
-        broken.clear()
-        await asyncio.sleep(0.15)
-        assert parts.registry._reload_timers == {}
-        assert failed == []
-
-    run_scenarios(tmp_path, scenario)
+    failed: list[Any] = []
+    loop = asyncio.get_running_loop()
+    loop.set_exception_handler(lambda _, context: failed.append(context))
+    run = await parts.registry.add(calibration_run(), None, "")
+    await parts.registry.is_stored(run)
+    broken = {run.run_id}
+    fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+    monkeypatch.setattr(registry, "RELOAD_S", 0.05)
+    for _ in range(2):
+        run = await parts.registry.get(run.run_id)
+        record_score(run, 0)
+        with expect_refusal("unavailable"):
+            await parts.registry.commit(run)
+    broken.clear()
+    await asyncio.sleep(0.15)
+    assert parts.registry._reload_timers == {}
+    assert failed == []
 
 
-def test_a_failing_database_is_one_line_in_the_log(
+async def test_a_failing_database_is_one_line_in_the_log(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run(), None, "")
         await parts.registry.is_stored(run)
         fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("the disk is full"))
@@ -384,8 +335,6 @@ def test_a_failing_database_is_one_line_in_the_log(
             record_score(run, 0)
             with expect_refusal("unavailable"):
                 await parts.registry.commit(run)
-
-    run_scenarios(tmp_path, scenario)
     assert [(r.getMessage(), r.exc_info) for r in caplog.records] == [
         ("a run could not be stored: the disk is full", None)
     ]
@@ -403,7 +352,7 @@ async def wait_until_admitted(parts: ServerParts, run: Run) -> None:
 
 
 @pytest.mark.parametrize("jump_s", [-1e6, 1e6])
-def test_a_set_clock_changes_no_wait_in_the_queue(
+async def test_a_set_clock_changes_no_wait_in_the_queue(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, jump_s: float
 ) -> None:
     async def submit(parts: ServerParts, queue_s: float) -> Run:
@@ -414,7 +363,7 @@ def test_a_set_clock_changes_no_wait_in_the_queue(
         }
         return await parts.service.submit_run("alice", submission)
 
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         held, now = await submit(parts, 60.0), time.time()
         short = await submit(parts, 0.05)
         monkeypatch.setattr(time, "time", lambda: now + jump_s)
@@ -422,45 +371,39 @@ def test_a_set_clock_changes_no_wait_in_the_queue(
         await wait_until_admitted(parts, short)
         assert held.state == "queued"
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_a_clock_set_back_before_a_restart_holds_no_run_longer(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
+async def test_a_clock_set_back_before_a_restart_holds_no_run_longer(
+    tmp_path: Path,
+) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         submission = {"options": {"queue_s": 0.05}}
         run = calibration_run(queue_until_wall=1e11, submission=submission)
         await parts.store.insert(run, None, "")
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await wait_until_admitted(parts, await parts.registry.get("run_1"))
 
-    run_scenarios(tmp_path, before, after)
 
-
-def test_a_cancelled_caller_does_not_cancel_the_write(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_cancelled_caller_does_not_cancel_the_write(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.is_stored(run)
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        record_score(run, 0)
-        leaving = asyncio.create_task(parts.registry.commit(run))
-        await blocked.wait_until_reached()
-        leaving.cancel()
-        await asyncio.wait([leaving])
-        assert leaving.cancelled()
-        blocked.open()
-        await parts.registry.close()
-        stored = await parts.store.load(run.run_id)
-        assert stored is not None
-        assert stored.scored == 1
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(), None, "")
+    await parts.registry.is_stored(run)
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    record_score(run, 0)
+    leaving = asyncio.create_task(parts.registry.commit(run))
+    await blocked.wait_until_reached()
+    leaving.cancel()
+    await asyncio.wait([leaving])
+    assert leaving.cancelled()
+    blocked.open()
+    await parts.registry.close()
+    stored = await parts.store.load(run.run_id)
+    assert stored is not None
+    assert stored.scored == 1
 
 
 @pytest.mark.parametrize("is_stored", [True, False])
-def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
+async def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
@@ -468,7 +411,10 @@ def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
 ) -> None:
     """It was stored, and counted as if it were not: it waited for ever in the queue."""
 
-    async def scenario(parts: ServerParts) -> None:
+    async def fail(_: object) -> None:
+        raise StoreFailed("full")
+
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         if not is_stored:
             monkeypatch.setattr(parts.store, "_write_at_once", fail)
         blocked = BlockedCall(monkeypatch, parts.store, "insert", after=is_stored)
@@ -484,21 +430,15 @@ def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
         assert parts.registry.usage.count_open() == int(is_stored)
         assert parts.registry.has("run_1") is is_stored
         assert ("run_1" in parts.registry._admission.places) is is_stored
-
-    async def fail(_: object) -> None:
-        raise StoreFailed("full")
-
-    run_scenarios(tmp_path, scenario)
     gc.collect()
     assert_no_error_logged(caplog)
 
 
-def test_closing_waits_for_tasks_of_the_last_writes(
+async def test_closing_waits_for_tasks_of_the_last_writes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A write ends, its run leaves room; nothing is admitted by a server that ends."""
-
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         held = calibration_run(run_id="run_3", queue_until_wall=1e11)
         await parts.registry.add(held, None, "")
         first = await parts.registry.add(calibration_run(), None, "")
@@ -523,71 +463,56 @@ def test_closing_waits_for_tasks_of_the_last_writes(
         stored = [await parts.store.load(f"run_{n}") for n in (1, 2)]
         assert [run and run.state for run in stored] == ["stopped", "queued"]
 
-    run_scenarios(tmp_path, before, active_max=1)
 
-
-def test_a_timer_that_fires_early_is_set_again(tmp_path: Path) -> None:
+async def test_a_timer_that_fires_early_is_set_again(parts: ServerParts) -> None:
     """By the resolution of the loop's clock. Expect the next one, and an admission."""
-
-    async def scenario(parts: ServerParts) -> None:
-        # Longer than storing it may take: no timer would be left after that.
-        until = time.time() + 5.0
-        held = calibration_run(run_id="run_3", queue_until_wall=until)
-        await parts.registry.add(held, None, "")
-        parts.registry._admission._admit_in_time()
-        timer = parts.registry._admission._timer
-        assert timer is not None
-        assert not timer.cancelled()
-        while held.state == "queued":
-            await parts.registry.wait_for_change(
-                parts.registry.change_event(held.run_id), 10.0
-            )
-        assert held.state == "ready"
-
-    run_scenarios(tmp_path, scenario)
+    # Longer than storing it may take: no timer would be left after that.
+    until = time.time() + 5.0
+    held = calibration_run(run_id="run_3", queue_until_wall=until)
+    await parts.registry.add(held, None, "")
+    parts.registry._admission._admit_in_time()
+    timer = parts.registry._admission._timer
+    assert timer is not None
+    assert not timer.cancelled()
+    while held.state == "queued":
+        await parts.registry.wait_for_change(
+            parts.registry.change_event(held.run_id), 10.0
+        )
+    assert held.state == "ready"
 
 
 # --- one object per run ---
 
 
-def test_concurrent_reads_load_a_run_once(tmp_path: Path) -> None:
-    async def before(parts: ServerParts) -> None:
+async def test_concurrent_reads_load_a_run_once(tmp_path: Path) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await parts.registry.add(calibration_run(), None, "")
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         found = await asyncio.gather(*(parts.registry.get("run_1") for _ in range(8)))
         assert len({id(run) for run in found}) == 1
         with expect_refusal("not_found"):
             await parts.registry.get("run_1", "bob")
 
-    run_scenarios(tmp_path, before, after)
 
-
-def test_a_new_run_is_one_object(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_new_run_is_one_object(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """Between the commit of its row and our hearing of it, a list may show it."""
-
-    async def scenario(parts: ServerParts) -> None:
-        blocked = BlockedCall(monkeypatch, parts.store, "insert", after=True)
-        adding = asyncio.create_task(parts.registry.add(calibration_run(), None, ""))
-        await blocked.wait_until_reached()
-        (found,) = await parts.registry.page("alice", None, 9, lambda run: run)
-        blocked.open()
-        assert found is await adding
-
-    run_scenarios(tmp_path, scenario)
+    blocked = BlockedCall(monkeypatch, parts.store, "insert", after=True)
+    adding = asyncio.create_task(parts.registry.add(calibration_run(), None, ""))
+    await blocked.wait_until_reached()
+    (found,) = await parts.registry.page("alice", None, 9, lambda run: run)
+    blocked.open()
+    assert found is await adding
 
 
-def test_a_slow_read_does_not_replace_a_newer_state(
+async def test_a_slow_read_does_not_replace_a_newer_state(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A second reader is slow; meanwhile the run changes and falls out of memory."""
-
-    async def before(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await parts.registry.add(calibration_run("score", "score"), None, "")
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         blocked = BlockedCall(monkeypatch, parts.store, "load", after=True)
         slow = asyncio.create_task(parts.registry.get("run_1"))
         await blocked.wait_until_reached()
@@ -597,16 +522,13 @@ def test_a_slow_read_does_not_replace_a_newer_state(
         blocked.open()
         assert await quick is await slow
 
-    run_scenarios(tmp_path, before, after)
 
-
-def test_an_evicted_run_is_read_again(
+async def test_an_evicted_run_is_read_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A finished run falls out of memory; what plays stays, whatever else is read."""
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 2)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for number in range(5):
             run = calibration_run("score", run_id=f"run_{number}")
             turn = await parts.executor.attach(
@@ -623,46 +545,40 @@ def test_an_evicted_run_is_read_again(
         assert (again.state, again.scored, again.live_sessions) == ("completed", 1, [])
         assert len((await parts.registry.get("run_1")).live_sessions) == 1
 
-    run_scenarios(tmp_path, scenario)
-
 
 @pytest.mark.parametrize("how", ["it is stopped", "it is admitted"])
-def test_waiters_are_notified_when_their_queue_position_changes(
-    tmp_path: Path, how: str
+async def test_waiters_are_notified_when_their_queue_position_changes(
+    how: str, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        first = calibration_run(queue_until_wall=1e11)
-        second = calibration_run(run_id="run_2", queue_until_wall=1e11)
-        for run in (first, second):
-            await parts.registry.add(run, None, "")
-        assert parts.registry.queue_position(second) == 2
-        waiting = asyncio.create_task(
-            parts.registry.wait_for_change(
-                parts.registry.change_event(second.run_id), TIMEOUT_S
-            )
+    first = calibration_run(queue_until_wall=1e11)
+    second = calibration_run(run_id="run_2", queue_until_wall=1e11)
+    for run in (first, second):
+        await parts.registry.add(run, None, "")
+    assert parts.registry.queue_position(second) == 2
+    waiting = asyncio.create_task(
+        parts.registry.wait_for_change(
+            parts.registry.change_event(second.run_id), TIMEOUT_S
         )
-        await asyncio.sleep(0)
-        if how == "it is stopped":
-            first.state = "stopped"
-        else:
-            first.queue_until_wall = 0.0
-        await parts.registry.commit(first)
-        assert await waiting
-        assert parts.registry.queue_position(second) == 1
-
-    run_scenarios(tmp_path, scenario)
+    )
+    await asyncio.sleep(0)
+    if how == "it is stopped":
+        first.state = "stopped"
+    else:
+        first.queue_until_wall = 0.0
+    await parts.registry.commit(first)
+    assert await waiting
+    assert parts.registry.queue_position(second) == 1
 
 
 # --- timers ---
 
 
-def test_what_a_timer_does_belongs_to_no_request(
+async def test_what_a_timer_does_belongs_to_no_request(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(registry, "RELOAD_S", 0.001)
     seen: list[tuple[str, str | None]] = []
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         runs, leases = parts.registry, parts.executor._resources
         run = await runs.add(calibration_run("count"), None, "")
         await parts.executor.attach(run, Attach("w", "key"))
@@ -684,5 +600,3 @@ def test_what_a_timer_does_belongs_to_no_request(
         REQUEST_ID.reset(token)
         runs._reload_timers.clear()
         assert dict(seen) == {"admit": None, "reload": None, "lease": None}
-
-    run_scenarios(tmp_path, scenario)

@@ -23,9 +23,9 @@ from tests.support.server.server_parts import (
     calibration_run,
     expect_refusal,
     fail_writes,
+    open_server_parts,
     predict_command,
     record_score,
-    run_scenarios,
     start_task,
     stop_run,
 )
@@ -69,33 +69,30 @@ def held_turns(parts: ServerParts) -> list[Any]:
 
 
 @pytest.mark.parametrize("state", sorted(RESTING_STATES))
-def test_reading_a_stable_run_does_not_load_it(tmp_path: Path, state: str) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await insert_runs(parts, finished_run(state=state))
-        look = parts.registry.read_view
-        assert await look("run_1", "alice", run_summary) == (state, 3, [])
-        page = await look("run_1", "alice", run_summary, 1, 2)
-        assert page == (state, 3, ["e0001"])
-        assert await look("run_1", "alice", run_summary, 2, 9) == (state, 3, ["e0002"])
-        assert await look("run_1", "alice", run_summary, 3, 9) == (state, 3, [])
-        everything = await look("run_1", "alice", run_views.score_view, end=None)
-        assert await parts.registry.page("alice", None, 9, lambda run: run.scored) == [
-            3
-        ]
-        assert runs_in_memory(parts) == []
-        run = await parts.registry.get("run_1")
-        assert run_views.score_view(run, run.episodes) == everything
-        assert await look("run_1", "alice", run_summary, 1, 2) == page
-
-    run_scenarios(tmp_path, scenario)
+async def test_reading_a_stable_run_does_not_load_it(
+    state: str, parts: ServerParts
+) -> None:
+    await insert_runs(parts, finished_run(state=state))
+    look = parts.registry.read_view
+    assert await look("run_1", "alice", run_summary) == (state, 3, [])
+    page = await look("run_1", "alice", run_summary, 1, 2)
+    assert page == (state, 3, ["e0001"])
+    assert await look("run_1", "alice", run_summary, 2, 9) == (state, 3, ["e0002"])
+    assert await look("run_1", "alice", run_summary, 3, 9) == (state, 3, [])
+    everything = await look("run_1", "alice", run_views.score_view, end=None)
+    assert await parts.registry.page("alice", None, 9, lambda run: run.scored) == [3]
+    assert runs_in_memory(parts) == []
+    run = await parts.registry.get("run_1")
+    assert run_views.score_view(run, run.episodes) == everything
+    assert await look("run_1", "alice", run_summary, 1, 2) == page
 
 
-def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
+async def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
     def whole(run: RunHead, episodes: Sequence[Episode]) -> list[object]:
         shown_state = [run_views.episode_view(episode) for episode in episodes]
         return [run_views.run_view(run, "http://x", None), shown_state]
 
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score", "echo", "count", state="stopped")
         run.episodes[0].attempt = run.episodes[0].faults = 2
         run.changed = {0}
@@ -105,98 +102,78 @@ def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
         run = await parts.registry.get("run_1")
         assert await parts.registry.read_view("run_1", "alice", whole, end=None) == read
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_foreign_runs_are_not_found(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await insert_runs(parts, finished_run())
-        details = []
-        for run_id in ("run_1", "run_2"):
-            with expect_refusal("not_found") as refused:
-                await parts.registry.read_view(run_id, "bob", run_summary)
-            details.append(refused.value.detail.replace(run_id, ""))
-        assert details[0] == details[1]
-
-    run_scenarios(tmp_path, scenario)
+async def test_foreign_runs_are_not_found(parts: ServerParts) -> None:
+    await insert_runs(parts, finished_run())
+    details = []
+    for run_id in ("run_1", "run_2"):
+        with expect_refusal("not_found") as refused:
+            await parts.registry.read_view(run_id, "bob", run_summary)
+        details.append(refused.value.detail.replace(run_id, ""))
+    assert details[0] == details[1]
 
 
 @pytest.mark.parametrize(
     ("row", "shown_state"), [("running", "ready"), ("queued", "ready")]
 )
-def test_an_unstable_row_is_loaded_first(
-    tmp_path: Path, row: str, shown_state: str
+async def test_an_unstable_row_is_loaded_first(
+    row: str, shown_state: str, parts: ServerParts
 ) -> None:
     """Its sessions were lost with a write, or it waits to be admitted."""
-
-    async def scenario(parts: ServerParts) -> None:
-        await insert_runs(parts, calibration_run(state=row))
-        found = await parts.registry.read_view("run_1", "alice", run_summary)
-        assert found == (shown_state, 0, [])
-
-    run_scenarios(tmp_path, scenario)
+    await insert_runs(parts, calibration_run(state=row))
+    found = await parts.registry.read_view("run_1", "alice", run_summary)
+    assert found == (shown_state, 0, [])
 
 
-def test_a_run_loaded_meanwhile_is_shown_in_its_new_state(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_run_loaded_meanwhile_is_shown_in_its_new_state(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        runs = [calibration_run("score", "score", run_id=f"run_{n}") for n in (1, 2)]
-        for run in runs:
-            run.state = "stopped"
-        await insert_runs(parts, *runs)
-        read_window = BlockedCall(monkeypatch, parts.store, "read_window", after=True)
-        heads = BlockedCall(monkeypatch, parts.store, "heads", after=True)
-        looking = start_task(
-            parts.registry.read_view("run_1", "alice", run_summary, end=None)
-        )
-        paging = start_task(
-            parts.registry.page("alice", None, 9, lambda run: run.state)
-        )
-        await read_window.wait_until_reached()
-        await heads.wait_until_reached()
-        run = await parts.registry.get("run_1")
-        effects.resume(run, 0.0)
-        await parts.registry.commit(run)
-        record_score(run, 1)
-        await parts.registry.commit(run)
-        read_window.open()
-        heads.open()
-        assert await looking == ("ready", 1, ["e0001"])
-        assert await paging == ["stopped", "ready"]
-
-    run_scenarios(tmp_path, scenario)
+    runs = [calibration_run("score", "score", run_id=f"run_{n}") for n in (1, 2)]
+    for run in runs:
+        run.state = "stopped"
+    await insert_runs(parts, *runs)
+    read_window = BlockedCall(monkeypatch, parts.store, "read_window", after=True)
+    heads = BlockedCall(monkeypatch, parts.store, "heads", after=True)
+    looking = start_task(
+        parts.registry.read_view("run_1", "alice", run_summary, end=None)
+    )
+    paging = start_task(parts.registry.page("alice", None, 9, lambda run: run.state))
+    await read_window.wait_until_reached()
+    await heads.wait_until_reached()
+    run = await parts.registry.get("run_1")
+    effects.resume(run, 0.0)
+    await parts.registry.commit(run)
+    record_score(run, 1)
+    await parts.registry.commit(run)
+    read_window.open()
+    heads.open()
+    assert await looking == ("ready", 1, ["e0001"])
+    assert await paging == ["stopped", "ready"]
 
 
-def test_a_read_never_shows_unstored_results(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_read_never_shows_unstored_results(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(state="ready"), None, "")
-        await parts.registry.is_stored(run)
-        fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
-        record_score(run, 0)
-        parts.registry.commit_later(run)
-        looked = await parts.registry.read_view("run_1", "alice", run_summary, end=None)
-        assert looked == ("ready", 0, [])
-        shown_state = await parts.registry.page(
-            "alice", None, 9, lambda run: run.scored
-        )
-        assert shown_state == [0]
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(state="ready"), None, "")
+    await parts.registry.is_stored(run)
+    fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
+    record_score(run, 0)
+    parts.registry.commit_later(run)
+    looked = await parts.registry.read_view("run_1", "alice", run_summary, end=None)
+    assert looked == ("ready", 0, [])
+    shown_state = await parts.registry.page("alice", None, 9, lambda run: run.scored)
+    assert shown_state == [0]
 
 
 # --- leaving memory ---
 
 
-def test_a_run_in_use_stays_one_object(
+async def test_a_run_in_use_stays_one_object(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The run leaves the kept ones while its reader has not had its turn."""
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(
             parts, *(finished_run(f"run_{number}") for number in range(4))
         )
@@ -215,16 +192,13 @@ def test_a_run_in_use_stays_one_object(
         await parts.registry.get("run_3")
         assert runs_in_memory(parts) == ["run_3"]
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_waiters_are_notified_of_evicted_runs(
+async def test_waiters_are_notified_of_evicted_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It waits for the id: the run is loaded again by the caller that changes it."""
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(
             parts, calibration_run(state="stopped"), finished_run("run_2")
         )
@@ -243,16 +217,13 @@ def test_waiters_are_notified_of_evicted_runs(
         await parts.registry.commit(run)
         assert await waiting
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_cached_runs_have_so_many_episodes_together(
+async def test_cached_runs_have_so_many_episodes_together(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run may have thousands, and each is a few hundred bytes."""
     monkeypatch.setattr(recent_runs, "CACHED_EPISODES_MAX", 7)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         runs = [finished_run(f"run_{number}") for number in range(4)]
         long = calibration_run(*["score"] * 8, run_id="run_8", played_number=None)
         long.state = "stopped"
@@ -268,32 +239,26 @@ def test_cached_runs_have_so_many_episodes_together(
             await parts.registry.get(f"run_{number}")
         assert runs_in_memory(parts) == ["run_0", "run_1"]
 
-    run_scenarios(tmp_path, scenario)
+
+async def test_waiting_keeps_no_run_in_memory(parts: ServerParts) -> None:
+    await insert_runs(parts, calibration_run(state="ready"))
+    change = parts.registry.change_event("run_1")
+    await parts.registry.read_view("run_1", "alice", run_summary)
+    waiting = start_task(parts.registry.wait_for_change(change, TIMEOUT_S))
+    await asyncio.sleep(0)
+    assert runs_in_memory(parts) == []
+    run = await parts.registry.get("run_1")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    assert await waiting
+    assert turn["seq"] == 0
 
 
-def test_waiting_keeps_no_run_in_memory(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await insert_runs(parts, calibration_run(state="ready"))
-        change = parts.registry.change_event("run_1")
-        await parts.registry.read_view("run_1", "alice", run_summary)
-        waiting = start_task(parts.registry.wait_for_change(change, TIMEOUT_S))
-        await asyncio.sleep(0)
-        assert runs_in_memory(parts) == []
-        run = await parts.registry.get("run_1")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        assert await waiting
-        assert turn["seq"] == 0
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_a_lease_ends_without_requests(
+async def test_a_lease_ends_without_requests(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What is played stays in memory; after its lease it is stored, and may leave."""
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
         run = calibration_run("count", idle_timeout_s=0.2)
         run = await parts.registry.add(run, None, "")
@@ -317,8 +282,6 @@ def test_a_lease_ends_without_requests(
         found = await parts.registry.read_view("run_1", "alice", attempt, end=1)
         assert found == ("ready", 2)
 
-    run_scenarios(tmp_path, scenario)
-
 
 @pytest.mark.parametrize(
     ("end", "is_done"),
@@ -330,14 +293,13 @@ def test_a_lease_ends_without_requests(
         ("run_stopped", False),
     ],
 )
-def test_why_a_session_ended_outlives_its_run_in_memory(
+async def test_why_a_session_ended_outlives_its_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: str, is_done: bool
 ) -> None:
     """DET-005: other runs are used meanwhile, so that its run leaves memory."""
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
     monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
         lease_s = 0.2 if end == "lease_ended" else 60.0
         run = calibration_run("count", idle_timeout_s=lease_s)
@@ -361,17 +323,14 @@ def test_why_a_session_ended_outlives_its_run_in_memory(
         with expect_refusal("session_ended", ended_by=end):
             parts.executor.heartbeat(run, Heartbeat("w", session_id))
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_a_session_that_is_done_keeps_no_run_in_memory(
+async def test_a_session_that_is_done_keeps_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A client may end a thousand runs within one lease, and repeat each last turn."""
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
     monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
         run = await parts.registry.add(calibration_run("score", "score"), None, "")
         attach = Attach("w", "key")
@@ -401,8 +360,6 @@ def test_a_session_that_is_done_keeps_no_run_in_memory(
             await parts.executor.predict(run, command)
         assert parts.executor.sessions == 0
 
-    run_scenarios(tmp_path, scenario)
-
 
 @pytest.mark.parametrize(
     "change",
@@ -414,31 +371,27 @@ def test_a_session_that_is_done_keeps_no_run_in_memory(
     ],
     ids=["with pictures", "a tuple", "too large", "of no form"],
 )
-def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
-    tmp_path: Path, change: dict[str, Any]
+async def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
+    change: dict[str, Any], parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("score"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        last = await parts.executor.predict(run, predict_command(turn, end=1))
-        last.update(change)
-        resources = parts.executor._resources.find(run.workers["w"])
-        assert resources is not None
-        resources.pack()
-        assert resources.session.turn is last
-        resources.unpack()
-        assert resources.session.turn is last
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run("score"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    last = await parts.executor.predict(run, predict_command(turn, end=1))
+    last.update(change)
+    resources = parts.executor._resources.find(run.workers["w"])
+    assert resources is not None
+    resources.pack()
+    assert resources.session.turn is last
+    resources.unpack()
+    assert resources.session.turn is last
 
 
-def test_a_lease_ends_that_has_no_run_in_memory(
+async def test_a_lease_ends_that_has_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
     monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
         run = calibration_run("score", idle_timeout_s=0.2)
         run = await parts.registry.add(run, None, "")
@@ -455,15 +408,12 @@ def test_a_lease_ends_that_has_no_run_in_memory(
             await parts.executor.predict(run, command)
         assert run.state == "completed"
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_closing_ends_sessions_that_have_no_run_in_memory(
+async def test_closing_ends_sessions_that_have_no_run_in_memory(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
         run = await parts.registry.add(calibration_run("score"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
@@ -474,15 +424,12 @@ def test_closing_ends_sessions_that_have_no_run_in_memory(
         await parts.executor.close()
         await assert_no_simulator_lent(parts)
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_eviction_does_not_repeat_episodes(
+async def test_eviction_does_not_repeat_episodes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, calibration_run(*["score"] * 4, state="ready"))
         await insert_runs(parts, finished_run("run_2"))
         for number in range(4):
@@ -507,41 +454,34 @@ def test_eviction_does_not_repeat_episodes(
         )
         assert (body["state"], body["score"]) == ("completed", 10 / 32)
 
-    run_scenarios(tmp_path, scenario)
-
 
 # --- the queue ---
 
 
-def test_only_later_queue_positions_change(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        runs = [
-            calibration_run(run_id=f"run_{n}", queue_until_wall=1e11) for n in range(4)
-        ]
-        for run in runs:
-            await parts.registry.add(run, None, "")
-        positions = [parts.registry.queue_position(run) for run in runs]
-        assert positions == [1, 2, 3, 4]
-        changes = [parts.registry.change_event(run.run_id) for run in runs]
-        effects.stop(runs[1], "abort", 0.0)
-        await parts.registry.commit(runs[1])
-        assert [event.is_set() for event in changes] == [False, True, True, True]
-        positions = [parts.registry.queue_position(run) for run in runs]
-        assert positions == [1, None, 2, 3]
-        changes = [parts.registry.change_event(run.run_id) for run in runs]
-        effects.resume(runs[1], 1e11)  # an old number: it comes before newer runs
-        await parts.registry.commit(runs[1])
-        assert [event.is_set() for event in changes] == [False, True, True, True]
-        positions = [parts.registry.queue_position(run) for run in runs]
-        assert positions == [1, 2, 3, 4]
-
-    run_scenarios(tmp_path, scenario)
+async def test_only_later_queue_positions_change(parts: ServerParts) -> None:
+    runs = [calibration_run(run_id=f"run_{n}", queue_until_wall=1e11) for n in range(4)]
+    for run in runs:
+        await parts.registry.add(run, None, "")
+    positions = [parts.registry.queue_position(run) for run in runs]
+    assert positions == [1, 2, 3, 4]
+    changes = [parts.registry.change_event(run.run_id) for run in runs]
+    effects.stop(runs[1], "abort", 0.0)
+    await parts.registry.commit(runs[1])
+    assert [event.is_set() for event in changes] == [False, True, True, True]
+    positions = [parts.registry.queue_position(run) for run in runs]
+    assert positions == [1, None, 2, 3]
+    changes = [parts.registry.change_event(run.run_id) for run in runs]
+    effects.resume(runs[1], 1e11)  # an old number: it comes before newer runs
+    await parts.registry.commit(runs[1])
+    assert [event.is_set() for event in changes] == [False, True, True, True]
+    positions = [parts.registry.queue_position(run) for run in runs]
+    assert positions == [1, 2, 3, 4]
 
 
-def test_admission_is_computed_only_when_capacity_changes(
+async def test_admission_is_computed_only_when_capacity_changes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         first = await parts.registry.add(calibration_run(), None, "")
         second = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
         asked, share = [], capacity.share_places
@@ -557,5 +497,3 @@ def test_admission_is_computed_only_when_capacity_changes(
         await parts.registry.commit(first)
         assert asked == [1]
         assert second.state == "ready"
-
-    run_scenarios(tmp_path, scenario, active_max=1)

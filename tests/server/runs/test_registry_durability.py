@@ -2,11 +2,11 @@
 
 import asyncio
 import gc
-from pathlib import Path
 
 import pytest
 
 from reference_server.rules.lifecycle import Attach, Resume
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
 from reference_server.storage.store import StoreFailed
 from tests.support.server.server_parts import (
@@ -17,7 +17,6 @@ from tests.support.server.server_parts import (
     fail_writes,
     predict_command,
     record_score,
-    run_scenarios,
 )
 from tests.support.servers import TIMEOUT_S
 
@@ -28,178 +27,147 @@ def shown_score(run: RunHead) -> int:
     return run.scored
 
 
-def test_shown_results_are_stored(tmp_path: Path) -> None:
+async def test_shown_results_are_stored(parts: ServerParts) -> None:
     """A write that was only just begun counts as well; no caller waits for it here."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        record_score(run, 0)
-        parts.registry.commit_later(run)
-        assert await parts.registry.render_when_stored(run, shown_score) == 1
-        stored = await parts.store.load(run.run_id)
-        assert stored is not None
-        assert stored.scored == 1
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(), None, "")
+    record_score(run, 0)
+    parts.registry.commit_later(run)
+    assert await parts.registry.render_when_stored(run, shown_score) == 1
+    stored = await parts.store.load(run.run_id)
+    assert stored is not None
+    assert stored.scored == 1
 
 
-def test_unstored_results_are_not_shown(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_unstored_results_are_not_shown(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.is_stored(run)
-        fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
-        record_score(run, 0)
-        parts.registry.commit_later(run)
-        assert await parts.registry.render_when_stored(run, shown_score) == 0
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(), None, "")
+    await parts.registry.is_stored(run)
+    fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
+    record_score(run, 0)
+    parts.registry.commit_later(run)
+    assert await parts.registry.render_when_stored(run, shown_score) == 0
 
 
-def test_a_run_shows_its_number_once_it_is_stored_as_played(tmp_path: Path) -> None:
+async def test_a_run_shows_its_number_once_it_is_stored_as_played(
+    parts: ServerParts,
+) -> None:
     """The write gives the number that a reader waits for (DEL-006)."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(played_number=None), None, "")
-        await parts.registry.is_stored(run)
-        run.is_played = True
-        parts.registry.commit_later(run)
-        shown = await parts.registry.render_when_stored(
-            run, lambda head: (head.is_played, head.played_number)
-        )
-        assert shown == (True, 1)
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(played_number=None), None, "")
+    await parts.registry.is_stored(run)
+    run.is_played = True
+    parts.registry.commit_later(run)
+    shown = await parts.registry.render_when_stored(
+        run, lambda head: (head.is_played, head.played_number)
+    )
+    assert shown == (True, 1)
 
 
-def test_a_read_does_not_wait_for_later_writes(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_read_does_not_wait_for_later_writes(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """A run whose workers never pause can be looked at, and shows no more than then."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.is_stored(run)
-        record_score(run, 0)
-        parts.registry.commit_later(run)
-        looking = asyncio.create_task(
-            parts.registry.render_when_stored(run, shown_score)
-        )
-        await asyncio.sleep(0)
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        record_score(run, 1)
-        parts.registry.commit_later(run)
-        await blocked.wait_until_reached()
-        assert await looking == 1
-        blocked.open()
-        assert await parts.registry.render_when_stored(run, shown_score) == 2
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run(), None, "")
+    await parts.registry.is_stored(run)
+    record_score(run, 0)
+    parts.registry.commit_later(run)
+    looking = asyncio.create_task(parts.registry.render_when_stored(run, shown_score))
+    await asyncio.sleep(0)
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    record_score(run, 1)
+    parts.registry.commit_later(run)
+    await blocked.wait_until_reached()
+    assert await looking == 1
+    blocked.open()
+    assert await parts.registry.render_when_stored(run, shown_score) == 2
 
 
-def test_a_page_shows_each_run_as_it_was_stored(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_page_shows_each_run_as_it_was_stored(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """While the second run of the page is waited for, the first one plays on."""
-
-    async def scenario(parts: ServerParts) -> None:
-        runs = [
-            await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
-            for number in (1, 2)
-        ]
-        for run in runs:
-            await parts.registry.is_stored(run)
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        parts.registry.commit_later(runs[0])
-        looking = asyncio.create_task(
-            parts.registry.page("alice", None, 9, shown_score)
-        )
-        seen = BlockedCall(monkeypatch, parts.registry, "is_stored")
-        await seen.wait_until_reached()  # the newest, run_2, has been looked at
-        record_score(runs[1], 0)
-        parts.registry.commit_later(runs[1])
-        seen.open()
-        blocked.open()
-        assert await looking == [0, 0]
-
-    run_scenarios(tmp_path, scenario)
+    runs = [
+        await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
+        for number in (1, 2)
+    ]
+    for run in runs:
+        await parts.registry.is_stored(run)
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    parts.registry.commit_later(runs[0])
+    looking = asyncio.create_task(parts.registry.page("alice", None, 9, shown_score))
+    seen = BlockedCall(monkeypatch, parts.registry, "is_stored")
+    await seen.wait_until_reached()  # the newest, run_2, has been looked at
+    record_score(runs[1], 0)
+    parts.registry.commit_later(runs[1])
+    seen.open()
+    blocked.open()
+    assert await looking == [0, 0]
 
 
 @pytest.mark.parametrize("is_lost", [False, True])
-def test_a_refusal_states_only_stored_states(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_lost: bool
+async def test_a_refusal_states_only_stored_states(
+    monkeypatch: pytest.MonkeyPatch, is_lost: bool, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(
-            calibration_run("score", state="ready"), None, ""
-        )
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        broken = {run.run_id} if is_lost else set[str]()
-        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        last = asyncio.create_task(
-            parts.executor.predict(run, predict_command(turn, score=1, end=1))
-        )
-        await blocked.wait_until_reached()
-        assert run.state == "completed"
-        resuming = asyncio.create_task(
-            parts.service._run_accepting("alice", run.run_id, Resume())
-        )
-        blocked.open()
-        await asyncio.wait([last])
-        if is_lost:
-            found = await resuming
-            assert (found is run, found.state) == (False, "ready")
-        else:
-            with expect_refusal("illegal_transition", state="completed"):
-                await resuming
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run("score", state="ready"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    broken = {run.run_id} if is_lost else set[str]()
+    fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    last = asyncio.create_task(
+        parts.executor.predict(run, predict_command(turn, score=1, end=1))
+    )
+    await blocked.wait_until_reached()
+    assert run.state == "completed"
+    resuming = asyncio.create_task(
+        parts.service._run_accepting("alice", run.run_id, Resume())
+    )
+    blocked.open()
+    await asyncio.wait([last])
+    assert isinstance(last.exception(), Refused) == is_lost
+    if is_lost:
+        found = await resuming
+        assert (found is run, found.state) == (False, "ready")
+    else:
+        with expect_refusal("illegal_transition", state="completed"):
+            await resuming
 
 
 # --- changes ---
 
 
-def test_no_change_between_read_and_wait_is_missed(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.is_stored(run)
-        change = parts.registry.change_event(run.run_id)
-        parts.registry.notify(run)
-        assert await parts.registry.wait_for_change(change, TIMEOUT_S)
-        assert not await parts.registry.wait_for_change(
-            parts.registry.change_event(run.run_id), 0.001
+async def test_no_change_between_read_and_wait_is_missed(parts: ServerParts) -> None:
+    run = await parts.registry.add(calibration_run(), None, "")
+    await parts.registry.is_stored(run)
+    change = parts.registry.change_event(run.run_id)
+    parts.registry.notify(run)
+    assert await parts.registry.wait_for_change(change, TIMEOUT_S)
+    assert not await parts.registry.wait_for_change(
+        parts.registry.change_event(run.run_id), 0.001
+    )
+    del change
+    gc.collect()
+    assert len(parts.registry._changes) == 0, (
+        "an event without waiting callers is not kept"
+    )
+
+
+async def test_waiting_is_refused_during_shutdown(parts: ServerParts) -> None:
+    run = await parts.registry.add(calibration_run(), None, "")
+    await parts.registry.is_stored(run)
+    waiting = asyncio.create_task(
+        parts.registry.wait_for_change(
+            parts.registry.change_event(run.run_id), TIMEOUT_S
         )
-        del change
-        gc.collect()
-        assert len(parts.registry._changes) == 0, (
-            "an event without waiting callers is not kept"
-        )
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_waiting_is_refused_during_shutdown(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.is_stored(run)
+    )
+    await asyncio.sleep(0)
+    parts.registry.begin_ending()
+    for _ in range(2):
+        with expect_refusal("unavailable"):
+            await waiting
         waiting = asyncio.create_task(
             parts.registry.wait_for_change(
                 parts.registry.change_event(run.run_id), TIMEOUT_S
             )
         )
-        await asyncio.sleep(0)
-        parts.registry.begin_ending()
-        for _ in range(2):
-            with expect_refusal("unavailable"):
-                await waiting
-            waiting = asyncio.create_task(
-                parts.registry.wait_for_change(
-                    parts.registry.change_event(run.run_id), TIMEOUT_S
-                )
-            )
-        with expect_refusal("unavailable"):
-            await waiting
-
-    run_scenarios(tmp_path, scenario)
+    with expect_refusal("unavailable"):
+        await waiting

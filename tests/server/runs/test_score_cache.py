@@ -20,8 +20,8 @@ from tests.support.server.server_parts import (
     calibration_run,
     expect_refusal,
     fail_writes,
+    open_server_parts,
     record_score,
-    run_scenarios,
     start_task,
 )
 
@@ -54,12 +54,11 @@ async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
     await evict_run(parts, run)
 
 
-def test_the_score_of_a_stable_run_is_computed_once(
+async def test_the_score_of_a_stable_run_is_computed_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     computed = record_computed_scores(monkeypatch)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await add_stopped_run(parts, "run_1", 1)
         await add_stopped_run(parts, "run_2", 2)
         gc.collect()
@@ -70,15 +69,12 @@ def test_the_score_of_a_stable_run_is_computed_once(
         assert [s["counts"]["success"] for s in (first, second)] == [1, 2]
         assert [s["run_id"] for s in (first, second)] == computed == ["run_1", "run_2"]
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_a_changed_run_is_scored_again(
+async def test_a_changed_run_is_scored_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     computed = record_computed_scores(monkeypatch)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await add_stopped_run(parts, "run_1", 1)
         gc.collect()
         score_cache = ScoreCache()
@@ -102,16 +98,13 @@ def test_a_changed_run_is_scored_again(
             assert after == playing | {"state": "stopped"}
         assert computed == ["run_1"]
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_lost_results_are_not_cached(
+async def test_lost_results_are_not_cached(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Who asked has left before it was known; then another result is stored."""
     computed = record_computed_scores(monkeypatch)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         score_cache, broken = ScoreCache(), {"run_1"}
         run = await parts.registry.add(
             calibration_run("score", state="ready"), None, ""
@@ -140,35 +133,27 @@ def test_lost_results_are_not_cached(
                 "mean"
             ] == 0.25
 
-    run_scenarios(tmp_path, scenario)
+
+async def test_a_cached_score_is_private_to_its_account(parts: ServerParts) -> None:
+    await add_stopped_run(parts, "run_1", 1)
+    gc.collect()
+    score_cache = ScoreCache()
+    for _ in range(2):
+        await score_cache.get(parts.registry, "run_1", "alice")
+        with expect_refusal("not_found"):
+            await score_cache.get(parts.registry, "run_1", "bob")
 
 
-def test_a_cached_score_is_private_to_its_account(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        await add_stopped_run(parts, "run_1", 1)
-        gc.collect()
-        score_cache = ScoreCache()
-        for _ in range(2):
-            await score_cache.get(parts.registry, "run_1", "alice")
-            with expect_refusal("not_found"):
-                await score_cache.get(parts.registry, "run_1", "bob")
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_the_score_cache_is_bounded(
+async def test_the_score_cache_is_bounded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(score_cache, "CACHED_SCORES_MAX", 2)
     computed = record_computed_scores(monkeypatch)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for number in range(3):
             await add_stopped_run(parts, f"run_{number}", 1)
         gc.collect()
-        score_cache = ScoreCache()
+        cache = ScoreCache()
         for number in (0, 1, 2, 2, 1, 0):
-            await score_cache.get(parts.registry, f"run_{number}", "alice")
+            await cache.get(parts.registry, f"run_{number}", "alice")
         assert computed == ["run_0", "run_1", "run_2", "run_0"]
-
-    run_scenarios(tmp_path, scenario)

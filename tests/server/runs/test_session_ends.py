@@ -17,8 +17,8 @@ from tests.support.server.server_parts import (
     assert_no_simulator_lent,
     calibration_run,
     expect_refusal,
+    open_server_parts,
     predict_command,
-    run_scenarios,
     start_task,
     stop_run,
 )
@@ -33,30 +33,26 @@ from tests.support.server.server_parts import (
         ("has changed", {"manifest_sha256": "0" * 64}),
     ],
 )
-def test_a_run_is_not_played_on_another_benchmark(
-    tmp_path: Path, what: str, change: dict[str, Any]
+async def test_a_run_is_not_played_on_another_benchmark(
+    what: str, change: dict[str, Any], parts: ServerParts
 ) -> None:
     """A score is of one manifest. Nothing is counted, and the run stays as it is."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("count", **change), None, "")
-        with expect_refusal("benchmark_unavailable") as refused:
-            await parts.executor.attach(run, Attach("w", "key"))
-        assert what in refused.value.detail
-        await assert_no_simulator_lent(parts)
-        assert (run.state, run.episodes[0].attempt) == ("ready", 1)
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run("count", **change), None, "")
+    with expect_refusal("benchmark_unavailable") as refused:
+        await parts.executor.attach(run, Attach("w", "key"))
+    assert what in refused.value.detail
+    await assert_no_simulator_lent(parts)
+    assert (run.state, run.episodes[0].attempt) == ("ready", 1)
 
 
 # --- a stop meets a turn ---
 
 
 @pytest.mark.parametrize("work_kind", ["a new session", "a successor", "a turn"])
-def test_a_stop_before_the_work_begins(
+async def test_a_stop_before_the_work_begins(
     tmp_path: Path, caplog: pytest.LogCaptureFixture, work_kind: str
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("count"), None, "")
         if work_kind == "a new session":
             work = parts.executor.attach(run, Attach("w", "key"))
@@ -73,8 +69,6 @@ def test_a_stop_before_the_work_begins(
             await task
         await assert_no_simulator_lent(parts)
         assert run.state == "stopped"
-
-    run_scenarios(tmp_path, scenario)
     assert_no_error_logged(caplog)
 
 
@@ -83,14 +77,14 @@ def test_a_stop_before_the_work_begins(
     [(SimulatorPool, "acquire"), (SimulatorHandle, "begin")],
     ids=["while it waits for a simulator", "while the simulator begins"],
 )
-def test_a_stop_while_a_session_opens(
+async def test_a_stop_while_a_session_opens(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
     owner: type,
     method: str,
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("count"), None, "")
         blocked = BlockedCall(monkeypatch, owner, method)
         opening = start_task(parts.executor.attach(run, Attach("w", "key")))
@@ -105,15 +99,13 @@ def test_a_stop_while_a_session_opens(
         effects.apply_event(run, "capacity")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         assert turn["episode"]["attempt"] == 1
-
-    run_scenarios(tmp_path, scenario)
     assert_no_error_logged(caplog)
 
 
 @pytest.mark.parametrize(
     ("method", "attempt"), [("begin", 1), ("play", 2), ("observe", 2)]
 )
-def test_a_stop_when_the_simulator_has_just_answered(
+async def test_a_stop_when_the_simulator_has_just_answered(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
@@ -121,8 +113,7 @@ def test_a_stop_when_the_simulator_has_just_answered(
     attempt: int,
 ) -> None:
     """The answer comes too late: it is not sent, and its content is not scored."""
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("count"), None, "")
         if method != "begin":
             turn = await parts.executor.attach(run, Attach("w", "key"))
@@ -143,44 +134,38 @@ def test_a_stop_when_the_simulator_has_just_answered(
         await assert_no_simulator_lent(parts)
         assert (run.state, run.scored) == ("stopped", 0)
         assert run.episodes[0].attempt == attempt
-
-    run_scenarios(tmp_path, scenario)
     assert_no_error_logged(caplog)
 
 
-def test_a_stop_after_the_last_action_and_before_the_result_is_stored(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_stop_after_the_last_action_and_before_the_result_is_stored(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """The result stands, although the turn that brought it is not answered."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("score", "score"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        last = start_task(
-            parts.executor.predict(run, predict_command(turn, score=1, end=1))
-        )
-        await blocked.wait_until_reached()
-        stop_run(parts, run)
-        blocked.open()
-        with expect_refusal("session_ended", ended_by="run_stopped"):
-            await last
-        await parts.registry.commit(run)
-        stored = await parts.store.load(run.run_id)
-        assert stored is not None
-        assert (stored.state, stored.scored) == ("stopped", 1)
-        await assert_no_simulator_lent(parts)
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run("score", "score"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    last = start_task(
+        parts.executor.predict(run, predict_command(turn, score=1, end=1))
+    )
+    await blocked.wait_until_reached()
+    stop_run(parts, run)
+    blocked.open()
+    with expect_refusal("session_ended", ended_by="run_stopped"):
+        await last
+    await parts.registry.commit(run)
+    stored = await parts.store.load(run.run_id)
+    assert stored is not None
+    assert (stored.state, stored.scored) == ("stopped", 1)
+    await assert_no_simulator_lent(parts)
 
 
 # --- a detach, a loss or the end of the server meets a turn ---
 
 
-def test_a_detach_ends_a_turn_in_the_middle(
+async def test_a_detach_ends_a_turn_in_the_middle(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("count"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         blocked = BlockedCall(monkeypatch, SimulatorHandle, "play")
@@ -192,8 +177,6 @@ def test_a_detach_ends_a_turn_in_the_middle(
             await playing
         await assert_no_simulator_lent(parts)
         assert run.episodes[0].attempt == 2
-
-    run_scenarios(tmp_path, scenario)
     assert_no_error_logged(caplog)
 
 
@@ -206,7 +189,7 @@ def test_a_detach_ends_a_turn_in_the_middle(
         (Store, "save"),
     ],
 )
-def test_a_shutdown_during_work_logs_no_error(
+async def test_a_shutdown_during_work_logs_no_error(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
@@ -215,8 +198,7 @@ def test_a_shutdown_during_work_logs_no_error(
 ) -> None:
     """Sessions end uncounted, whatever is executed for them; then nothing is left."""
     work: list[asyncio.Task[Any]] = []
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("score", "score"), None, "")
         if method in ("acquire", "begin"):
             blocked = BlockedCall(monkeypatch, owner, method)
@@ -232,11 +214,8 @@ def test_a_shutdown_during_work_logs_no_error(
         with expect_refusal("session_ended", ended_by="unknown"):
             await work[0]
         await assert_no_simulator_lent(parts)
-
-    async def after(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.get("run_1")
         assert (run.state, [e.attempt for e in run.episodes]) == ("ready", [1, 1])
         assert run.scored == (method == "save")
-
-    run_scenarios(tmp_path, scenario, after)
     assert_no_error_logged(caplog)

@@ -20,8 +20,8 @@ from tests.support.server.server_parts import (
     assert_no_simulator_lent,
     calibration_run,
     expect_refusal,
+    open_server_parts,
     predict_command,
-    run_scenarios,
     start_task,
     stop_run,
 )
@@ -29,62 +29,56 @@ from tests.support.server.server_parts import (
 # --- a successor meets a turn ---
 
 
-def test_a_takeover_continues_after_the_turn_in_progress(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_takeover_continues_after_the_turn_in_progress(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("count"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        before = parts.executor._resources.find(run.workers["w"])
-        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play")
-        played = start_task(parts.executor.predict(run, predict_command(turn)))
-        await blocked.wait_until_reached()
-        taking = start_task(
-            parts.executor.attach(run, Attach("w", "another", takeover=True))
-        )
-        await asyncio.sleep(0)
-        blocked.open()
-        assert (await played)["executed_steps"] == 1
-        successor = await taking
-        assert successor["episode"]["step"] == 1
-        assert successor["observation"]["state"]["count"] == [1.0]
+    run = await parts.registry.add(calibration_run("count"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    before = parts.executor._resources.find(run.workers["w"])
+    blocked = BlockedCall(monkeypatch, SimulatorHandle, "play")
+    played = start_task(parts.executor.predict(run, predict_command(turn)))
+    await blocked.wait_until_reached()
+    taking = start_task(
+        parts.executor.attach(run, Attach("w", "another", takeover=True))
+    )
+    await asyncio.sleep(0)
+    blocked.open()
+    assert (await played)["executed_steps"] == 1
+    successor = await taking
+    assert successor["episode"]["step"] == 1
+    assert successor["observation"]["state"]["count"] == [1.0]
+    with expect_refusal("session_superseded"):
+        await parts.executor.predict(run, predict_command(await played))
+    assert before is not None
+    assert before.timer is not None
+    assert before.timer.cancelled()
+    assert parts.pool.busy == len(parts.executor._resources) == 1
+
+
+async def test_takeovers_are_serialised(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
+) -> None:
+    run = await parts.registry.add(calibration_run("count"), None, "")
+    blocked = BlockedCall(monkeypatch, SimulatorHandle, "begin")
+    attachments = [
+        start_task(parts.executor.attach(run, Attach("w", key, takeover=True)))
+        for key in ("first", "second", "third")
+    ]
+    await blocked.wait_until_reached()
+    blocked.open()
+    *before, last = [await task for task in attachments]
+    for turn in before:
         with expect_refusal("session_superseded"):
-            await parts.executor.predict(run, predict_command(await played))
-        assert before is not None
-        assert before.timer is not None
-        assert before.timer.cancelled()
-        assert parts.pool.busy == len(parts.executor._resources) == 1
-
-    run_scenarios(tmp_path, scenario)
+            parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
+    parts.executor.heartbeat(run, Heartbeat("w", last["session_id"]))
+    assert run.episodes[0].attempt == 1
+    assert parts.pool.busy == len(parts.executor._resources) == 1
 
 
-def test_takeovers_are_serialised(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("count"), None, "")
-        blocked = BlockedCall(monkeypatch, SimulatorHandle, "begin")
-        attachments = [
-            start_task(parts.executor.attach(run, Attach("w", key, takeover=True)))
-            for key in ("first", "second", "third")
-        ]
-        await blocked.wait_until_reached()
-        blocked.open()
-        *before, last = [await task for task in attachments]
-        for turn in before:
-            with expect_refusal("session_superseded"):
-                parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
-        parts.executor.heartbeat(run, Heartbeat("w", last["session_id"]))
-        assert run.episodes[0].attempt == 1
-        assert parts.pool.busy == len(parts.executor._resources) == 1
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_a_takeover_of_a_failed_run_is_refused(
+async def test_a_takeover_of_a_failed_run_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("fault", "count"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         other = await parts.executor.attach(run, Attach("other", "key"))
@@ -106,21 +100,18 @@ def test_a_takeover_of_a_failed_run_is_refused(
             await taking
         await assert_no_simulator_lent(parts)
         assert [e.attempt for e in run.episodes] == [1, 1]
-
-    run_scenarios(tmp_path, scenario)
     assert_no_error_logged(caplog)
 
 
 @pytest.mark.parametrize("then", ["goes on", "is stopped", "fails"])
-def test_a_takeover_with_a_dead_simulator_restarts_the_episode(
+async def test_a_takeover_with_a_dead_simulator_restarts_the_episode(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
     then: str,
 ) -> None:
     """The fault is recorded; while it is stored anything may happen to the run."""
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("count"), None, "")
         if then == "fails":
             run.manifest = {**run.manifest, "max_faults": 1}
@@ -148,114 +139,96 @@ def test_a_takeover_with_a_dead_simulator_restarts_the_episode(
             await taking
         await assert_no_simulator_lent(parts)
         assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 1)
-
-    run_scenarios(tmp_path, scenario)
     assert_no_error_logged(caplog)
 
 
-def test_waiters_for_a_lost_turn_are_refused(tmp_path: Path) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("delay"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        command = predict_command(turn, delay_s=0.2, end=1)
-        with parts.reject_writes():
-            work = [
-                parts.executor.predict(run, command),
-                parts.executor.predict(run, command),
-                parts.executor.attach(run, Attach("w", "another", takeover=True)),
-            ]
-            tasks = [asyncio.create_task(one) for one in work]
-            await asyncio.wait(tasks)
-        with expect_refusal("unavailable"):
-            await tasks[0]
-        with pytest.raises(Refused, match=r"has ended|newer session"):
-            await tasks[1]
-        # The successor plays the run as it is stored, not the one that was lost.
-        successor = await tasks[2]
-        found = await parts.registry.get(run.run_id)
-        assert found is not run
-        assert list(found.workers) == ["w"]
-        assert successor["episode"]["step"] == 0
-
-    run_scenarios(tmp_path, scenario)
+async def test_waiters_for_a_lost_turn_are_refused(parts: ServerParts) -> None:
+    run = await parts.registry.add(calibration_run("delay"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    command = predict_command(turn, delay_s=0.2, end=1)
+    with parts.reject_writes():
+        work = [
+            parts.executor.predict(run, command),
+            parts.executor.predict(run, command),
+            parts.executor.attach(run, Attach("w", "another", takeover=True)),
+        ]
+        tasks = [asyncio.create_task(one) for one in work]
+        await asyncio.wait(tasks)
+    with expect_refusal("unavailable"):
+        await tasks[0]
+    with pytest.raises(Refused, match=r"has ended|newer session"):
+        await tasks[1]
+    # The successor plays the run as it is stored, not the one that was lost.
+    successor = await tasks[2]
+    found = await parts.registry.get(run.run_id)
+    assert found is not run
+    assert list(found.workers) == ["w"]
+    assert successor["episode"]["step"] == 0
 
 
-def test_commands_for_a_lost_run_object_are_refused(tmp_path: Path) -> None:
+async def test_commands_for_a_lost_run_object_are_refused(parts: ServerParts) -> None:
     """Its caller found the run, awaited something else, and another's write failed."""
-
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("count", "count"), None, "")
-        one = await parts.executor.attach(run, Attach("one", "key"))
-        other = await parts.executor.attach(run, Attach("other", "key"))
-        with parts.reject_writes(), expect_refusal("unavailable"):
-            await parts.executor.predict(run, predict_command(one, "one", end=1))
-        with expect_refusal("session_ended", ended_by="unknown"):
-            await parts.executor.predict(run, predict_command(other, "other"))
-        assert await parts.registry.get(run.run_id) is not run
-
-    run_scenarios(tmp_path, scenario)
+    run = await parts.registry.add(calibration_run("count", "count"), None, "")
+    one = await parts.executor.attach(run, Attach("one", "key"))
+    other = await parts.executor.attach(run, Attach("other", "key"))
+    with parts.reject_writes(), expect_refusal("unavailable"):
+        await parts.executor.predict(run, predict_command(one, "one", end=1))
+    with expect_refusal("session_ended", ended_by="unknown"):
+        await parts.executor.predict(run, predict_command(other, "other"))
+    assert await parts.registry.get(run.run_id) is not run
 
 
-def test_the_last_turn_is_answered_despite_a_takeover(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_the_last_turn_is_answered_despite_a_takeover(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("score", "score"), None, "")
-        await parts.executor.attach(run, Attach("other", "key"))
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
+    run = await parts.registry.add(calibration_run("score", "score"), None, "")
+    await parts.executor.attach(run, Attach("other", "key"))
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
 
-        async def slow_save(run: Run) -> None:
-            saving.set()
-            await release.wait()
-            await save(run)
+    async def slow_save(run: Run) -> None:
+        saving.set()
+        await release.wait()
+        await save(run)
 
-        monkeypatch.setattr(parts.store, "save", slow_save)
-        last = asyncio.create_task(
-            parts.executor.predict(run, predict_command(turn, score=1, end=1))
-        )
-        await saving.wait()
-        successor = asyncio.create_task(
-            parts.executor.attach(run, Attach("w", "another"))
-        )
-        await asyncio.sleep(0)
-        release.set()
-        assert (await last)["done"]
-        assert (await successor)["done"]
-
-    run_scenarios(tmp_path, scenario)
+    monkeypatch.setattr(parts.store, "save", slow_save)
+    last = asyncio.create_task(
+        parts.executor.predict(run, predict_command(turn, score=1, end=1))
+    )
+    await saving.wait()
+    successor = asyncio.create_task(parts.executor.attach(run, Attach("w", "another")))
+    await asyncio.sleep(0)
+    release.set()
+    assert (await last)["done"]
+    assert (await successor)["done"]
 
 
-def test_a_lease_end_is_evaluated_once_per_command(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+async def test_a_lease_end_is_evaluated_once_per_command(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """Between two looks at the clock a lease ended: then it ended for both or none."""
+    run = await parts.registry.add(calibration_run("count", "count"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    await parts.executor.predict(run, predict_command(turn))
+    expires_at = run.workers["w"].expires_at
+    moments = iter([expires_at])  # the first look; all others are too late
 
-    async def scenario(parts: ServerParts) -> None:
-        run = await parts.registry.add(calibration_run("count", "count"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        await parts.executor.predict(run, predict_command(turn))
-        expires_at = run.workers["w"].expires_at
-        moments = iter([expires_at])  # the first look; all others are too late
+    def monotonic() -> float:
+        return next(moments, expires_at + 0.001)
 
-        def monotonic() -> float:
-            return next(moments, expires_at + 0.001)
-
-        clock = types.SimpleNamespace(**vars(time))
-        clock.monotonic = monotonic
-        monkeypatch.setattr(session_executor, "time", clock)
-        with expect_refusal("worker_busy"):
-            await parts.executor.attach(run, Attach("w", "another"))
-        turn = await parts.executor.attach(run, Attach("w", "another"))
-        assert turn["episode"]["attempt"] == 2
-        assert parts.pool.busy == 1
-        monkeypatch.undo()
-        parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
-
-    run_scenarios(tmp_path, scenario)
+    clock = types.SimpleNamespace(**vars(time))
+    clock.monotonic = monotonic
+    monkeypatch.setattr(session_executor, "time", clock)
+    with expect_refusal("worker_busy"):
+        await parts.executor.attach(run, Attach("w", "another"))
+    turn = await parts.executor.attach(run, Attach("w", "another"))
+    assert turn["episode"]["attempt"] == 2
+    assert parts.pool.busy == 1
+    monkeypatch.undo()
+    parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
 
 
-def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
+async def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """FAULT-012: what was executed and scored is shown, and the fault is counted."""
@@ -269,8 +242,7 @@ def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
         return await right(self, task, *how, **named)
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score", "count")
         run = await parts.registry.add(run, None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
@@ -285,10 +257,8 @@ def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
         turn = await parts.executor.predict(run, predict_command(turn))
         assert "fault" not in turn
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
+async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     seed = 1_903_886_417
@@ -298,8 +268,7 @@ def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
         raise SimulatorFault(f"ValueError: seed {seed}, {seed:#x} of 11903886417")
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score")
         run.episodes[0].seed, run.episodes[0].is_sealed = seed, True
         run = await parts.registry.add(run, None, "")
@@ -311,5 +280,3 @@ def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
         for text in (run.reason or "", caplog.text):
             assert f"seed {seed}" not in text
             assert f"{seed:x}" not in text
-
-    run_scenarios(tmp_path, scenario)

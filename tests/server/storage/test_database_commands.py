@@ -18,7 +18,8 @@ from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
-    run_scenarios,
+    open_server_parts,
+    run_scenario,
 )
 
 
@@ -43,7 +44,7 @@ def expect_failure(capsys: pytest.CaptureFixture[str], text: str) -> Iterator[No
 def test_a_consistent_database_passes(
     database: UsedDatabase, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    run_scenarios(database, save_run)
+    run_scenario(database, save_run)
     assert main(["db", "check"]) == 0
     assert "content: consistent" in capsys.readouterr().out
 
@@ -51,7 +52,7 @@ def test_a_consistent_database_passes(
 def test_an_inconsistent_database_does_not(
     database: UsedDatabase, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    run_scenarios(database, save_run)
+    run_scenario(database, save_run)
     database.execute("DELETE FROM manifests")
     assert main(["db", "check"]) == 2
     assert "problem: 1 runs without their manifest" in capsys.readouterr().out
@@ -60,7 +61,7 @@ def test_an_inconsistent_database_does_not(
 def test_an_older_database_is_upgraded_on_command(
     database: UsedDatabase, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    run_scenarios(database, save_run)
+    run_scenario(database, save_run)
     database.make_unversioned()
     with expect_failure(capsys, "see `proctor admin db upgrade`"):
         assert main(["db", "check"]) == 2
@@ -90,7 +91,7 @@ def test_an_upgrade_is_refused_while_a_server_runs(
         assert asyncio.run(upgrade_meanwhile()) == 2
 
 
-def test_a_backup_is_the_database_of_one_moment(
+async def test_a_backup_is_the_database_of_one_moment(
     database: UsedDatabase,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -101,19 +102,16 @@ def test_a_backup_is_the_database_of_one_moment(
     if database.server is not None:
         programs = f"{database.server.programs}:{os.environ['PATH']}"
         monkeypatch.setenv("PATH", programs)
-
-    async def back_up(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         await save_run(parts)
         assert await asyncio.to_thread(main, ["db", "backup", str(path)]) == 0
-
-    run_scenarios(database, back_up)
     assert path.stat().st_mode & 0o777 == 0o600
     if database.server is None:
         assert UsedDatabase.of_file(path).count("runs") == 1
     else:
         assert path.read_bytes().startswith(b"PGDMP")
     with expect_failure(capsys, "exists already"):
-        assert main(["db", "backup", str(path)]) == 2
+        assert await asyncio.to_thread(main, ["db", "backup", str(path)]) == 2
 
 
 def test_a_backup_does_not_follow_a_link(
@@ -123,7 +121,7 @@ def test_a_backup_does_not_follow_a_link(
     path = tmp_path / "backup"
     path.symlink_to(tmp_path / "elsewhere")
     if database.server is None:
-        run_scenarios(database, save_run)
+        run_scenario(database, save_run)
     with expect_failure(capsys, "exists already"):
         assert main(["db", "backup", str(path)]) == 2
     assert not path.exists()

@@ -72,26 +72,22 @@ def test_a_second_server_is_refused_until_the_first_is_killed(
     asyncio.run(acquire_and_release())
 
 
-def test_two_names_of_a_file_have_one_lock(
+async def test_two_names_of_a_file_have_one_lock(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(server_lock, "WAIT_S", 0.0)
     (tmp_path / "link.sqlite").symlink_to(tmp_path / "proctor.sqlite")
-
-    async def acquire_both() -> None:
-        first, second, memory = (
-            lock_of(f"sqlite+aiosqlite:///{name}", ignore)
-            for name in (tmp_path / "proctor.sqlite", tmp_path / "link.sqlite", "")
-        )
-        await memory.acquire()
-        await first.acquire()
-        with pytest.raises(StoreFailed, match="another server uses it"):
-            await second.acquire()
-        await first.release()
+    first, second, memory = (
+        lock_of(f"sqlite+aiosqlite:///{name}", ignore)
+        for name in (tmp_path / "proctor.sqlite", tmp_path / "link.sqlite", "")
+    )
+    await memory.acquire()
+    await first.acquire()
+    with pytest.raises(StoreFailed, match="another server uses it"):
         await second.acquire()
-        await second.release()
-
-    asyncio.run(acquire_both())
+    await first.release()
+    await second.acquire()
+    await second.release()
 
 
 def test_beside_another_file_no_lock_is_made(tmp_path: Path) -> None:
@@ -104,7 +100,7 @@ def test_beside_another_file_no_lock_is_made(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow("starts PostgreSQL")
-def test_a_lost_connection_is_made_again(
+async def test_a_lost_connection_is_made_again(
     postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It has the lock again; a server that finds it taken ends."""
@@ -122,36 +118,33 @@ def test_a_lost_connection_is_made_again(
     async def fail() -> None:
         raise StoreFailed("there is no PostgreSQL")
 
-    async def scenario() -> None:
-        taken = asyncio.Event()
-        lock, other = (lock_of(database.url, one) for one in (taken.set, ignore))
-        await lock.acquire()
-        held_by = database.execute(holders)
+    taken = asyncio.Event()
+    lock, other = (lock_of(database.url, one) for one in (taken.set, ignore))
+    await lock.acquire()
+    held_by = database.execute(holders)
+    database.execute(end)
+    await asyncio.to_thread(
+        wait_until,
+        lambda: is_held() and database.execute(holders) != held_by,
+        "it is held again",
+    )
+    with pytest.raises(StoreFailed):
+        await other.acquire()
+    # This server does not reach PostgreSQL, and another one does.
+    with monkeypatch.context() as patch:
+        patch.setattr(lock, "_lock", fail)
         database.execute(end)
-        await asyncio.to_thread(
-            wait_until,
-            lambda: is_held() and database.execute(holders) != held_by,
-            "it is held again",
-        )
-        with pytest.raises(StoreFailed):
-            await other.acquire()
-        # This server does not reach PostgreSQL, and another one does.
-        with monkeypatch.context() as patch:
-            patch.setattr(lock, "_lock", fail)
-            database.execute(end)
-            await asyncio.to_thread(wait_until, lambda: not is_held(), "it is released")
-            await other.acquire()
-        assert not taken.is_set()
-        async with asyncio.timeout(TIMEOUT_S):
-            await taken.wait()
-        await lock.release()
-        await other.release()
-
-    asyncio.run(scenario())
+        await asyncio.to_thread(wait_until, lambda: not is_held(), "it is released")
+        await other.acquire()
+    assert not taken.is_set()
+    async with asyncio.timeout(TIMEOUT_S):
+        await taken.wait()
+    await lock.release()
+    await other.release()
 
 
 @pytest.mark.slow("starts PostgreSQL")
-def test_a_connection_that_is_silent_is_made_again(
+async def test_a_connection_that_is_silent_is_made_again(
     postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """While PostgreSQL still has the lock for it, no other server has taken it."""
@@ -162,34 +155,32 @@ def test_a_connection_that_is_silent_is_made_again(
         "SELECT l.pid FROM pg_locks l JOIN pg_database d ON d.oid = l.database "
         "WHERE locktype = 'advisory' AND datname = current_database() AND "
     )
-
-    async def scenario() -> None:
-        taken = asyncio.Event()
-        lock = lock_of(database.url, taken.set)
-        await lock.acquire()
-        ((pid,),) = database.execute(granted + "granted")
-        os.kill(pid, signal.SIGSTOP)
-        try:
-            await asyncio.to_thread(
-                wait_until,
-                lambda: database.execute(granted + "NOT granted") != [],
-                "another connection waits for the lock",
-            )
-        finally:
-            os.kill(pid, signal.SIGCONT)
+    taken = asyncio.Event()
+    lock = lock_of(database.url, taken.set)
+    await lock.acquire()
+    ((pid,),) = database.execute(granted + "granted")
+    os.kill(pid, signal.SIGSTOP)
+    try:
         await asyncio.to_thread(
             wait_until,
-            lambda: database.execute(granted + "granted") not in ([], [(pid,)]),
-            "another connection has the lock",
+            lambda: database.execute(granted + "NOT granted") != [],
+            "another connection waits for the lock",
         )
-        assert not taken.is_set()
-        await lock.release()
-
-    asyncio.run(scenario())
+    finally:
+        os.kill(pid, signal.SIGCONT)
+    await asyncio.to_thread(
+        wait_until,
+        lambda: database.execute(granted + "granted") not in ([], [(pid,)]),
+        "another connection has the lock",
+    )
+    assert not taken.is_set()
+    await lock.release()
 
 
 @pytest.mark.slow("starts PostgreSQL")
-def test_what_is_wrong_with_postgresql_is_said(postgresql: PostgresqlServer) -> None:
+async def test_what_is_wrong_with_postgresql_is_said(
+    postgresql: PostgresqlServer,
+) -> None:
     """In one line, and without the password."""
     right = postgresql.create()
     name = right.partition("@/")[2].partition("?")[0]
@@ -201,16 +192,13 @@ def test_what_is_wrong_with_postgresql_is_said(postgresql: PostgresqlServer) -> 
             assert "\n" not in str(caught.value)
             assert "wrong" not in str(caught.value)
 
-    async def scenario() -> None:
-        wrong = postgresql.url(name, password="wrong")
-        await fail(wrong, "refuses the user postgres: password authentication failed")
-        await fail(postgresql.url("nowhere"), "create it: createdb nowhere")
-        nowhere = "postgresql://u:wrong@127.0.0.1:1/x"
-        await fail(nowhere, "no PostgreSQL at 127.0.0.1:1")
-        missing = "postgresql://u:wrong@nowhere.invalid/x"
-        await fail(missing, "no PostgreSQL at nowhere.invalid:5432")
-
-    asyncio.run(scenario())
+    wrong = postgresql.url(name, password="wrong")
+    await fail(wrong, "refuses the user postgres: password authentication failed")
+    await fail(postgresql.url("nowhere"), "create it: createdb nowhere")
+    nowhere = "postgresql://u:wrong@127.0.0.1:1/x"
+    await fail(nowhere, "no PostgreSQL at 127.0.0.1:1")
+    missing = "postgresql://u:wrong@nowhere.invalid/x"
+    await fail(missing, "no PostgreSQL at nowhere.invalid:5432")
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import asyncio
 import os
 import shutil
 import time
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 from types import SimpleNamespace
@@ -48,26 +48,15 @@ async def opened(database: UsedDatabase) -> AsyncIterator[tuple[Store, NodeStore
         await store.close()
 
 
-def run_with(
-    database: UsedDatabase, story: Callable[[Store, NodeStore], Awaitable[None]]
-) -> None:
-    async def run() -> None:
-        async with opened(database) as (store, nodes):
-            await story(store, nodes)
-
-    asyncio.run(run())
-
-
 # --- what they have in common ---
 
 
-def test_a_node_with_another_folder_is_refused(
+async def test_a_node_with_another_folder_is_refused(
     database: UsedDatabase, tmp_path: Path
 ) -> None:
     """Also when no other node lives, and with a folder of another cluster."""
     right, other = tmp_path / "records", tmp_path / "other"
-
-    async def story(_: Store, nodes: NodeStore) -> None:
+    async with opened(database) as (_, nodes):
         for url in URLS:
             await check_shared(nodes, url, right, "key", "host")
         for _again in range(2):
@@ -78,16 +67,13 @@ def test_a_node_with_another_folder_is_refused(
         assert (right / ID_FILE).read_text() in str(said.value)
         await check_shared(nodes, URLS[1], right, "key", "host")
 
-    run_with(database, story)
 
-
-def test_a_node_with_a_copy_of_the_folder_is_refused(
+async def test_a_node_with_a_copy_of_the_folder_is_refused(
     database: UsedDatabase, tmp_path: Path
 ) -> None:
     """It has the id of the right one, and not what those that live write there."""
     right, copied = tmp_path / "records", tmp_path / "copied"
-
-    async def story(_: Store, nodes: NodeStore) -> None:
+    async with opened(database) as (_, nodes):
         await check_shared(nodes, URLS[0], right, "key", "host")
         shutil.copytree(right, copied)
         show_node(right, "a")
@@ -100,20 +86,17 @@ def test_a_node_with_a_copy_of_the_folder_is_refused(
         await check_shared(nodes, URLS[1], right, "key", "host")
         assert {path.name for path in (right / NODES).iterdir()} == {"a", "starts"}
 
-    run_with(database, story)
-
 
 @pytest.mark.parametrize(
     ("mine", "text"),
     [(("other", "host"), "set signing_key"), (("key", "other"), "set public_url")],
 )
-def test_a_node_signs_as_those_that_live(
+async def test_a_node_signs_as_those_that_live(
     database: UsedDatabase, tmp_path: Path, mine: tuple[str, str], text: str
 ) -> None:
     """Who is alone may have another key or name; the next ones need the same."""
     theirs = "key", "host"
-
-    async def story(_: Store, nodes: NodeStore) -> None:
+    async with opened(database) as (_, nodes):
         await check_shared(nodes, URLS[0], tmp_path, *theirs)
         await nodes.join(Node("a", URLS[0], "secret"))
         show_node(tmp_path, "a")
@@ -125,21 +108,16 @@ def test_a_node_signs_as_those_that_live(
         with pytest.raises(NotShared, match=text):
             await check_shared(nodes, URLS[1], tmp_path, *theirs)
 
-    run_with(database, story)
 
-
-def test_nodes_that_start_at_once_make_one_id(
+async def test_nodes_that_start_at_once_make_one_id(
     database: UsedDatabase, tmp_path: Path
 ) -> None:
     async def start(url: str) -> None:
         async with opened(database) as (_, nodes):
             await check_shared(nodes, url, tmp_path / "records", "key", "host")
 
-    async def start_all() -> None:
-        async with opened(database):
-            await asyncio.gather(*map(start, URLS))
-
-    asyncio.run(start_all())
+    async with opened(database):
+        await asyncio.gather(*map(start, URLS))
 
 
 class StartingNode:
@@ -179,7 +157,7 @@ class StartingNode:
 
 
 @pytest.mark.parametrize("join_first", [False, True])
-def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
+async def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
     database: UsedDatabase,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -192,8 +170,7 @@ def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
     that is refused leaves at once, and that its key is never stored.
     """
     used_keys: list[str] = []
-
-    async def story(store: Store, nodes: NodeStore) -> None:
+    async with opened(database) as (store, nodes):
         both = [
             StartingNode(store, tmp_path, url, keyid, used_keys)
             for url, keyid in zip(URLS, ("key 1", "key 2"), strict=True)
@@ -209,8 +186,8 @@ def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
                 await barrier.wait()
 
             monkeypatch.setattr(NodeStore, "join", join_with_other)
-            opened = [one.node.open() for one in both]
-            ends = await asyncio.gather(*opened, return_exceptions=True)
+            starts = [one.node.open() for one in both]
+            ends = await asyncio.gather(*starts, return_exceptions=True)
         else:
             ends = []
             for one in both:
@@ -225,16 +202,13 @@ def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
         await stays.check_before()
         await stays.node.close()
 
-    run_with(database, story)
-
 
 # --- one chain ---
 
 
-def test_a_statement_names_the_last_one(database: UsedDatabase) -> None:
+async def test_a_statement_names_the_last_one(database: UsedDatabase) -> None:
     """Expect no second one behind the same, and none of a run that has one."""
-
-    async def story(store: Store, _: NodeStore) -> None:
+    async with opened(database) as (store, _):
         await store.add_statement("run_1", b"1", "sha of 1", None)
         for late in (None, "sha of 2"):
             with pytest.raises(NotTheNext):
@@ -245,10 +219,8 @@ def test_a_statement_names_the_last_one(database: UsedDatabase) -> None:
         assert await store.last_statement_sha256() == "sha of 2"
         assert await store.find_statement("run_1") == b"1"
 
-    run_with(database, story)
 
-
-def test_nodes_add_one_statement_after_another(database: UsedDatabase) -> None:
+async def test_nodes_add_one_statement_after_another(database: UsedDatabase) -> None:
     """Four nodes add five each, and begin again behind what came before."""
 
     async def sign(node: int) -> None:
@@ -264,11 +236,8 @@ def test_nodes_add_one_statement_after_another(database: UsedDatabase) -> None:
                         continue
                     break
 
-    async def sign_all() -> None:
-        async with opened(database):
-            await asyncio.gather(*map(sign, range(4)))
-
-    asyncio.run(sign_all())
+    async with opened(database):
+        await asyncio.gather(*map(sign, range(4)))
     rows = database.execute("SELECT statement, sha256 FROM statements ORDER BY number")
     assert len(rows) == 20
     assert [bytes(said).decode() for said, _ in rows[1:]] == [s for _, s in rows[:-1]]
@@ -333,19 +302,16 @@ def test_an_earlier_owner_changes_no_file_of_a_later_one(
     assert [fault["detail"] for fault in faults] == ["before", "after"]
 
 
-def test_parts_of_all_owners_are_removed_when_a_result_is_stored(
+async def test_parts_of_all_owners_are_removed_when_a_result_is_stored(
     tmp_path: Path,
 ) -> None:
-    async def story() -> None:
-        first, second = Owner(tmp_path, 1), Owner(tmp_path, 2)
-        for owner in (first, second):
-            await owner.add_fault("before")
-            await owner.finish()
-        second.recordings.remove_parts(second.run, {0})
-        for owner in (first, second):
-            await owner.recordings.close()
-
-    asyncio.run(story())
+    first, second = Owner(tmp_path, 1), Owner(tmp_path, 2)
+    for owner in (first, second):
+        await owner.add_fault("before")
+        await owner.finish()
+    second.recordings.remove_parts(second.run, {0})
+    for owner in (first, second):
+        await owner.recordings.close()
     names = {path.name for path in (tmp_path / "run_1").iterdir()}
     assert names == {"00000.fence1.mcap", "00000.fence2.mcap"}
 

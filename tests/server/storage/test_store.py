@@ -28,8 +28,9 @@ from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
+    open_server_parts,
     record_score,
-    run_scenarios,
+    run_scenario,
 )
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
@@ -52,11 +53,11 @@ def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
 
     before = os.umask(0o022)
     try:
-        run_scenarios(tmp_path, scenario)
+        run_scenario(tmp_path, scenario)
         (tmp_path / "proctor.sqlite").unlink()
         sqlite3.connect(tmp_path / "proctor.sqlite").close()
         (tmp_path / "proctor.sqlite").touch(0o644)
-        run_scenarios(tmp_path, scenario)
+        run_scenario(tmp_path, scenario)
     finally:
         os.umask(before)
 
@@ -64,13 +65,12 @@ def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
 # --- rows ---
 
 
-def test_a_run_is_loaded_as_it_was_saved(database: UsedDatabase) -> None:
+async def test_a_run_is_loaded_as_it_was_saved(database: UsedDatabase) -> None:
     player = {"name": "p", "client": "é"}
     result = Result(
         "failure", 0.1 + 0.2, 2, 7, False, True, 5e-324, 1e9 + 1 / 3, player, 3, -0.5
     )
-
-    async def save(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         run = calibration_run("score", "echo", "count", queue_until_wall=0.1)
         assert await parts.store.insert(run, None, "")
         run.episodes[1].result = result
@@ -80,28 +80,29 @@ def test_a_run_is_loaded_as_it_was_saved(database: UsedDatabase) -> None:
         run.state, run.reason, run.retryable = "failed", "é\x00💥", True
         await parts.store.save(run)
         assert run.changed == set()
-
-    async def load(parts: ServerParts) -> None:
-        run = await parts.store.load("run_1")
-        assert run is not None
-        assert run.episodes[1].result == result
-        plain = run.episodes[0]
+    async with open_server_parts(database) as parts:
+        loaded = await parts.store.load("run_1")
+        assert loaded is not None
+        assert loaded.episodes[1].result == result
+        plain = loaded.episodes[0]
         assert (plain.attempt, plain.faults, plain.result) == (1, 0, None)
-        touched = run.episodes[2]
+        touched = loaded.episodes[2]
         attempt_and_faults = (touched.attempt, touched.faults, touched.faults_forgiven)
         assert attempt_and_faults == (2, 2, 1)
-        assert (run.state, run.reason, run.retryable) == ("failed", "é\x00💥", True)
-        assert (run.pending, run.scored, run.workers) == ([0, 2], 1, {})
+        assert (loaded.state, loaded.reason, loaded.retryable) == (
+            "failed",
+            "é\x00💥",
+            True,
+        )
+        assert (loaded.pending, loaded.scored, loaded.workers) == ([0, 2], 1, {})
         same = calibration_run("score", "echo", "count")
         for name in ("manifest", "submission", "images", "max_workers", "account"):
-            assert getattr(run, name) == getattr(same, name)
-        assert (run.queue_until_wall, run.created_at_wall) == (0.1, 1000.0)
+            assert getattr(loaded, name) == getattr(same, name)
+        assert (loaded.queue_until_wall, loaded.created_at_wall) == (0.1, 1000.0)
         assert await parts.store.load("run_2") is None
 
-    run_scenarios(database, save, load)
 
-
-def test_an_import_is_found_as_it_was_added(database: UsedDatabase) -> None:
+async def test_an_import_is_found_as_it_was_added(database: UsedDatabase) -> None:
     """The texts of its statement are of others: they have any character."""
     text = "é\x00\\0💥"
     one = RecordImport(
@@ -110,17 +111,14 @@ def test_an_import_is_found_as_it_was_added(database: UsedDatabase) -> None:
         *(None, 1, 1000.0),
         reason=text,
     )
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         imports = ImportStore(parts.store)
         await imports.add(one)
         assert await imports.find("alice", "import_1") == one
 
-    run_scenarios(database, scenario)
 
-
-def test_a_manifest_is_stored_once(database: UsedDatabase) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_a_manifest_is_stored_once(database: UsedDatabase) -> None:
+    async with open_server_parts(database) as parts:
         for number in range(3):
             await parts.store.insert(calibration_run(run_id=f"run_{number}"), None, "")
         assert (
@@ -128,11 +126,9 @@ def test_a_manifest_is_stored_once(database: UsedDatabase) -> None:
             database.count("runs"),
         ) == (1, 3)
 
-    run_scenarios(database, scenario)
 
-
-def test_numbers_grow_and_pages_go_back(database: UsedDatabase) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_numbers_grow_and_pages_go_back(database: UsedDatabase) -> None:
+    async with open_server_parts(database) as parts:
         for number in range(5):
             account = "bob" if number == 2 else "alice"
             run = calibration_run(run_id=f"run_{number}", account=account)
@@ -144,13 +140,10 @@ def test_numbers_grow_and_pages_go_back(database: UsedDatabase) -> None:
         queued = await parts.store.in_states("queued", "ready")
         assert queued == [f"run_{number}" for number in range(5)]
 
-    run_scenarios(database, scenario)
 
-
-def test_a_page_may_begin_at_any_number(database: UsedDatabase) -> None:
+async def test_a_page_may_begin_at_any_number(database: UsedDatabase) -> None:
     """A cursor is the client's: it may be larger than a number in any row can be."""
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         await parts.store.insert(calibration_run(), None, "")
         board = BoardStore(parts.store, bytes)
         imports = ImportStore(parts.store)
@@ -163,8 +156,6 @@ def test_a_page_may_begin_at_any_number(database: UsedDatabase) -> None:
             window = await parts.store.read_window("run_1", cursor, cursor + 3)
             assert window is not None
             assert window[1] == []
-
-    run_scenarios(database, scenario)
 
 
 # --- parts of runs ---
@@ -184,8 +175,8 @@ async def save_runs(parts: ServerParts, *runs: Run) -> None:
         await parts.store.save(run)
 
 
-def test_a_window_is_a_part_of_the_run(database: UsedDatabase) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_a_window_is_a_part_of_the_run(database: UsedDatabase) -> None:
+    async with open_server_parts(database) as parts:
         await save_runs(parts, three_episode_run(), three_episode_run("run_2"))
         run = await parts.store.load("run_1")
         assert run is not None
@@ -202,17 +193,14 @@ def test_a_window_is_a_part_of_the_run(database: UsedDatabase) -> None:
         assert await parts.store.read_window("run_3", 0, None) is None
         assert await parts.store.heads([]) == {}
 
-    run_scenarios(database, scenario)
 
-
-def test_a_list_of_runs_has_all_of_their_submissions_but_the_options(
+async def test_a_list_of_runs_has_all_of_their_submissions_but_the_options(
     database: UsedDatabase,
 ) -> None:
     """Every member of a submission. Expect that those of one run have the options."""
     all_of_it = dict.fromkeys(Submission.__annotations__, "x")
     options = {"options": {"tasks": ["score"] * 3}}
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         run = calibration_run(submission=all_of_it | options)
         await parts.store.insert(run, None, "")
         listed = (await parts.store.heads(["run_1"]))["run_1"]
@@ -222,15 +210,12 @@ def test_a_list_of_runs_has_all_of_their_submissions_but_the_options(
         assert found is not None
         assert found[0].submission == all_of_it | options
 
-    run_scenarios(database, scenario)
 
-
-def test_the_manifest_cache_is_bounded(
+async def test_the_manifest_cache_is_bounded(
     database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(store_module, "CACHED_MANIFESTS_MAX", 2)
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         for length in range(1, 6):
             run = calibration_run(*["score"] * length, run_id=f"run_{length}")
             await parts.store.insert(run, None, "")
@@ -239,13 +224,10 @@ def test_the_manifest_cache_is_bounded(
             assert heads[f"run_{length}"].total == length
             assert len(parts.store._manifest_cache) <= 2
 
-    run_scenarios(database, scenario)
 
-
-def test_a_read_is_of_one_moment(database: UsedDatabase) -> None:
+async def test_a_read_is_of_one_moment(database: UsedDatabase) -> None:
     """And a write of another process does not wait for it."""
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         await save_runs(parts, three_episode_run())
         count = sa.text("SELECT count(result) FROM episodes")
 
@@ -257,44 +239,39 @@ def test_a_read_is_of_one_moment(database: UsedDatabase) -> None:
         assert await parts.store.read(look) == [1, 1]
         assert database.count("episodes") == 0
 
-    run_scenarios(database, scenario)
+
+async def test_a_read_and_a_write_do_not_wait_for_each_other(
+    parts: ServerParts,
+) -> None:
+
+    run = three_episode_run()
+    await save_runs(parts, run)
+    looking, written = threading.Event(), threading.Event()
+
+    def look(connection: sa.Connection) -> list[int]:
+        count = sa.text("SELECT count(result) FROM episodes")
+        first = connection.execute(count).scalar_one()
+        looking.set()
+        assert written.wait(TIMEOUT_S)
+        return [first, connection.execute(count).scalar_one()]
+
+    reading = asyncio.create_task(parts.store.read(look))
+    assert await asyncio.to_thread(looking.wait, TIMEOUT_S)
+    record_score(run, 2)
+    await parts.store.save(run)
+    written.set()
+    assert await reading == [1, 1]
+    assert await parts.store.read(look) == [2, 2]
 
 
-def test_a_read_and_a_write_do_not_wait_for_each_other(tmp_path: Path) -> None:
-
-    async def scenario(parts: ServerParts) -> None:
-        run = three_episode_run()
-        await save_runs(parts, run)
-        looking, written = threading.Event(), threading.Event()
-
-        def look(connection: sa.Connection) -> list[int]:
-            count = sa.text("SELECT count(result) FROM episodes")
-            first = connection.execute(count).scalar_one()
-            looking.set()
-            assert written.wait(TIMEOUT_S)
-            return [first, connection.execute(count).scalar_one()]
-
-        reading = asyncio.create_task(parts.store.read(look))
-        assert await asyncio.to_thread(looking.wait, TIMEOUT_S)
-        record_score(run, 2)
-        await parts.store.save(run)
-        written.set()
-        assert await reading == [1, 1]
-        assert await parts.store.read(look) == [2, 2]
-
-    run_scenarios(tmp_path, scenario)
-
-
-def test_reads_are_read_only(database: UsedDatabase) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_reads_are_read_only(database: UsedDatabase) -> None:
+    async with open_server_parts(database) as parts:
         await save_runs(parts, three_episode_run())
         with pytest.raises(StoreFailed, match=r"read-?only"):
             await parts.store.read(
                 lambda connection: connection.execute(sa.text("DELETE FROM episodes"))
             )
         assert database.count("episodes") == 1
-
-    run_scenarios(database, scenario)
 
 
 # --- writes that fail ---
@@ -329,8 +306,8 @@ def test_an_invalid_database_is_reported(url: str) -> None:
     assert "\n" not in str(caught.value)
 
 
-def test_a_failed_write_can_be_repeated(database: UsedDatabase) -> None:
-    async def scenario(parts: ServerParts) -> None:
+async def test_a_failed_write_can_be_repeated(database: UsedDatabase) -> None:
+    async with open_server_parts(database) as parts:
         run = calibration_run()
         await parts.store.insert(run, None, "")
         run.episodes[0].faults, run.changed, run.reason = 1, {0}, "new"
@@ -345,10 +322,8 @@ def test_a_failed_write_can_be_repeated(database: UsedDatabase) -> None:
         assert stored is not None
         assert (stored.reason, stored.episodes[0].faults) == ("new", 1)
 
-    run_scenarios(database, scenario)
 
-
-def test_a_full_disk_is_seen_until_there_is_room(tmp_path: Path) -> None:
+async def test_a_full_disk_is_seen_until_there_is_room(tmp_path: Path) -> None:
     """Without a change of what is stored."""
 
     @contextmanager
@@ -360,7 +335,7 @@ def test_a_full_disk_is_seen_until_there_is_room(tmp_path: Path) -> None:
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = three_episode_run()
         await save_runs(parts, run)
         await parts.store.check_writable()
@@ -375,8 +350,6 @@ def test_a_full_disk_is_seen_until_there_is_room(tmp_path: Path) -> None:
             await parts.store.check_writable()
         assert parts.database.count("accounts") == 0
         await parts.store.save(run)
-
-    run_scenarios(tmp_path, scenario)
 
 
 @pytest.mark.slow("starts PostgreSQL")
@@ -404,11 +377,11 @@ def test_an_unreachable_database_is_reported() -> None:
             assert run.changed == set()
             assert list(await parts.store.heads(["run_1", "run_2"])) == ["run_1"]
 
-        run_scenarios(database, scenario)
+        run_scenario(database, scenario)
 
 
 @pytest.mark.slow("starts PostgreSQL")
-def test_slow_reads_leave_connections_for_writes(
+async def test_slow_reads_leave_connections_for_writes(
     postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(postgresql_module, "POOL_TIMEOUT_S", 0.5)
@@ -418,8 +391,7 @@ def test_slow_reads_leave_connections_for_writes(
         "SELECT count(*) FROM pg_stat_activity WHERE query = 'SELECT pg_sleep(30)' "
         "AND datname = current_database()"
     )
-
-    async def scenario(parts: ServerParts) -> None:
+    async with open_server_parts(database) as parts:
         reads = [
             asyncio.create_task(parts.store.read(lambda c: c.execute(sleep)))
             for _ in range(2 * postgresql_module.CONNECTIONS_MAX)
@@ -436,10 +408,10 @@ def test_slow_reads_leave_connections_for_writes(
         await asyncio.gather(*reads, return_exceptions=True)
         assert await parts.store.find_statement("run_1") is None
 
-    run_scenarios(database, scenario)
 
-
-def test_closing_waits_for_a_write_whose_caller_was_cancelled(tmp_path: Path) -> None:
+async def test_closing_waits_for_a_write_whose_caller_was_cancelled(
+    tmp_path: Path,
+) -> None:
     """Else the process may end, or the file be copied, in the middle of it."""
     begun, go_on = threading.Event(), threading.Event()
 
@@ -448,7 +420,7 @@ def test_closing_waits_for_a_write_whose_caller_was_cancelled(tmp_path: Path) ->
         assert go_on.wait(TIMEOUT_S)
         connection.exec_driver_sql("UPDATE runs SET reason = 'stored'")
 
-    async def scenario(_parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as _parts:
         database = UsedDatabase.of_file(tmp_path / "other.sqlite")
         store = Store(database.url)
         await store.open()
@@ -464,13 +436,10 @@ def test_closing_waits_for_a_write_whose_caller_was_cancelled(tmp_path: Path) ->
         await closing
         assert database.execute("SELECT reason FROM runs") == [("stored",)]
 
-    run_scenarios(tmp_path, scenario)
 
-
-def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:
+async def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:
     """It has one connection for all: a reader's end may not commit a writer's half."""
-
-    async def scenario(_parts: ServerParts) -> None:
+    async with open_server_parts(tmp_path / "proctor.sqlite") as _parts:
         store = Store("sqlite+aiosqlite:///:memory:")
         await store.open()
         await store.insert(calibration_run(), None, "")
@@ -495,5 +464,3 @@ def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:
         assert run is not None
         assert run.reason is None
         await store.close()
-
-    run_scenarios(tmp_path, scenario)

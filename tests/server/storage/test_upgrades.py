@@ -25,7 +25,7 @@ from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,
     record_score,
-    run_scenarios,
+    run_scenario,
 )
 
 # What the first version of the server made of an empty database.
@@ -159,11 +159,11 @@ def test_an_upgraded_database_has_the_tables_of_a_new_one(
 
 
 def test_the_runs_of_the_first_version_are_there(database: UsedDatabase) -> None:
-    async def before(parts: ServerParts) -> None:
+    async def save_runs(parts: ServerParts) -> None:
         for number in range(3):
             await save_scored_run(parts, f"run_{number}")
 
-    async def after(parts: ServerParts) -> None:
+    async def read_runs(parts: ServerParts) -> None:
         heads = await parts.store.heads(["run_0", "run_1", "run_2"])
         assert heads["run_0"].reason == OLDER_REASON
         assert [heads[f"run_{n}"].attempts_by_submitter for n in range(3)] == [1, 2, 3]
@@ -176,10 +176,10 @@ def test_the_runs_of_the_first_version_are_there(database: UsedDatabase) -> None
         await save_scored_run(parts, "run_3")
         assert await parts.store.count_attempts(heads["run_0"]) == 4
 
-    run_scenarios(database, before)
+    run_scenario(database, save_runs)
     make_first_version(database)
     database.execute(f"UPDATE runs SET reason = '{OLDER_REASON}'")  # noqa: S608
-    run_scenarios(database, after)
+    run_scenario(database, read_runs)
 
 
 async def use_new_columns(parts: ServerParts, head: RunHead) -> None:
@@ -195,7 +195,7 @@ async def use_new_columns(parts: ServerParts, head: RunHead) -> None:
 
 def test_a_database_without_a_version_gets_one(database: UsedDatabase) -> None:
     """Made by the last server that had no versions: nothing else changes."""
-    run_scenarios(database, lambda parts: save_scored_run(parts, "run_1"))
+    run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     before = schema_of(database)
     database.make_unversioned()
     rows = [(*row, None, None) for row in database.execute("SELECT * FROM runs")]
@@ -205,7 +205,7 @@ def test_a_database_without_a_version_gets_one(database: UsedDatabase) -> None:
 
 
 def test_an_upgrade_that_fails_changes_nothing(database: UsedDatabase) -> None:
-    run_scenarios(database, lambda parts: save_scored_run(parts, "run_1"))
+    run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     make_first_version(database)
     before = tables_of(database)
     database.execute("UPDATE manifests SET manifest = ''")
@@ -243,7 +243,7 @@ def test_an_older_database_is_only_upgraded_where_that_is_allowed(
 
 
 def test_two_servers_that_start_at_once_upgrade_once(database: UsedDatabase) -> None:
-    run_scenarios(database, lambda parts: save_scored_run(parts, "run_1"))
+    run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     make_first_version(database)
 
     async def open_both() -> list[Upgrade | None]:

@@ -244,26 +244,22 @@ def test_two_processes_play_the_same_episode(
     assert one[0] != one[1]
 
 
-def test_an_environment_that_raises_is_a_fault_of_the_simulator() -> None:
+async def test_an_environment_that_raises_is_a_fault_of_the_simulator() -> None:
     world = SimulatorConfig("mine", settings_of("RaisesLater", ends_on_success=False))
     still = [{"action": [0.0]}]
-
-    async def play() -> None:
-        pool = SimulatorPool(spares=0)
-        await pool.start()
-        try:
-            handle = await pool.acquire(world)
-            await begin(handle, "mine")
-            played = await handle.play(still * 15, observe_all=False)
-            assert (played.executed, played.ended) == (15, False)
-            with pytest.raises(SimulatorFault, match="ValueError: the physics explode"):
-                await handle.play(still, observe_all=False)
-            again = await pool.acquire(world)
-            await begin(again, "mine")  # a process of its own: nothing is left
-        finally:
-            await pool.close()
-
-    asyncio.run(play())
+    pool = SimulatorPool(spares=0)
+    await pool.start()
+    try:
+        handle = await pool.acquire(world)
+        await begin(handle, "mine")
+        played = await handle.play(still * 15, observe_all=False)
+        assert (played.executed, played.ended) == (15, False)
+        with pytest.raises(SimulatorFault, match="ValueError: the physics explode"):
+            await handle.play(still, observe_all=False)
+        again = await pool.acquire(world)
+        await begin(again, "mine")  # a process of its own: nothing is left
+    finally:
+        await pool.close()
 
 
 # --- end to end ---

@@ -6,7 +6,8 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Callable, Coroutine
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
@@ -36,25 +37,18 @@ OTHER_WORLD = benchmark_registry.resolve(
 fork_and_exec = pytest.mark.parametrize("fork", [True, False], ids=["fork", "exec"])
 
 
-def with_pool(
-    scenario: Callable[[SimulatorPool], Coroutine[Any, Any, None]], **settings: Any
-) -> None:
-    """Runs a story with a pool, and expects that none of its processes is left."""
-
-    async def run() -> None:
-        pool = SimulatorPool(**settings)
-        await pool.start()
-        try:
-            await asyncio.wait_for(scenario(pool), DEADLINE_S)
-        finally:
-            pids = [process.pid for process in pool._processes]
-            await pool.close()
-        assert (pool.busy, pool.idle) == (0, 0)
-        await wait_in_loop(
-            lambda: not any(pid and exists(pid) for pid in pids), DEADLINE_S
-        )
-
-    asyncio.run(run())
+@asynccontextmanager
+async def opened_pool(**settings: Any) -> AsyncIterator[SimulatorPool]:
+    """A pool; expects that none of its processes is left."""
+    pool = SimulatorPool(**settings)
+    await pool.start()
+    try:
+        yield pool
+    finally:
+        pids = [process.pid for process in pool._processes]
+        await pool.close()
+    assert (pool.busy, pool.idle) == (0, 0)
+    await wait_in_loop(lambda: not any(pid and exists(pid) for pid in pids), DEADLINE_S)
 
 
 async def begin(handle: SimulatorHandle, task: str, max_steps: int = 100) -> None:
@@ -77,7 +71,7 @@ def read_environment(pid: int | None) -> str:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="needs /proc")
 @fork_and_exec
-def test_settings_of_the_server_are_not_passed_on(
+async def test_settings_of_the_server_are_not_passed_on(
     monkeypatch: pytest.MonkeyPatch, fork: bool
 ) -> None:
     """Code of a host's own benchmark runs in these processes."""
@@ -85,19 +79,16 @@ def test_settings_of_the_server_are_not_passed_on(
     monkeypatch.setenv("proctor_database", "postgresql://user:sesame@host/name")
     monkeypatch.setenv("PGPASSWORD", "sesame")
     monkeypatch.setenv("OTHER_VARIABLE", "kept")
-
-    async def scenario(pool: SimulatorPool) -> None:
+    async with opened_pool(fork=fork, spares=0) as pool:
         handle = await pool.acquire(WORLD)
         environment = read_environment(handle.pid)
         assert "sesame" not in environment
         assert "OTHER_VARIABLE=kept" in environment
 
-    with_pool(scenario, fork=fork, spares=0)
-
 
 @fork_and_exec
-def test_plays_an_episode(fork: bool) -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_plays_an_episode(fork: bool) -> None:
+    async with opened_pool(fork=fork) as pool:
         handle = await pool.acquire(WORLD)
         beginning = await handle.begin("score", 7, max_steps=3, success_rule="any_step")
         assert beginning.instruction == "Calibration task score."
@@ -115,11 +106,9 @@ def test_plays_an_episode(fork: bool) -> None:
         assert (last.ended, last.terminated, last.truncated) == (True, False, True)
         assert last.observation is None
 
-    with_pool(scenario, fork=fork)
 
-
-def test_observes_every_step_when_all_are_wanted() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_observes_every_step_when_all_are_wanted() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count", max_steps=2)
         played = await handle.play([action()] * 5, observe_all=True)
@@ -128,34 +117,30 @@ def test_observes_every_step_when_all_are_wanted() -> None:
         assert counts == [[1.0], [2.0]]
         assert played.observation == played.observations[-1]
 
-    with_pool(scenario)
 
-
-def test_the_current_observation_can_be_read_again() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_the_current_observation_can_be_read_again() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(OTHER_WORLD)
         await begin(handle, "echo")
         played = await handle.play([action()], observe_all=False)
         assert await handle.observe() == played.observation
         assert (await handle.observe())["images"]["pattern"]["width"] == 64
 
-    with_pool(scenario)
 
-
-def test_observations_arrive_bit_for_bit() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_observations_arrive_bit_for_bit() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         beginning = await handle.begin("echo", 7, max_steps=3, success_rule="any_step")
         simulator = Calibration(width=16, height=12)
         simulator.reset("echo", 7)
         assert beginning.observation == encode(simulator.observe(), "raw")
 
-    with_pool(scenario)
-
 
 @pytest.mark.parametrize(("rule", "score"), [("any_step", 1.0), ("last_step", 0.0)])
-def test_outside_task_score_the_score_is_the_success(rule: str, score: float) -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_outside_task_score_the_score_is_the_success(
+    rule: str, score: float
+) -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         await handle.begin("count", 7, max_steps=2, success_rule=rule)
         played = await handle.play(
@@ -163,11 +148,9 @@ def test_outside_task_score_the_score_is_the_success(rule: str, score: float) ->
         )
         assert (played.score, played.success) == (score, bool(score))
 
-    with_pool(scenario)
 
-
-def test_parts_of_the_timing_fit_into_the_whole() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_parts_of_the_timing_fit_into_the_whole() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         started = time.perf_counter()
@@ -177,11 +160,9 @@ def test_parts_of_the_timing_fit_into_the_whole() -> None:
         assert timing.simulate_s >= 0.1
         assert timing.simulate_s + timing.render_s + timing.encode_s <= total
 
-    with_pool(scenario)
 
-
-def test_a_released_process_is_lent_again_for_the_same_world() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_released_process_is_lent_again_for_the_same_world() -> None:
+    async with opened_pool() as pool:
         first = await pool.acquire(WORLD)
         other = await pool.acquire(OTHER_WORLD)
         await first.release()
@@ -192,11 +173,9 @@ def test_a_released_process_is_lent_again_for_the_same_world() -> None:
             assert handle.pid == previous.pid
         assert first.pid != other.pid
 
-    with_pool(scenario)
 
-
-def test_a_process_can_be_rebuilt_for_another_world() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_process_can_be_rebuilt_for_another_world() -> None:
+    async with opened_pool(spares=0) as pool:
         first = await pool.acquire(WORLD)
         await first.release()
         second = await pool.acquire(OTHER_WORLD)
@@ -204,11 +183,9 @@ def test_a_process_can_be_rebuilt_for_another_world() -> None:
         beginning = await second.begin("echo", 1, max_steps=1, success_rule="any_step")
         assert beginning.observation["images"]["pattern"]["codec"] == "png"
 
-    with_pool(scenario, spares=0)
 
-
-def test_a_released_handle_cannot_be_used() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_released_handle_cannot_be_used() -> None:
+    async with opened_pool(spares=0) as pool:
         handle = await pool.acquire(WORLD)
         await handle.release()
         await handle.release()
@@ -217,11 +194,9 @@ def test_a_released_handle_cannot_be_used() -> None:
         with pytest.raises(SimulatorFault):
             await begin(handle, "count")
 
-    with_pool(scenario, spares=0)
 
-
-def test_the_pool_lends_at_most_size_max() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_the_pool_lends_at_most_size_max() -> None:
+    async with opened_pool(size_max=3) as pool:
         handles = await asyncio.gather(
             *(pool.acquire(WORLD) for _ in range(5)), return_exceptions=True
         )
@@ -231,17 +206,15 @@ def test_the_pool_lends_at_most_size_max() -> None:
         await lent[0].release()
         await pool.acquire(WORLD)
 
-    with_pool(scenario, size_max=3)
-
 
 @pytest.mark.parametrize("module", ["socket.socketpair", "socket.send_fds"])
-def test_a_shortage_of_files_is_no_fault(
+async def test_a_shortage_of_files_is_no_fault(
     module: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(*_: object) -> None:
         raise OSError(errno.EMFILE, "Too many open files")
 
-    async def scenario(pool: SimulatorPool) -> None:
+    async with opened_pool(spares=0) as pool:
         with monkeypatch.context() as patch:
             patch.setattr(module, fail)
             for _ in range(3):
@@ -249,16 +222,14 @@ def test_a_shortage_of_files_is_no_fault(
                     await pool.acquire(WORLD)
         await begin(await pool.acquire(WORLD), "count")
 
-    with_pool(scenario, spares=0)
 
-
-def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
+async def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     def fail(*_: object) -> None:
         raise OSError(errno.EMFILE, "Too many open files")
 
-    async def scenario(pool: SimulatorPool) -> None:
+    async with opened_pool(spares=0) as pool:
         monkeypatch.setattr(simulator_process, "map_memory", fail)
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
@@ -269,22 +240,18 @@ def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
             await pending
         assert pool.busy == 0
 
-    with_pool(scenario, spares=0)
 
-
-def test_spare_processes_are_started_and_replaced() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_spare_processes_are_started_and_replaced() -> None:
+    async with opened_pool(spares=2) as pool:
         assert pool.idle == 0
         await wait_in_loop(lambda: pool.idle == 2, DEADLINE_S)
         await pool.acquire(WORLD)
         await wait_in_loop(lambda: pool.idle == 2, DEADLINE_S)
 
-    with_pool(scenario, spares=2)
-
 
 @fork_and_exec
-def test_a_crash_is_a_fault_and_frees_the_slot(fork: bool) -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_crash_is_a_fault_and_frees_the_slot(fork: bool) -> None:
+    async with opened_pool(size_max=1, fork=fork) as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "fault")
         with pytest.raises(SimulatorFault, match="died"):
@@ -297,11 +264,9 @@ def test_a_crash_is_a_fault_and_frees_the_slot(fork: bool) -> None:
         again = await pool.acquire(WORLD)
         await begin(again, "fault")
 
-    with_pool(scenario, size_max=1, fork=fork)
 
-
-def test_an_unplayable_task_differs_from_a_fault() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_an_unplayable_task_differs_from_a_fault() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         with pytest.raises(TaskUnplayable):
             await begin(handle, "juggle")
@@ -310,33 +275,27 @@ def test_an_unplayable_task_differs_from_a_fault() -> None:
             await handle.play([action(fault=2)], observe_all=False)
         await begin(handle, "count")
 
-    with_pool(scenario)
 
-
-def test_an_exception_in_the_simulator_is_a_fault() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_an_exception_in_the_simulator_is_a_fault() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         with pytest.raises(SimulatorFault, match="KeyError"):
             await handle.play([{"unheard_of": [1.0]}], observe_all=False)
         assert pool.busy == 0
 
-    with_pool(scenario)
 
-
-def test_a_world_that_cannot_be_built_is_a_fault() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_world_that_cannot_be_built_is_a_fault() -> None:
+    async with opened_pool() as pool:
         nowhere = benchmark_registry.SimulatorConfig("nowhere", {"codec": "raw"})
         with pytest.raises(SimulatorFault, match="nowhere"):
             await pool.acquire(nowhere)
         assert pool.busy == 0
 
-    with_pool(scenario)
-
 
 @fork_and_exec
-def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
+    async with opened_pool(fork=fork) as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         assert handle.pid is not None
@@ -346,22 +305,18 @@ def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
             await handle.play([action()], observe_all=False)
         await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
 
-    with_pool(scenario, fork=fork)
 
-
-def test_a_slow_chunk_that_makes_steps_does_not_time_out() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_slow_chunk_that_makes_steps_does_not_time_out() -> None:
+    async with opened_pool(turn_timeout_s=5.0) as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         played = await handle.play([action(delay_s=0.6)] * 9, observe_all=False)
         assert played.executed == 9
 
-    with_pool(scenario, turn_timeout_s=5.0)
-
 
 @fork_and_exec
-def test_discarding_ends_a_running_play(fork: bool) -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_discarding_ends_a_running_play(fork: bool) -> None:
+    async with opened_pool(fork=fork) as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         playing = asyncio.create_task(
@@ -374,11 +329,9 @@ def test_discarding_ends_a_running_play(fork: bool) -> None:
             await playing
         await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
 
-    with_pool(scenario, fork=fork)
 
-
-def test_a_cancelled_play_ends_its_process() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_cancelled_play_ends_its_process() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         play = handle.play([action(delay_s=5)], observe_all=False)
@@ -387,11 +340,9 @@ def test_a_cancelled_play_ends_its_process() -> None:
         await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
         assert pool.busy == 0
 
-    with_pool(scenario)
 
-
-def test_a_long_turn_delays_no_other_simulator() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_long_turn_delays_no_other_simulator() -> None:
+    async with opened_pool() as pool:
         slow, quick = await pool.acquire(WORLD), await pool.acquire(WORLD)
         await begin(slow, "delay")
         await begin(quick, "count", max_steps=1000)
@@ -404,12 +355,10 @@ def test_a_long_turn_delays_no_other_simulator() -> None:
         os.kill(slow.pid, signal.SIGCONT)
         await playing
 
-    with_pool(scenario)
-
 
 @pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
-def test_a_dead_fork_server_is_replaced() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_a_dead_fork_server_is_replaced() -> None:
+    async with opened_pool(fork=True) as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         assert isinstance(pool._starter, ForkStarter)
@@ -420,28 +369,21 @@ def test_a_dead_fork_server_is_replaced() -> None:
             await handle.observe()
         await begin(await pool.acquire(WORLD), "count")
 
-    with_pool(scenario, fork=True)
+
+async def test_a_closed_pool_lends_nothing() -> None:
+    pool = SimulatorPool()
+    await pool.start()
+    await pool.close()
+    with pytest.raises(SimulatorFault):
+        await pool.acquire(WORLD)
 
 
-def test_a_closed_pool_lends_nothing() -> None:
-    async def run() -> None:
-        pool = SimulatorPool()
-        await pool.start()
-        await pool.close()
-        with pytest.raises(SimulatorFault):
-            await pool.acquire(WORLD)
-
-    asyncio.run(run())
-
-
-def test_simulators_ignore_ctrl_c() -> None:
-    async def scenario(pool: SimulatorPool) -> None:
+async def test_simulators_ignore_ctrl_c() -> None:
+    async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         assert handle.pid is not None
         os.kill(handle.pid, signal.SIGINT)
         await begin(handle, "count")
-
-    with_pool(scenario)
 
 
 def test_works_on_uvloop() -> None:

@@ -11,7 +11,8 @@ import os
 import signal
 import socket
 import threading
-from collections.abc import Callable, Coroutine
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any, cast
 
@@ -47,33 +48,32 @@ SMALL, ON_GPU, OF_MORE = (
     dataclasses.replace(WORLD, ray_resources=resources)
     for resources in ({"CPU": 0.5}, {"CPU": 1, "GPU": 0.25}, {"CPU": 2, "GPU": 1})
 )
-Scenario = Callable[[RayPool, LauncherWithoutRay], Coroutine[Any, Any, None]]
 
 
-def with_pool(scenario: Scenario, room: int, **settings: Any) -> None:
-    """A story with a pool on a cluster that has room for some simulators."""
-
-    async def run() -> None:
-        launcher = LauncherWithoutRay(room)
-        waits = {"place_s": DEADLINE_S, "idle_s": DEADLINE_S}
-        pool = RayPool("ray", "CPU=1", **{**waits, **settings})
-        await pool.start_with(cast("LauncherClient", launcher))
-        try:
-            await asyncio.wait_for(scenario(pool, launcher), DEADLINE_S)
-        finally:
-            await pool.close()
-        assert (pool.busy, pool.idle, launcher.actors) == (0, 0, {})
-        assert launcher.requested == 0
-
-    asyncio.run(run())
+@asynccontextmanager
+async def opened_pool(
+    room: int, **settings: Any
+) -> AsyncIterator[tuple[RayPool, LauncherWithoutRay]]:
+    """A pool on a cluster that has room for some simulators."""
+    launcher = LauncherWithoutRay(room)
+    waits = {"place_s": DEADLINE_S, "idle_s": DEADLINE_S}
+    pool = RayPool("ray", "CPU=1", **{**waits, **settings})
+    await pool.start_with(cast("LauncherClient", launcher))
+    try:
+        yield pool, launcher
+    finally:
+        await pool.close()
+    assert (pool.busy, pool.idle, launcher.actors) == (0, 0, {})
+    assert launcher.requested == 0
 
 
 async def begin(handle: SimulatorHandle, task: str) -> None:
     await handle.begin(task, 1000, max_steps=100, success_rule="any_step")
 
 
-def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
-    async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
+async def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
+    seen: list[list[bytes]] = []
+    async with opened_pool(room=1) as (pool, _):
         local = SimulatorPool(spares=0)
         try:
             for lender in (pool, local):
@@ -90,15 +90,12 @@ def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
                 seen.append([msgspec.msgpack.encode(turn) for turn in turns])
         finally:
             await local.close()
-
-    seen: list[list[bytes]] = []
-    with_pool(scenario, room=1)
     assert seen[0] == seen[1]
     assert b"pattern" in seen[0][0]
 
 
-def test_a_full_cluster_refuses_and_the_request_stays() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_a_full_cluster_refuses_and_the_request_stays() -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(WORLD)
         pool._queues[0]._place_s = 0.5
         fullness = [pool.is_full_for(WORLD)]
@@ -115,11 +112,9 @@ def test_a_full_cluster_refuses_and_the_request_stays() -> None:
         assert first.pid != second.pid
         assert pool.starts == 2
 
-    with_pool(scenario, room=1)
 
-
-def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
+    async with opened_pool(room=0, place_s=0.2) as (pool, launcher):
         waiting = asyncio.create_task(pool.acquire(WORLD))
         await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
         pool._queues[0]._placed_at = asyncio.get_running_loop().time() + DEADLINE_S
@@ -127,13 +122,10 @@ def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
         launcher.add_room()
         await waiting
 
-    with_pool(scenario, room=0, place_s=0.2)
 
-
-def test_a_cluster_that_starts_slowly_is_not_full() -> None:
+async def test_a_cluster_that_starts_slowly_is_not_full() -> None:
     """Until it says that it has no more room."""
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=0, place_s=0.2) as (pool, launcher):
         launcher.is_slow = True
         waiting = [asyncio.create_task(pool.acquire(WORLD)) for _ in range(2)]
         await wait_in_loop(lambda: launcher.requested == 2, DEADLINE_S)
@@ -147,36 +139,30 @@ def test_a_cluster_that_starts_slowly_is_not_full() -> None:
         with pytest.raises(NoCapacity, match="no room"):
             await refused
 
-    with_pool(scenario, room=0, place_s=0.2)
 
-
-def test_a_slow_start_is_awaited_for_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_slow_start_is_awaited_for_a_while(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(placement_queue, "START_S_MAX", 0.3)
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=0, place_s=0.1) as (pool, launcher):
         launcher.is_slow = True
         with pytest.raises(NoCapacity):
             await pool.acquire(WORLD)
 
-    with_pool(scenario, room=0, place_s=0.1)
 
-
-def test_who_waits_gets_what_is_returned() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_who_waits_gets_what_is_returned() -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(WORLD)
         waiting = asyncio.create_task(pool.acquire(WORLD))
         await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
         await first.release()
         assert (await waiting).pid == first.pid
 
-    with_pool(scenario, room=1)
-
 
 @pytest.mark.parametrize("leaves_first", [True, False])
-def test_who_stops_waiting_leaves_nothing_lent(leaves_first: bool) -> None:
+async def test_who_stops_waiting_leaves_nothing_lent(leaves_first: bool) -> None:
     """In the moment in which it is handed what another caller returned."""
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(WORLD)
         waiting = asyncio.create_task(pool.acquire(WORLD))
         await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
@@ -188,13 +174,10 @@ def test_who_stops_waiting_leaves_nothing_lent(leaves_first: bool) -> None:
             await waiting
         assert (pool.busy, pool.idle) == (0, 1)
 
-    with_pool(scenario, room=1)
 
-
-def test_what_has_ended_is_not_free() -> None:
+async def test_what_has_ended_is_not_free() -> None:
     """Nor if it ends in the moment in which who was handed it stops waiting."""
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(WORLD)
         waiting = asyncio.create_task(pool.acquire(WORLD))
         await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
@@ -206,20 +189,16 @@ def test_what_has_ended_is_not_free() -> None:
         assert first._process not in pool._idle
         assert (await pool.acquire(WORLD)).pid != first.pid
 
-    with_pool(scenario, room=1)
 
-
-def test_no_more_are_lent_than_the_setting_allows() -> None:
-    async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
+async def test_no_more_are_lent_than_the_setting_allows() -> None:
+    async with opened_pool(room=9, size_max=1) as (pool, _launcher):
         await pool.acquire(WORLD)
         with pytest.raises(NoCapacity, match="all 1 simulators are in use"):
             await pool.acquire(WORLD)
 
-    with_pool(scenario, room=9, size_max=1)
 
-
-def test_idle_simulators_are_given_back_but_for_the_spares() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_idle_simulators_are_given_back_but_for_the_spares() -> None:
+    async with opened_pool(room=4, spares=1, idle_s=0.2) as (pool, launcher):
         await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
         lent = [await pool.acquire(WORLD) for _ in range(3)]
         await wait_in_loop(lambda: len(launcher.actors) == 4, DEADLINE_S)
@@ -229,22 +208,17 @@ def test_idle_simulators_are_given_back_but_for_the_spares() -> None:
             lambda: pool.idle == 1 and len(launcher.actors) == 1, DEADLINE_S
         )
 
-    with_pool(scenario, room=4, spares=1, idle_s=0.2)
 
-
-def test_a_request_without_a_caller_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_request_without_a_caller_ends(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(placement_queue, "REQUEST_S", 0.1)
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=0, place_s=0.1, idle_s=0.2) as (pool, launcher):
         with pytest.raises(NoCapacity):
             await pool.acquire(WORLD)
         await wait_in_loop(lambda: launcher.requested == 0, DEADLINE_S)
 
-    with_pool(scenario, room=0, place_s=0.1, idle_s=0.2)
 
-
-def test_a_killed_actor_is_a_fault_and_frees_its_place() -> None:
-    async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
+async def test_a_killed_actor_is_a_fault_and_frees_its_place() -> None:
+    async with opened_pool(room=1) as (pool, _launcher):
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         playing = asyncio.create_task(
@@ -258,11 +232,9 @@ def test_a_killed_actor_is_a_fault_and_frees_its_place() -> None:
         assert pool.busy == 0
         await begin(await pool.acquire(WORLD), "count")
 
-    with_pool(scenario, room=1)
 
-
-def test_an_actor_that_makes_no_step_is_killed() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_an_actor_that_makes_no_step_is_killed() -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
         handle._process._timeout_s = 1.0  # not of its start, which may be slower
@@ -270,20 +242,16 @@ def test_an_actor_that_makes_no_step_is_killed() -> None:
             await handle.play([action(delay_s=5)], observe_all=False)
         assert launcher.actors == {}
 
-    with_pool(scenario, room=1)
 
-
-def test_a_discarded_actor_is_killed() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_a_discarded_actor_is_killed() -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         handle = await pool.acquire(WORLD)
         handle.discard()
         assert (launcher.actors, pool.busy, pool.idle) == ({}, 0, 0)
 
-    with_pool(scenario, room=1)
 
-
-def test_a_lost_cluster_is_no_fault() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_a_lost_cluster_is_no_fault() -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         launcher.is_joined = False
         with pytest.raises(NoCapacity, match="no cluster"):
             await pool.acquire(WORLD)
@@ -294,16 +262,13 @@ def test_a_lost_cluster_is_no_fault() -> None:
         await pool.check_start()
         await pool.acquire(WORLD)
 
-    with_pool(scenario, room=1)
-
 
 @pytest.mark.parametrize(("bad", "starts"), [(3, True), (4, False)])
-def test_a_machine_that_fails_in_a_start_is_not_the_last_one(
+async def test_a_machine_that_fails_in_a_start_is_not_the_last_one(
     monkeypatch: pytest.MonkeyPatch, bad: int, starts: bool
 ) -> None:
     monkeypatch.setattr(placement_queue, "START_AGAIN_S", 0.01)
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         launcher.bad_starts = bad
         if starts:
             await pool.acquire(WORLD)
@@ -311,11 +276,9 @@ def test_a_machine_that_fails_in_a_start_is_not_the_last_one(
             with pytest.raises(NoCapacity, match="its machine is gone"):
                 await pool.acquire(WORLD)
 
-    with_pool(scenario, room=1)
 
-
-def test_memory_of_another_machine_is_not_mapped() -> None:
-    async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
+async def test_memory_of_another_machine_is_not_mapped() -> None:
+    async with opened_pool(room=1) as (pool, _launcher):
         await pool.acquire(WORLD)
         (process,) = pool._processes
         message = simulator_main.frame(simulator_main.NewFrameMemory(0, 4096))
@@ -323,38 +286,31 @@ def test_memory_of_another_machine_is_not_mapped() -> None:
         process.buffer_updated(len(message))
         assert not process.alive
 
-    with_pool(scenario, room=1)
-
 
 # --- resources that a benchmark declares ---
 
 
-def test_a_simulator_is_placed_by_what_its_benchmark_declares() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_a_simulator_is_placed_by_what_its_benchmark_declares() -> None:
+    async with opened_pool(room=3) as (pool, launcher):
         same = dataclasses.replace(WORLD, ray_resources={"CPU": 1.0})
         for world in (WORLD, SMALL, same):
             await pool.acquire(world)
         assert launcher.started == [{"CPU": 1}, {"CPU": 0.5}, {"CPU": 1}]
         assert len(pool._queues) == 2
 
-    with_pool(scenario, room=3)
+
+async def test_a_local_simulator_needs_no_resources() -> None:
+    pool = SimulatorPool(spares=0)
+    try:
+        first = await pool.acquire(WORLD)
+        await first.release()
+        assert (await pool.acquire(ON_GPU)).pid == first.pid
+    finally:
+        await pool.close()
 
 
-def test_a_local_simulator_needs_no_resources() -> None:
-    async def run() -> None:
-        pool = SimulatorPool(spares=0)
-        try:
-            first = await pool.acquire(WORLD)
-            await first.release()
-            assert (await pool.acquire(ON_GPU)).pid == first.pid
-        finally:
-            await pool.close()
-
-    asyncio.run(run())
-
-
-def test_a_free_simulator_serves_only_what_declares_the_same() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_a_free_simulator_serves_only_what_declares_the_same() -> None:
+    async with opened_pool(room=9) as (pool, launcher):
         first = await pool.acquire(SMALL)
         await first.release()
         other = await pool.acquire(WORLD)
@@ -362,11 +318,9 @@ def test_a_free_simulator_serves_only_what_declares_the_same() -> None:
         assert (await pool.acquire(SMALL)).pid == first.pid
         assert launcher.started == [{"CPU": 0.5}, {"CPU": 1}]
 
-    with_pool(scenario, room=9)
 
-
-def test_what_is_returned_goes_to_who_waits_for_the_same() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_what_is_returned_goes_to_who_waits_for_the_same() -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(SMALL)
         waiting = []
         for world in (WORLD, SMALL):
@@ -378,11 +332,9 @@ def test_what_is_returned_goes_to_who_waits_for_the_same() -> None:
         launcher.add_room()
         await waiting[0]
 
-    with_pool(scenario, room=1)
 
-
-def test_what_no_machine_has_is_named_and_holds_up_no_other() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_what_no_machine_has_is_named_and_holds_up_no_other() -> None:
+    async with opened_pool(room=9, size_max=2) as (pool, launcher):
         pool._queue_for(ON_GPU)._place_s = 0.5
         refused = [asyncio.create_task(pool.acquire(ON_GPU)) for _ in range(2)]
         await wait_in_loop(lambda: launcher.requested == 2, DEADLINE_S)
@@ -403,13 +355,12 @@ def test_what_no_machine_has_is_named_and_holds_up_no_other() -> None:
         assert pool.is_full_for(ON_GPU)
         assert pool.starts == 4
 
-    with_pool(scenario, room=9, size_max=2)
 
-
-def test_no_more_are_lent_than_the_setting_allows_when_a_place_comes_late() -> None:
+async def test_no_more_are_lent_than_the_setting_allows_when_a_place_comes_late() -> (
+    None
+):
     """Others were lent what is allowed while this one waited for what it declares."""
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=9, size_max=1) as (pool, launcher):
         late = asyncio.create_task(pool.acquire(ON_GPU))
         await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
         first = await pool.acquire(WORLD)
@@ -421,11 +372,9 @@ def test_no_more_are_lent_than_the_setting_allows_when_a_place_comes_late() -> N
         await pool.acquire(ON_GPU)
         assert launcher.started == [{"CPU": 1}, {"CPU": 1, "GPU": 0.25}]
 
-    with_pool(scenario, room=9, size_max=1)
 
-
-def test_a_cluster_may_be_full_for_one_benchmark_alone() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_a_cluster_may_be_full_for_one_benchmark_alone() -> None:
+    async with opened_pool(room=1) as (pool, launcher):
         lent = await pool.acquire(SMALL)
         pool._queue_for(WORLD)._place_s = 0.2
         with pytest.raises(NoCapacity, match=r"no room now .* with CPU=1"):
@@ -438,21 +387,16 @@ def test_a_cluster_may_be_full_for_one_benchmark_alone() -> None:
         assert launcher.started == [{"CPU": 0.5}, {"CPU": 1}]
         assert not pool.is_full_for(WORLD)
 
-    with_pool(scenario, room=1)
 
-
-def test_a_machine_that_joins_is_known_to_the_next_caller() -> None:
+async def test_a_machine_that_joins_is_known_to_the_next_caller() -> None:
     """Though it has no room either: what others give back would serve it now."""
-
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=0, place_s=0.1) as (pool, launcher):
         with pytest.raises(NoCapacity, match="no machine"):
             await pool.acquire(ON_GPU)
         launcher.add_resource("GPU")
         with pytest.raises(NoCapacity, match=r"no room now .* with CPU=1,GPU=0.25"):
             await pool.acquire(ON_GPU)
         assert pool.is_full_for(ON_GPU)
-
-    with_pool(scenario, room=0, place_s=0.1)
 
 
 @pytest.mark.parametrize(
@@ -464,26 +408,22 @@ def test_a_machine_that_joins_is_known_to_the_next_caller() -> None:
         (WORLD, 1, True),  # but is all that may be lent
     ],
 )
-def test_a_session_ends_for_another_only_if_what_it_took_is_enough(
+async def test_a_session_ends_for_another_only_if_what_it_took_is_enough(
     lent: SimulatorConfig, size_max: int, makes_room: bool
 ) -> None:
-    async def scenario(pool: RayPool, _launcher: LauncherWithoutRay) -> None:
+    async with opened_pool(room=1, size_max=size_max) as (pool, _launcher):
         await pool.acquire(WORLD)
         assert pool.makes_room(lent, ON_GPU) is makes_room
 
-    with_pool(scenario, room=1, size_max=size_max)
 
-
-def test_spares_take_what_the_setting_says() -> None:
-    async def scenario(pool: RayPool, launcher: LauncherWithoutRay) -> None:
+async def test_spares_take_what_the_setting_says() -> None:
+    async with opened_pool(room=4, spares=1, idle_s=0.2) as (pool, launcher):
         await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
         await (await pool.acquire(SMALL)).release()
         await wait_in_loop(lambda: pool.idle == 1, DEADLINE_S)
         assert launcher.started == [{"CPU": 1}, {"CPU": 0.5}]
         (spare,) = pool._idle
         assert spare.world is None
-
-    with_pool(scenario, room=4, spares=1, idle_s=0.2)
 
 
 # --- what the launcher knows of machines ---

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import asyncio
 import hashlib
-from collections.abc import Awaitable, Callable
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from pathlib import Path
 
 import msgspec
@@ -43,17 +43,14 @@ class StateOf(Calibration):
         return self._state
 
 
-def play(story: Callable[[SimulatorHandle], Awaitable[None]]) -> None:
-    """Play a story of a simulator of `calibration`, in a process of its own."""
-
-    async def run() -> None:
-        pool = SimulatorPool(1, 0)
-        try:
-            await story(await pool.acquire(resolve("calibration").world))
-        finally:
-            await pool.close()
-
-    asyncio.run(run())
+@asynccontextmanager
+async def simulator() -> AsyncIterator[SimulatorHandle]:
+    """One of `calibration`, in a process of its own."""
+    pool = SimulatorPool(1, 0)
+    try:
+        yield await pool.acquire(resolve("calibration").world)
+    finally:
+        await pool.close()
 
 
 async def begin(handle: SimulatorHandle, plan: RecordingPlan, task: str) -> None:
@@ -68,8 +65,8 @@ def read(folder: Path) -> list[tuple[str, dict[str, object]]]:
     ]
 
 
-def test_a_turn_is_recorded_as_it_was_executed(tmp_path: Path) -> None:
-    async def story(handle: SimulatorHandle) -> None:
+async def test_a_turn_is_recorded_as_it_was_executed(tmp_path: Path) -> None:
+    async with simulator() as handle:
         plan = RecordingPlan(str(tmp_path), 2)
         await begin(handle, plan, "score")
         chunk = [action(score=score) for score in (0.25, 0.5)]
@@ -88,11 +85,9 @@ def test_a_turn_is_recorded_as_it_was_executed(tmp_path: Path) -> None:
         digests = {started["state_digest"], first["state_digest"]}
         assert len(digests | {last["state_digest"]}) == 3
 
-    play(story)
 
-
-def test_equal_actions_give_equal_digests_in_another_part(tmp_path: Path) -> None:
-    async def story(handle: SimulatorHandle) -> None:
+async def test_equal_actions_give_equal_digests_in_another_part(tmp_path: Path) -> None:
+    async with simulator() as handle:
         for _ in range(2):
             await begin(handle, RecordingPlan(str(tmp_path), 1), "score")
             await handle.play([action(score=0.5)], observe_all=False, seq=1)
@@ -103,11 +98,9 @@ def test_equal_actions_give_equal_digests_in_another_part(tmp_path: Path) -> Non
         await handle.play([action(score=0.5)], observe_all=False)
         assert len(read(tmp_path)) == 4
 
-    play(story)
 
-
-def test_pictures_are_recorded_when_they_are_wanted(tmp_path: Path) -> None:
-    async def story(handle: SimulatorHandle) -> None:
+async def test_pictures_are_recorded_when_they_are_wanted(tmp_path: Path) -> None:
+    async with simulator() as handle:
         await begin(handle, RecordingPlan(str(tmp_path), 1, pictures=True), "echo")
         await handle.play([action()] * 2, observe_all=True, seq=1)
         topics = [topic for topic, _ in read(tmp_path)]
@@ -115,18 +108,13 @@ def test_pictures_are_recorded_when_they_are_wanted(tmp_path: Path) -> None:
         await handle.observe()  # by a takeover: shown before
         assert len(read(tmp_path)) == len(topics)
 
-    play(story)
 
-
-def test_a_recording_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:
+async def test_a_recording_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("in the way")
-
-    async def story(handle: SimulatorHandle) -> None:
+    async with simulator() as handle:
         plan = RecordingPlan(str(tmp_path / "file" / "parts"), 1)
         with pytest.raises(SimulatorFault, match="recording could not be written: Not"):
             await begin(handle, plan, "score")
-
-    play(story)
 
 
 @pytest.mark.parametrize("size", [0, 512, 513, 1 << 20])

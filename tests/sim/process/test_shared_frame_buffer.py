@@ -1,6 +1,5 @@
 """Raw images that two processes share: right, private, and never torn."""
 
-import asyncio
 import fcntl
 import os
 from pathlib import Path
@@ -124,7 +123,7 @@ def pixels_of(observation: EncodedObservation) -> bytes:
     return bytes(observation["images"]["pattern"]["data"])
 
 
-def test_images_come_out_of_the_process_bit_for_bit() -> None:
+async def test_images_come_out_of_the_process_bit_for_bit() -> None:
     world = benchmark_registry.resolve(
         "calibration", images={"codec": "raw", "width": 64, "height": 48}
     ).world
@@ -134,31 +133,28 @@ def test_images_come_out_of_the_process_bit_for_bit() -> None:
         grey = 7 * column + 13 * row + 29 * channel + count
         return bytes(grey.astype(np.uint8).tobytes())
 
-    async def scenario() -> None:
-        pool = SimulatorPool()
-        await pool.start()
-        handle = await pool.acquire(world)
-        for _ in range(2):
-            begun = await handle.begin("echo", 7, max_steps=9, success_rule="any_step")
-            shown = [begun.observation]
-            for _ in range(4):
-                played = await handle.play([action()], observe_all=False)
-                assert played.observation is not None
-                shown.append(played.observation)
-            # Older ones may have been drawn over by now.
-            assert [pixels_of(one) for one in shown[-2:]] == [pattern(3), pattern(4)]
-            assert pixels_of(await handle.observe()) == pattern(4)
-            chunk = await handle.play([action()] * 3, observe_all=True)
-            assert chunk.observations is not None
-            assert [pixels_of(one) for one in chunk.observations] == [
-                pattern(5),
-                pattern(6),
-                pattern(7),
-            ]
-        await handle.release()
-        await pool.close()
-
-    asyncio.run(scenario())
+    pool = SimulatorPool()
+    await pool.start()
+    handle = await pool.acquire(world)
+    for _ in range(2):
+        begun = await handle.begin("echo", 7, max_steps=9, success_rule="any_step")
+        shown = [begun.observation]
+        for _ in range(4):
+            played = await handle.play([action()], observe_all=False)
+            assert played.observation is not None
+            shown.append(played.observation)
+        # Older ones may have been drawn over by now.
+        assert [pixels_of(one) for one in shown[-2:]] == [pattern(3), pattern(4)]
+        assert pixels_of(await handle.observe()) == pattern(4)
+        chunk = await handle.play([action()] * 3, observe_all=True)
+        assert chunk.observations is not None
+        assert [pixels_of(one) for one in chunk.observations] == [
+            pattern(5),
+            pattern(6),
+            pattern(7),
+        ]
+    await handle.release()
+    await pool.close()
 
 
 def test_an_offset_outside_the_memory_is_an_error() -> None:

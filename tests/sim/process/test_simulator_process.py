@@ -52,33 +52,30 @@ def cut(stream: bytes, size: int) -> list[bytes]:
         ([simulator_main.Busy(), LARGE], 2**15),
     ],
 )
-def test_frames_come_in_any_pieces(
+async def test_frames_come_in_any_pieces(
     process_starter: TestProcessStarter,
     replies: Sequence[simulator_main.SimulatorReply],
     size: int,
 ) -> None:
-    async def play() -> None:
-        loop = asyncio.get_running_loop()
-        process = LocalProcess(process_starter, 20.0, lambda _: None)
-        starting = asyncio.create_task(process.start())
-        await asyncio.sleep(0)
-        await loop.sock_sendall(
-            process_starter.end, simulator_main.frame(simulator_main.Hello(1))
+    loop = asyncio.get_running_loop()
+    process = LocalProcess(process_starter, 20.0, lambda _: None)
+    starting = asyncio.create_task(process.start())
+    await asyncio.sleep(0)
+    await loop.sock_sendall(
+        process_starter.end, simulator_main.frame(simulator_main.Hello(1))
+    )
+    await starting
+    for _ in range(3):  # nothing of one answer is left to the next
+        asking = asyncio.create_task(
+            process.request(simulator_main.Observe(), simulator_main.FailureReply)
         )
-        await starting
-        for _ in range(3):  # nothing of one answer is left to the next
-            asking = asyncio.create_task(
-                process.request(simulator_main.Observe(), simulator_main.FailureReply)
-            )
-            await loop.sock_recv(process_starter.end, 4096)
-            stream = b"".join(map(bytes, map(simulator_main.frame, replies)))
-            for piece in cut(stream, size):
-                await loop.sock_sendall(process_starter.end, piece)
-                await asyncio.sleep(0)
-            assert await asking == replies[-1]
-        process.end("is not needed")
-
-    asyncio.run(play())
+        await loop.sock_recv(process_starter.end, 4096)
+        stream = b"".join(map(bytes, map(simulator_main.frame, replies)))
+        for piece in cut(stream, size):
+            await loop.sock_sendall(process_starter.end, piece)
+            await asyncio.sleep(0)
+        assert await asking == replies[-1]
+    process.end("is not needed")
 
 
 def test_a_process_whose_parent_has_ended_is_no_failure(

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
+from contextlib import asynccontextmanager
 from typing import Any
 
 import httpx
@@ -22,7 +23,6 @@ from reference_server.rules.run import Result, Run
 from reference_server.views.run_views import episode_view, run_view, score_view
 from tests.support.pages.page_reader import fields_of
 from tests.support.server.server_parts import calibration_run
-from tests.support.servers import TIMEOUT_S
 
 ENTRIES_PER_PAGE = 2
 RESULT = Result("success", 1.0, 1, 1, True, False, 0.0, 1e9)
@@ -170,19 +170,13 @@ class Gate:
         self._opened.set()
 
 
-Story = Callable[[PageApi, httpx.AsyncClient], Awaitable[None]]
-
-
-def play(story: Story) -> None:
+@asynccontextmanager
+async def signed_in() -> AsyncIterator[tuple[PageApi, httpx.AsyncClient]]:
     """With a reader whose token is `alice`."""
-
-    async def run() -> None:
-        api = PageApi()
-        async with asyncio.timeout(TIMEOUT_S), client_of(api) as client:
-            await sign_in(client, "alice")
-            await story(api, client)
-
-    asyncio.run(run())
+    api = PageApi()
+    async with client_of(api) as client:
+        await sign_in(client, "alice")
+        yield api, client
 
 
 async def text_of(client: httpx.AsyncClient, path: str) -> str:

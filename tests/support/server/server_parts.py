@@ -139,28 +139,32 @@ async def open_server_parts(
     try:
         yield parts
     finally:
-        await parts.executor.close()
-        await registry.close()
-        if recordings is not None:
-            await recordings.close()
-        await pool.close()
-        await store.close()
+        async with asyncio.timeout(TIMEOUT_S):
+            await parts.executor.close()
+            await registry.close()
+            if recordings is not None:
+                await recordings.close()
+            await pool.close()
+            await store.close()
 
 
-def run_scenarios(
-    where: Path | UsedDatabase, *scenarios: Scenario, active_max: int = 10
-) -> None:
-    """Each story with a server of its own, over the same database.
+@pytest.fixture
+async def parts(tmp_path: Path) -> AsyncIterator[ServerParts]:
+    """A server over an SQLite database, closed while patches of its test hold."""
+    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
+        yield parts
+
+
+def run_scenario(where: Path | UsedDatabase, scenario: Scenario) -> None:
+    """With a server of its own, for tests that go on without a loop.
 
     where: a folder for an SQLite file, or a database.
     """
     used = where / "proctor.sqlite" if isinstance(where, Path) else where
 
     async def run() -> None:
-        for scenario in scenarios:
-            async with asyncio.timeout(TIMEOUT_S):
-                async with open_server_parts(used, active_max) as parts:
-                    await scenario(parts)
+        async with asyncio.timeout(TIMEOUT_S), open_server_parts(used) as parts:
+            await scenario(parts)
 
     asyncio.run(run())
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import httpx
-
 from tests.support.pages.page_api import (
     ENTRIES_PER_PAGE,
     RESULT,
-    PageApi,
-    play,
+    signed_in,
     text_of,
 )
 
@@ -18,10 +15,9 @@ PUBLISH, WITHDRAW = "/runs/done/publish", "/runs/done/withdraw"
 MANY = 10 * ENTRIES_PER_PAGE
 
 
-def test_a_manifest_without_entries_reads_one_page_of_them() -> None:
+async def test_a_manifest_without_entries_reads_one_page_of_them() -> None:
     """Of many. Expect the manifests of the newest, and that these are not all."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         for number in range(MANY):
             api.publish(f"run{number}", manifest_sha256=f"{number:064}")
         shown = await text_of(client, UNKNOWN)
@@ -30,24 +26,19 @@ def test_a_manifest_without_entries_reads_one_page_of_them() -> None:
         assert linked == [True, False]
         assert "counted are the newest" in shown
 
-    play(story)
 
-
-def test_few_entries_are_all_counted() -> None:
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+async def test_few_entries_are_all_counted() -> None:
+    async with signed_in() as (api, client):
         api.publish("one")
         api.publish("hidden", is_public=False)
         shown = await text_of(client, UNKNOWN)
         assert f"{'1' * 64}</code></a>, 1 entry" in shown
         assert "counted are" not in shown
 
-    play(story)
 
-
-def test_an_old_entry_is_found_among_many_others() -> None:
+async def test_an_old_entry_is_found_among_many_others() -> None:
     """Expect the page to offer its change, and no list of entries to be read."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         api.add("done", RESULT)
         for number in range(MANY):
             api.publish(f"other{number}")
@@ -58,13 +49,10 @@ def test_an_old_entry_is_found_among_many_others() -> None:
         assert WITHDRAW in shown
         assert api.asked["entries"] == 0
 
-    play(story)
 
-
-def test_a_withdrawn_entry_is_not_published_again() -> None:
+async def test_a_withdrawn_entry_is_not_published_again() -> None:
     """The API refuses that (BRD-006). Expect the page to say so, and no form."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         api.add("done", RESULT)
         shown = await text_of(client, "/pages/runs/done")
         assert PUBLISH in shown
@@ -80,5 +68,3 @@ def test_a_withdrawn_entry_is_not_published_again() -> None:
         shown = await text_of(client, "/pages/runs/done")
         assert "cannot be published again" in shown
         assert "signed history" not in shown, "which never had it"
-
-    play(story)

@@ -51,47 +51,42 @@ def compiled(monkeypatch: pytest.MonkeyPatch) -> Iterator[Compiled]:
 LOGIN_NEEDS = {"login.html.j2", "layout.html.j2"}
 
 
-def test_the_first_page_after_the_sign_in_compiles_nothing(compiled: Compiled) -> None:
-    async def story() -> None:
-        api = PageApi()
-        api.add("played", RESULT, None)
-        async with client_of(api) as client:
-            await sign_in(client, "alice")
-            assert compiled.names >= {"run.html.j2", "parts/summary.html.j2"}
-            compiled.templates.clear()
-            for path in ("/pages/runs", "/pages/runs/played", "/pages/nothing"):
-                assert (await client.get(path)).text
-            await client.get("/pages/login")
-            assert compiled.templates == []
+async def test_the_first_page_after_the_sign_in_compiles_nothing(
+    compiled: Compiled,
+) -> None:
+    api = PageApi()
+    api.add("played", RESULT, None)
+    async with client_of(api) as client:
+        await sign_in(client, "alice")
+        assert compiled.names >= {"run.html.j2", "parts/summary.html.j2"}
+        compiled.templates.clear()
+        for path in ("/pages/runs", "/pages/runs/played", "/pages/nothing"):
+            assert (await client.get(path)).text
+        await client.get("/pages/login")
+        assert compiled.templates == []
 
-    asyncio.run(story())
 
-
-def test_the_sign_in_itself_does_not_wait(compiled: Compiled) -> None:
+async def test_the_sign_in_itself_does_not_wait(compiled: Compiled) -> None:
     """Expect the page sent before, and turns of others played meanwhile."""
     sent: list[set[str]] = []
+    pages = Pages(AllowedHosts(), "")
+    app = Starlette(routes=pages.routes())
+    scope = {
+        "type": "http",
+        "method": "GET",
+        "path": "/pages/login",
+        "query_string": b"",
+        "headers": [(b"host", b"server")],
+    }
 
-    async def story() -> None:
-        pages = Pages(AllowedHosts(), "")
-        app = Starlette(routes=pages.routes())
-        scope = {
-            "type": "http",
-            "method": "GET",
-            "path": "/pages/login",
-            "query_string": b"",
-            "headers": [(b"host", b"server")],
-        }
+    async def receive() -> Message:
+        return await asyncio.Future()
 
-        async def receive() -> Message:
-            return await asyncio.Future()
+    async def send(message: Message) -> None:
+        if message["type"] == "http.response.body":
+            sent.append(compiled.names)
 
-        async def send(message: Message) -> None:
-            if message["type"] == "http.response.body":
-                sent.append(compiled.names)
-
-        await app(scope, receive, send)
-
-    asyncio.run(story())
+    await app(scope, receive, send)
     assert sent[-1] == LOGIN_NEEDS, "what else was compiled before the page was sent"
     here = threading.get_ident()
     later = {thread for name, thread in compiled.templates if name not in LOGIN_NEEDS}

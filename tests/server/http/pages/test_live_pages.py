@@ -78,82 +78,67 @@ async def opened(
         await page.aclose()
 
 
-def test_a_comment_of_the_stream_reaches_every_page() -> None:
+async def test_a_comment_of_the_stream_reaches_every_page() -> None:
     """Nothing changes for long: each page hears that the server is there."""
-
-    async def story() -> None:
-        api, live = StreamingApi(), LiveRuns(ServerLinks())
-        async with opened(live, api, 3) as pages:
-            for _ in range(2):
-                api.stream.put_nowait(b":\n\n")
-                assert await next_of(pages) == [COMMENT] * 3
-        assert api.asked["events"] == 1, "one reader for all pages"
-
-    asyncio.run(story())
-
-
-def test_waiting_pages_have_no_timers(monkeypatch: pytest.MonkeyPatch) -> None:
-    """200 pages that wait. Expect no timer of the event loop for any of them."""
-
-    async def story() -> None:
-        api, live = StreamingApi(), LiveRuns(ServerLinks())
-        loop = asyncio.get_running_loop()
-        set_for: list[float] = []
-        right = loop.call_at
-
-        def note(when: float, *rest: Any, **named: Any) -> asyncio.TimerHandle:
-            set_for.append(when)
-            return right(when, *rest, **named)
-
-        async with opened(live, api, 200) as pages:
-            monkeypatch.setattr(loop, "call_at", note)
-            waiting = [asyncio.ensure_future(anext(page)) for page in pages]
-            for _ in range(5):
-                await asyncio.sleep(0)
-            assert set_for == []
+    api, live = StreamingApi(), LiveRuns(ServerLinks())
+    async with opened(live, api, 3) as pages:
+        for _ in range(2):
             api.stream.put_nowait(b":\n\n")
-            async with asyncio.timeout(TIMEOUT_S):
-                assert set(await asyncio.gather(*waiting)) == {COMMENT}
-
-    asyncio.run(story())
+            assert await next_of(pages) == [COMMENT] * 3
+    assert api.asked["events"] == 1, "one reader for all pages"
 
 
-def test_a_change_is_rendered_once_for_all_pages(
+async def test_waiting_pages_have_no_timers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """200 pages that wait. Expect no timer of the event loop for any of them."""
+    api, live = StreamingApi(), LiveRuns(ServerLinks())
+    loop = asyncio.get_running_loop()
+    set_for: list[float] = []
+    right = loop.call_at
+
+    def note(when: float, *rest: Any, **named: Any) -> asyncio.TimerHandle:
+        set_for.append(when)
+        return right(when, *rest, **named)
+
+    async with opened(live, api, 200) as pages:
+        monkeypatch.setattr(loop, "call_at", note)
+        waiting = [asyncio.ensure_future(anext(page)) for page in pages]
+        for _ in range(5):
+            await asyncio.sleep(0)
+        assert set_for == []
+        api.stream.put_nowait(b":\n\n")
+        async with asyncio.timeout(TIMEOUT_S):
+            assert set(await asyncio.gather(*waiting)) == {COMMENT}
+
+
+async def test_a_change_is_rendered_once_for_all_pages(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A late page is sent what is there; the end is sent to each."""
     monkeypatch.setattr(live_runs, "PAUSE_S", 0.0)
-
-    async def story() -> None:
-        api, live = StreamingApi(), LiveRuns(ServerLinks())
-        async with opened(live, api, 2) as pages:
-            api.change()
-            first, second = await next_of(pages)
-            assert first is second
-            assert first.startswith(SUMMARY)
-            assert b"1/2" in first
-            late = live.updates(api.documents(), "played", lambda: True)
-            await anext(late)
-            assert await anext(late) is first
-            assert api.asked["runs/played/score"] == 1
-            api.stream.put_nowait(None)
-            for page in (*pages, late):
-                rest = [part async for part in page]
-                assert rest[-1] == b"event: end\ndata: \n\n"
-
-    asyncio.run(story())
-
-
-def test_a_reader_who_signed_out_is_sent_nothing_more() -> None:
-    async def story() -> None:
-        api, live = StreamingApi(), LiveRuns(ServerLinks())
-        signed_in = [True]
-        page = live.updates(api.documents(), "played", lambda: signed_in[0])
-        await anext(page)
-        await anext(page)
-        signed_in[0] = False
+    api, live = StreamingApi(), LiveRuns(ServerLinks())
+    async with opened(live, api, 2) as pages:
         api.change()
-        async with asyncio.timeout(TIMEOUT_S):
-            assert [part async for part in page] == []
+        first, second = await next_of(pages)
+        assert first is second
+        assert first.startswith(SUMMARY)
+        assert b"1/2" in first
+        late = live.updates(api.documents(), "played", lambda: True)
+        await anext(late)
+        assert await anext(late) is first
+        assert api.asked["runs/played/score"] == 1
+        api.stream.put_nowait(None)
+        for page in (*pages, late):
+            rest = [part async for part in page]
+            assert rest[-1] == b"event: end\ndata: \n\n"
 
-    asyncio.run(story())
+
+async def test_a_reader_who_signed_out_is_sent_nothing_more() -> None:
+    api, live = StreamingApi(), LiveRuns(ServerLinks())
+    signed_in = [True]
+    page = live.updates(api.documents(), "played", lambda: signed_in[0])
+    await anext(page)
+    await anext(page)
+    signed_in[0] = False
+    api.change()
+    async with asyncio.timeout(TIMEOUT_S):
+        assert [part async for part in page] == []

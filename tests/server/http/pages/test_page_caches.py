@@ -17,9 +17,8 @@ from tests.support.pages.page_api import (
     FAILURE,
     RESULT,
     Gate,
-    PageApi,
-    play,
     sign_in,
+    signed_in,
 )
 
 PICTURE = CameraPicture("front", 0, b"a picture", "png")
@@ -44,7 +43,7 @@ def rows_of(page: str) -> dict[str, int]:
     return {name: page.count(f'<tr data-outcome="{name}"') for name in names}
 
 
-def test_figures_of_a_completed_run_are_computed_once(
+async def test_figures_of_a_completed_run_are_computed_once(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Its page with each filter. Expect one list of episodes read, counted once."""
@@ -56,21 +55,17 @@ def test_figures_of_a_completed_run_are_computed_once(
         return right(episodes)
 
     monkeypatch.setattr(RunFigures, "of", note)
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         api.add("done", RESULT, FAILURE, RESULT)
         for query in ("", "?outcome=success", "?task=score", ""):
             await text_of(client, "done", query)
         assert computed == [3]
         assert api.asked["runs/done/episodes"] == 1
 
-    play(story)
 
-
-def test_a_late_episode_is_on_the_page() -> None:
+async def test_a_late_episode_is_on_the_page() -> None:
     """It ends while its run is looked at, in one millisecond. Expect it counted."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         run = api.add("played", RESULT, None, None)
         assert rows_of(await text_of(client, "played"))["failure"] == 0
         run.record_result(run.episodes[1], FAILURE)
@@ -83,13 +78,10 @@ def test_a_late_episode_is_on_the_page() -> None:
         assert rows_of(page) == {"failure": 2, "success": 1, "pending": 0}
         assert "<b>1/3</b>" in page
 
-    play(story)
 
-
-def test_a_changed_run_is_counted_again() -> None:
+async def test_a_changed_run_is_counted_again() -> None:
     """A host scores it anew: what its page lists and counts is the new result."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         run = api.add("done", RESULT, RESULT)
         assert "<b>2/2</b>" in await text_of(client, "done")
         run.episodes[0].result = FAILURE
@@ -98,13 +90,10 @@ def test_a_changed_run_is_counted_again() -> None:
         assert rows_of(page) == {"failure": 1, "success": 1, "pending": 0}
         assert "<b>1/2</b>" in page
 
-    play(story)
 
-
-def test_no_reader_sees_what_another_one_was_shown() -> None:
+async def test_no_reader_sees_what_another_one_was_shown() -> None:
     """Two tokens that may read a run and are shown more or less of it; one may not."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         api.add("done", FAILURE, tokens="alice host")
         api.changed["alice"] = {"policy_fault": "for alice alone"}
         assert "for alice alone" in await text_of(client, "done")
@@ -113,27 +102,21 @@ def test_no_reader_sees_what_another_one_was_shown() -> None:
         await sign_in(client, "bob")
         assert (await client.get("/pages/runs/done")).status_code == 404
 
-    play(story)
-
 
 @pytest.mark.usefixtures("recordings")
-def test_a_run_that_may_no_more_be_read_is_not_shown() -> None:
+async def test_a_run_that_may_no_more_be_read_is_not_shown() -> None:
     """Deleted after its page and a picture of it were opened. Expect neither."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         api.add("done", FAILURE)
         paths = ("/pages/runs/done", "/pages/runs/done/episodes/e0000/pictures/0")
         assert [(await client.get(path)).status_code for path in paths] == [200, 200]
         del api.runs["done"]
         assert [(await client.get(path)).status_code for path in paths] == [404, 404]
 
-    play(story)
 
-
-def test_a_flag_is_shown_at_once() -> None:
+async def test_a_flag_is_shown_at_once() -> None:
     """The figures are kept, and the entry is not."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         api.add("done", RESULT)
         entry = api.publish("done")
         assert "Flagged" not in await text_of(client, "done")
@@ -142,13 +125,10 @@ def test_a_flag_is_shown_at_once() -> None:
         api.entries.clear()
         assert "Published as" not in await text_of(client, "done")
 
-    play(story)
 
-
-def test_few_lists_are_kept() -> None:
+async def test_few_lists_are_kept() -> None:
     """Memory: the list of the run that was looked at longest ago goes."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         names = [f"run{number}" for number in range(LISTS_KEPT + 1)]
         for name in names:
             api.add(name, RESULT)
@@ -161,14 +141,11 @@ def test_few_lists_are_kept() -> None:
         assert read.pop("run1") == 2, "the one that had to go"
         assert sum(read.values()) <= 2 * len(read)
 
-    play(story)
-
 
 @pytest.mark.usefixtures("recordings")
-def test_a_recording_is_shown_although_it_makes_room_meanwhile() -> None:
+async def test_a_recording_is_shown_although_it_makes_room_meanwhile() -> None:
     """Others are opened while it is checked that a kept one may still be shown."""
-
-    async def story(api: PageApi, client: httpx.AsyncClient) -> None:
+    async with signed_in() as (api, client):
         api.add("done", *[RESULT] * (RECORDINGS_KEPT + 1))
         pictures = [
             f"/pages/runs/done/episodes/e{number:04d}/pictures/0"
@@ -184,5 +161,3 @@ def test_a_recording_is_shown_although_it_makes_room_meanwhile() -> None:
         gate.open()
         answer = await waiting
         assert (answer.status_code, answer.content) == (200, b"a picture")
-
-    play(story)

@@ -1,0 +1,33 @@
+"""All attacks, by name. A module for each subject; each lists its own in ATTACKS."""
+
+from __future__ import annotations
+
+from tests.campaigns.attack.attack import Attack
+from tests.campaigns.attack.attacks import (
+    capacity_hoarding,
+    connection_floods,
+    fuzzed_requests,
+    hostile_pickles,
+    hostile_urls,
+    hostile_values,
+    other_accounts,
+    process_kills,
+    recorded_kills,
+    storage_faults,
+)
+
+MODULES = (
+    connection_floods,
+    hostile_values,
+    capacity_hoarding,
+    process_kills,
+    recorded_kills,
+    storage_faults,
+    other_accounts,
+    hostile_urls,
+    hostile_pickles,
+    fuzzed_requests,
+)
+ATTACKS: dict[str, Attack] = {
+    attack.name: attack for module in MODULES for attack in module.ATTACKS
+}

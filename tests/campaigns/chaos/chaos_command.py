@@ -1,0 +1,92 @@
+"""`python -m tests.campaigns chaos`: break a cluster while it is used, and judge it.
+
+With --long, each fault is made as often as promised. What was played on this commit is
+not played again, so a long campaign that is started again goes on where it ended;
+several that are started at once, each with another seed, share their rounds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import os
+import time
+
+from tests.campaigns.chaos import chaos_report as report
+from tests.campaigns.chaos.chaos_campaign import Campaign
+from tests.campaigns.chaos.chaos_faults import FAULTS
+from tests.campaigns.chaos.chaos_rounds import Counts, KeptRounds, faults_to_play
+from tests.campaigns.promises import percentile
+from tools.measurements.git_commit import read_commit
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--rounds", type=int, default=100, metavar="N")
+    parser.add_argument("--first", type=int, default=0, help="number of the first one")
+    parser.add_argument(
+        "--seconds", type=float, default=float("inf"), help="begin no round later"
+    )
+    parser.add_argument("--players", type=int, default=6)
+    parser.add_argument("--lease-s", type=float, default=5.0, help="of nodes")
+    parser.add_argument(
+        "--simulators",
+        choices=["local", "ray"],
+        default="local",
+        help="processes of the nodes, or on a Ray cluster whose machines fail, too",
+    )
+
+
+def run(options: argparse.Namespace, names: list[str]) -> bool:
+    """Play rounds of these faults; whether every promise was kept."""
+    has_ray = options.simulators == "ray"
+    names = [name for name in names if has_ray or not FAULTS[name].needs_ray]
+    if not names:
+        raise SystemExit("these faults need --simulators ray")
+    kept = _kept_rounds(options)
+    _play(options, names, kept)
+    kept.refresh()
+    print(report.summary(kept.rounds), *report.judge_all(kept.rounds), sep="\n")
+    seeds = ", ".join(map(str, sorted({played.seed for played in kept.rounds})))
+    conditions = (
+        f"seeds {seeds}, {options.players} players and one of runs that nodes play, "
+        f"lease {options.lease_s:g} s, load before half of the rounds "
+        f"{percentile(kept.loads, 0.5):.1f} or less"
+    )
+    report.write(kept.rounds, conditions)
+    return not any(played.findings for played in kept.rounds)
+
+
+def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> None:
+    """Rounds of one cluster, until enough were played."""
+    began_at = time.monotonic()
+    with Campaign.open(
+        seed=options.seed,
+        players=options.players,
+        lease_s=options.lease_s,
+        ray=options.simulators == "ray",
+    ) as campaign:
+        before = Counts()
+        for number in itertools.count(options.first + kept.played_with(options.seed)):
+            kept.refresh()
+            chosen = names
+            if options.long:
+                chosen = [n for n in faults_to_play(kept.rounds) if n in names]
+            is_over = number >= options.first + options.rounds and not options.long
+            if is_over or not chosen or time.monotonic() - began_at > options.seconds:
+                break
+            load = os.getloadavg()[0]
+            played = campaign.play(number, chosen)
+            played.seed = options.seed
+            played.counts, before = campaign.counts() - before, campaign.counts()
+            kept.add(played, load)
+            print(report.round_line(played), flush=True)
+
+
+def _kept_rounds(options: argparse.Namespace) -> KeptRounds:
+    """Those of earlier starts of the same long campaign, else none."""
+    if not options.long:
+        return KeptRounds({}, file=None)
+    commit, _ = read_commit()
+    names = ("players", "lease_s", "only", "simulators")
+    chosen = {name: getattr(options, name) for name in names}
+    return KeptRounds({"commit": commit, **chosen})

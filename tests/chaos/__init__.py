@@ -1,1 +1,0 @@
-"""Faults of a cluster while it is used: `python -m tests.chaos`."""
