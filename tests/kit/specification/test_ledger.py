@@ -164,7 +164,7 @@ def test_every_problem_code_in_a_rule_is_declared() -> None:
 
 
 def test_released_ids_are_never_used_again() -> None:
-    """A released rule keeps its level and profile; a withdrawn id names no other one."""
+    """A released rule keeps level and profile; a withdrawn id names no other one."""
     lines = (SPEC_DIRECTORY / "ids.txt").read_text(encoding="utf-8").splitlines()
     listed = [line for line in lines if not line.startswith("#")]
     assert listed == sorted(set(listed))
