@@ -7,81 +7,45 @@ from typing import Any
 from reference_server.push import chat_calls
 from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
 from reference_server.push.http_calls import PolicyFault
-from tests.mutants import mutant, put
+from tests.mutants import instead_of, mutant, put
 
 
-@mutant("CHAT-001")
-def sends_no_picture() -> None:
+@mutant("CHAT-001", through=instead_of(chat_calls, "_message"))
+def sends_no_picture(right: Any, turn: Any) -> Any:
     """A model is scored for a question without its picture."""
-    right = chat_calls._message
-
-    def wrong(turn: Any) -> dict[str, Any]:
-        message = right(turn)
-        texts = [part for part in message["content"] if part["type"] == "text"]
-        return message | {"content": texts}
-
-    put(chat_calls, "_message", wrong)
+    message = right(turn)
+    texts = [part for part in message["content"] if part["type"] == "text"]
+    return message | {"content": texts}
 
 
-@mutant("CHAT-001", "CHAT-005")
-def sends_no_parameter_that_is_zero() -> None:
+@mutant("CHAT-001", "CHAT-005", through=instead_of(ChatPolicy, "_generation"))
+def sends_no_parameter_that_is_zero(right: Any, self: ChatPolicy) -> Any:
     """A model is sampled at random where its author chose the likeliest words."""
-    right = ChatPolicy._generation
-
-    def wrong(self: ChatPolicy) -> dict[str, Any]:
-        return {name: value for name, value in right(self).items() if value != 0}
-
-    put(ChatPolicy, "_generation", wrong)
+    return {name: value for name, value in right(self).items() if value != 0}
 
 
-@mutant("CHAT-002", "FLE-022")
-def takes_the_first_line_for_the_answer() -> None:
+@mutant("CHAT-002", "FLE-022", through=instead_of(chat_calls, "read_answer"))
+def takes_the_first_line_for_the_answer(right: Any, text: str) -> Any:
     """A model that reasons first is scored for its first thought."""
-    right = chat_calls.read_answer
-
-    def wrong(text: str) -> dict[str, list[float]]:
-        return right(text.strip().partition("\n")[0])
-
-    put(chat_calls, "read_answer", wrong)
+    return right(text.strip().partition("\n")[0])
 
 
-@mutant("CHAT-002")
-def cuts_a_long_answer() -> None:
-    """A model that reasons at length is scored for a thought on the way."""
-    right = chat_calls.read_answer
-
-    def wrong(text: str) -> dict[str, list[float]]:
-        return right(text[:5_000])
-
-    put(chat_calls, "read_answer", wrong)
-
-
-@mutant("CHAT-003", "FLE-021", "FLE-022")
-def counts_an_unreadable_answer_as_a_fault() -> None:
+@mutant("CHAT-003", "FLE-021", "FLE-022", through=instead_of(chat_calls, "read_answer"))
+def counts_an_unreadable_answer_as_a_fault(right: Any, text: str) -> Any:
     """A model that cannot answer three questions ends its whole evaluation."""
-    right = chat_calls.read_answer
-
-    def wrong(text: str) -> dict[str, list[float]]:
-        answer = right(text)
-        if answer["number"] == [chat_calls.NO_ANSWER]:
-            raise PolicyFault("The model's words are no answer.")
-        return answer
-
-    put(chat_calls, "read_answer", wrong)
+    answer = right(text)
+    if answer["number"] == [chat_calls.NO_ANSWER]:
+        raise PolicyFault("The model's words are no answer.")
+    return answer
 
 
-@mutant("CHAT-004")
-def takes_an_error_for_an_answer() -> None:
+@mutant("CHAT-004", through=instead_of(chat_calls, "_content"))
+def takes_an_error_for_an_answer(right: Any, answer: Any) -> Any:
     """A broken model server is published as a model without correct answers."""
-    right = chat_calls._content
-
-    def wrong(answer: Any) -> str:
-        try:
-            return right(answer)
-        except PolicyFault:
-            return ""
-
-    put(chat_calls, "_content", wrong)
+    try:
+        return right(answer)
+    except PolicyFault:
+        return ""
 
 
 @mutant("CHAT-005", "FLE-019")

@@ -21,28 +21,28 @@ from reference_server.rules.run import Run, Session
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import Store
-from tests.mutants import mutant, put
-from tests.mutants.turns.predict import replace_guard
+from tests.mutants import instead_of, mutant, put
+from tests.mutants.server_changes import replace_guard
 
 # Longer than the kit waits for a change, shorter than its long polls.
 LATE_S = 3.0
 Answer = Callable[[Send], Awaitable[None]]
-IS_PASSED_ON: ContextVar[bool] = ContextVar("IS_PASSED_ON", default=False)
+IS_FORWARDED: ContextVar[bool] = ContextVar("IS_FORWARDED", default=False)
 
 
-def note_what_is_passed_on() -> None:
-    """Let `IS_PASSED_ON` say whether another node passed the current request on."""
+def note_forwarded_requests() -> None:
+    """Let `IS_FORWARDED` say whether another node forwarded the current request."""
     right = node_headers.is_from_node
 
     def noting(scope: Scope, membership: Membership) -> bool:
-        is_passed_on = right(scope, membership)
-        IS_PASSED_ON.set(is_passed_on)
-        return is_passed_on
+        is_forwarded = right(scope, membership)
+        IS_FORWARDED.set(is_forwarded)
+        return is_forwarded
 
     put(forwarding, "is_from_node", noting)
 
 
-def put_pass_on(
+def change_forwarding(
     change: Callable[[Scope], bool],
     wrong: Callable[[Answer, Scope, Send], Awaitable[None]],
 ) -> None:
@@ -65,7 +65,7 @@ def put_pass_on(
 
 @mutant("CLU-001", "CLU-002", "CLU-006")
 def shows_a_run_of_another_node_as_it_was() -> None:
-    """Who asks a node that does not play the run sees a state long past."""
+    """A reader at a node that does not play the run sees a state long past."""
     seen: dict[str, list[Message]] = {}
 
     def is_plain_read(scope: Scope) -> bool:
@@ -87,17 +87,15 @@ def shows_a_run_of_another_node_as_it_was() -> None:
         for message in kept:
             await send(message)
 
-    put_pass_on(is_plain_read, wrong)
+    change_forwarding(is_plain_read, wrong)
 
 
-@mutant("CLU-002")
-def shows_the_address_of_each_node() -> None:
+@mutant("CLU-002", through=instead_of(Handlers, "base_url"))
+def shows_the_address_of_each_node(
+    _right: Any, _self: Handlers, call: OperationCall
+) -> Any:
     """A policy plays at the node that it asked last; caches keep a run twice."""
-
-    def wrong(_self: Handlers, call: OperationCall) -> str:
-        return f"http://{call.request.headers['host']}"
-
-    put(Handlers, "base_url", wrong)
+    return f"http://{call.request.headers['host']}"
 
 
 @mutant("CLU-003")
@@ -120,31 +118,14 @@ def keeps_the_keys_of_submissions_on_each_node() -> None:
     put(Store, "find_key", wrong_find)
 
 
-@mutant("CLU-003")
-def opens_another_session_for_an_attach_that_was_passed_on() -> None:
-    """A worker whose answer was lost attaches over a balancer, and ends itself."""
-    note_what_is_passed_on()
-    right = SessionExecutor.attach
-
-    async def wrong(self: SessionExecutor, run: Run, command: Attach) -> dict[str, Any]:
-        if IS_PASSED_ON.get():
-            is_takeover = command.worker_id in run.workers
-            command = Attach(
-                command.worker_id, f"{command.attach_key} here", takeover=is_takeover
-            )
-        return await right(self, run, command)
-
-    put(SessionExecutor, "attach", wrong)
-
-
 @mutant("CLU-004")
 def counts_the_workers_of_each_node() -> None:
     """A run with a limit of its workers gets as many as there are nodes."""
-    note_what_is_passed_on()
+    note_forwarded_requests()
     right = lifecycle._below_worker_limit
 
     def wrong(run: Run, command: Attach, now: float) -> Verdict | None:
-        return None if IS_PASSED_ON.get() else right(run, command, now)
+        return None if IS_FORWARDED.get() else right(run, command, now)
 
     replace_guard(right, wrong)
 
@@ -152,11 +133,11 @@ def counts_the_workers_of_each_node() -> None:
 @mutant("CLU-005")
 def hears_heartbeats_of_its_own_clients_alone() -> None:
     """A slow policy behind a balancer loses its session, and its episode."""
-    note_what_is_passed_on()
+    note_forwarded_requests()
     right = SessionExecutor._extend_lease
 
     def wrong(self: SessionExecutor, session: Session) -> None:
-        if not IS_PASSED_ON.get():
+        if not IS_FORWARDED.get():
             right(self, session)
 
     put(SessionExecutor, "_extend_lease", wrong)
@@ -174,16 +155,13 @@ def answers_late_who_waits_at_another_node() -> None:
 
         await answer(send_late)
 
-    put_pass_on(lambda scope: b"prefer" in dict(scope["headers"]), wrong)
+    change_forwarding(lambda scope: b"prefer" in dict(scope["headers"]), wrong)
 
 
-@mutant("CLU-007")
-def loses_the_place_of_a_reader_of_another_node() -> None:
+@mutant("CLU-007", through=instead_of(node_connections, "request_headers"))
+def loses_the_place_of_a_reader_of_another_node(
+    right: Any, scope: Scope, node: Node
+) -> Any:
     """A dashboard that reconnects over a balancer shows episodes twice."""
-    right = node_headers.request_headers
-
-    def wrong(scope: Scope, node: Node) -> tuple[list[tuple[bytes, bytes]], bool]:
-        headers, has_body = right(scope, node)
-        return [pair for pair in headers if pair[0] != b"last-event-id"], has_body
-
-    put(node_connections, "request_headers", wrong)
+    headers, has_body = right(scope, node)
+    return [pair for pair in headers if pair[0] != b"last-event-id"], has_body

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from starlette.responses import Response
 
 from reference_server.profiles.ebench import (
     long_chunks,
@@ -26,7 +25,7 @@ from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.service import RunService
-from tests.mutants import mutant, put
+from tests.mutants import instead_of, mutant, put
 
 SCORE_AT = 5  # among calibration's numbers by name
 
@@ -41,175 +40,101 @@ def takes_another_benchmark_for_the_task() -> None:
     put(task_handlers, "BENCHMARK_SETS", wrong)
 
 
-@mutant("EBE-002")
-def refuses_a_task_without_a_message() -> None:
+@mutant("EBE-002", through=instead_of(task_handlers, "refusal_response"))
+def refuses_a_task_without_a_message(_right: Any, refused: Refused) -> Any:
     """The client prints an error without a text."""
-
-    def wrong(refused: Refused) -> Response:
-        body = json.loads(bytes(task_responses.refusal_response(refused).body))
-        return task_responses.envelope(None, body["code"], "")
-
-    put(task_handlers, "refusal_response", wrong)
+    body = json.loads(bytes(task_responses.refusal_response(refused).body))
+    return task_responses.envelope(None, body["code"], "")
 
 
-@mutant("EBE-003")
-def calls_a_queued_task_ready() -> None:
+@mutant("EBE-003", through=instead_of(RunService, "get_availability"))
+async def calls_a_queued_task_ready(
+    right: Any, self: RunService, *arguments: Any
+) -> Any:
     """Workers attach too early and are refused."""
-    right = RunService.get_availability
-
-    async def wrong(self: RunService, *arguments: Any) -> Any:
-        run, available = await right(self, *arguments)
-        return run, "open" if available == "waiting" else available
-
-    put(RunService, "get_availability", wrong)
+    run, available = await right(self, *arguments)
+    return run, "open" if available == "waiting" else available
 
 
-@mutant("EBE-004", "EBE-027")
-def gives_a_resumed_task_another_id() -> None:
+@mutant("EBE-004", "EBE-027", through=instead_of(EbenchHandlers, "create_task"))
+async def gives_a_resumed_task_another_id(
+    right: Any, self: EbenchHandlers, call: Any
+) -> Any:
     """The client asks for the progress of an id that is no longer used."""
-    right = EbenchHandlers.create_task
-
-    async def wrong(self: EbenchHandlers, call: Any) -> Response:
-        response = await right(self, call)
-        if not call.body.task_id:
-            return response
-        return task_responses.envelope({"task_id": f"{call.body.task_id}-2"})
-
-    put(EbenchHandlers, "create_task", wrong)
+    response = await right(self, call)
+    if not call.body.task_id:
+        return response
+    return task_responses.envelope({"task_id": f"{call.body.task_id}-2"})
 
 
-@mutant("EBE-027")
-def executes_a_task_again_without_a_trace() -> None:
+@mutant("EBE-027", through=instead_of(task_requests.CreateTask, "repeat_submission"))
+def executes_a_task_again_without_a_trace(
+    right: Any, self: task_requests.CreateTask, old: Run
+) -> Any:
     """The best of many runs is taken for the only one."""
-    right = task_requests.CreateTask.repeat_submission
-
-    def wrong(self: task_requests.CreateTask, old: Run) -> dict[str, Any]:
-        submission = right(self, old)
-        del submission["policy"]["version"]
-        return submission
-
-    put(task_requests.CreateTask, "repeat_submission", wrong)
+    submission = right(self, old)
+    del submission["policy"]["version"]
+    return submission
 
 
-@mutant("EBE-027")
-def executes_the_whole_benchmark_again_after_a_part() -> None:
-    """Another run than the one that was named is compared with it."""
-    right = task_requests.CreateTask.repeat_submission
-
-    def wrong(self: task_requests.CreateTask, old: Run) -> dict[str, Any]:
-        return {k: v for k, v in right(self, old).items() if k != "select"}
-
-    put(task_requests.CreateTask, "repeat_submission", wrong)
-
-
-@mutant("EBE-024")
-def knows_no_run_id_in_the_query_of_docs() -> None:
-    """The current client does not start."""
-    right = EbenchHandlers._paths
-
-    def wrong(self: EbenchHandlers) -> Any:
-        table = right(self)
-        docs = table[f"{task_handlers.ENDPOINT}/docs"]
-        docs["GET"] = dataclasses.replace(docs["GET"], query=())
-        return table
-
-    put(EbenchHandlers, "_paths", wrong)
-
-
-@mutant("EBE-005", "EBE-024")
-def has_no_docs_page() -> None:
+@mutant("EBE-005", "EBE-024", through=instead_of(EbenchHandlers, "docs"))
+async def has_no_docs_page(_right: Any, _self: EbenchHandlers, _call: Any) -> Any:
     """The client does not start."""
-
-    async def wrong(_self: EbenchHandlers, _call: Any) -> Response:
-        raise Refused("not_found", "There is no such page.")
-
-    put(EbenchHandlers, "docs", wrong)
+    raise Refused("not_found", "There is no such page.")
 
 
-@mutant("EBE-018")
-def lacks_one_of_two_stop_paths() -> None:
+@mutant("EBE-018", through=instead_of(EbenchHandlers, "_paths"))
+def lacks_one_of_two_stop_paths(right: Any, self: EbenchHandlers) -> Any:
     """An older client cannot stop what it started."""
-    right = EbenchHandlers._paths
-
-    def wrong(self: EbenchHandlers) -> Any:
-        table = right(self)
-        del table[f"{task_handlers.RUN_PATH}/stop"]
-        return table
-
-    put(EbenchHandlers, "_paths", wrong)
+    table = right(self)
+    del table[f"{task_handlers.RUN_PATH}/stop"]
+    return table
 
 
-@mutant("EBE-019")
-def counts_episodes_in_progress_as_completed() -> None:
+@mutant("EBE-019", through=instead_of(task_handlers, "status_of"))
+def counts_episodes_in_progress_as_completed(
+    right: Any, run: RunHead, episodes: Sequence[Episode]
+) -> Any:
     """A run seems nearer to its end than it is."""
-    right = task_responses.status_of
-
-    def wrong(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
-        status = right(run, episodes)
-        status["completed_episodes"] += status["in_progress_episodes"]
-        return status
-
-    put(task_handlers, "status_of", wrong)
+    status = right(run, episodes)
+    status["completed_episodes"] += status["in_progress_episodes"]
+    return status
 
 
 # --- workers ---
 
 
-@mutant("EBE-006")
-def shows_the_first_of_many_workers() -> None:
+@mutant("EBE-006", through=instead_of(EbenchHandlers, "_worker_views"))
+async def shows_the_first_of_many_workers(
+    right: Any,
+    self: EbenchHandlers,
+    run: Run,
+    turns: Mapping[str, Any],
+    *,
+    current: bool,
+) -> Any:
     """A client with sixteen workers cannot start."""
-    right = EbenchHandlers._worker_views
-
-    async def wrong(
-        self: EbenchHandlers, run: Run, turns: Mapping[str, Any], *, current: bool
-    ) -> Any:
-        if not any(turn.get("executed_steps") for turn in turns.values()):
-            turns = dict(list(turns.items())[:1])
-        return await right(self, run, turns, current=current)
-
-    put(EbenchHandlers, "_worker_views", wrong)
+    if not any(turn.get("executed_steps") for turn in turns.values()):
+        turns = dict(list(turns.items())[:1])
+    return await right(self, run, turns, current=current)
 
 
-@mutant("EBE-007", "EBE-031")
-def begins_an_episode_anew_at_every_reset() -> None:
+@mutant("EBE-007", "EBE-031", through=instead_of(EbenchHandlers, "_open"))
+async def begins_an_episode_anew_at_every_reset(
+    right: Any, self: EbenchHandlers, run: Run, worker_id: str, takeover: bool = False
+) -> Any:
     """A client that resets a bad episode gets a better score."""
-    right = EbenchHandlers._open
-
-    async def wrong(
-        self: EbenchHandlers, run: Run, worker_id: str, takeover: bool = False
-    ) -> Any:
-        session = run.workers.get(worker_id)
-        if takeover and session is not None:
-            detach = Detach(worker_id, session.session_id)
-            await self.service.detach_worker(run.account, run.run_id, detach)
-        return await right(self, run, worker_id, takeover)
-
-    put(EbenchHandlers, "_open", wrong)
+    session = run.workers.get(worker_id)
+    if takeover and session is not None:
+        detach = Detach(worker_id, session.session_id)
+        await self.service.detach_worker(run.account, run.run_id, detach)
+    return await right(self, run, worker_id, takeover)
 
 
-@mutant("EBE-016", "EBE-024", "EBE-030")
-def ignores_kill_requests() -> None:
+@mutant("EBE-016", "EBE-024", "EBE-030", through=instead_of(EbenchHandlers, "kill"))
+async def ignores_kill_requests(_right: Any, _self: EbenchHandlers, call: Any) -> Any:
     """A worker's session is blocked until its lease ends."""
-
-    async def wrong(_self: EbenchHandlers, call: Any) -> Response:
-        return call.answer({"data": {"success": True}})  # type: ignore[no-any-return]
-
-    put(EbenchHandlers, "kill", wrong)
-
-
-@mutant("EBE-016")
-def ends_no_session_beside_a_worker_without_one() -> None:
-    """A client that names its usual workers leaves episodes blocked."""
-    right = EbenchHandlers.kill
-
-    async def wrong(self: EbenchHandlers, call: Any) -> Response:
-        run = await self._run(call)
-        named = task_requests.read_worker_ids(call.body.data.worker_ids, run)
-        if all(one in run.workers for one in named):
-            return await right(self, call)
-        return call.answer({"data": {"success": True}})  # type: ignore[no-any-return]
-
-    put(EbenchHandlers, "kill", wrong)
+    return call.answer({"data": {"success": True}})
 
 
 @mutant("EBE-030")
@@ -218,53 +143,42 @@ def abandons_an_episode_whose_worker_is_killed() -> None:
     put(task_handlers, "NO_LIMIT", None)
 
 
-@mutant("EBE-017")
-def executes_actions_of_a_lost_episode() -> None:
+@mutant("EBE-017", through=instead_of(EbenchHandlers, "_prepare_step"))
+def executes_actions_of_a_lost_episode(
+    right: Any, self: EbenchHandlers, run: Run, worker_id: str, chunk: Any
+) -> Any:
     """A new episode starts with an action chosen in another one."""
-    right = EbenchHandlers._prepare_step
+    if worker_id in run.workers:
+        return right(self, run, worker_id, chunk)
 
-    def wrong(self: EbenchHandlers, run: Run, worker_id: str, chunk: Any) -> Any:
-        if worker_id in run.workers:
-            return right(self, run, worker_id, chunk)
+    async def work() -> Any:
+        turn = await self._open(run, worker_id)
+        actions = message_conversion.read_actions(
+            chunk.actions, run.manifest, dict, chunk.at
+        )
+        command = Predict(worker_id, turn["session_id"], 1, actions)
+        return await self.service.predict(run.account, run.run_id, command)
 
-        async def work() -> Any:
-            turn = await self._open(run, worker_id)
-            actions = message_conversion.read_actions(
-                chunk.actions, run.manifest, dict, chunk.at
-            )
-            command = Predict(worker_id, turn["session_id"], 1, actions)
-            return await self.service.predict(run.account, run.run_id, command)
-
-        return task_handlers._Step(work)
-
-    put(EbenchHandlers, "_prepare_step", wrong)
+    return task_handlers._Step(work)
 
 
-@mutant("EBE-021")
-def opens_its_endpoint_to_every_account() -> None:
+@mutant("EBE-021", through=instead_of(EbenchHandlers, "_run"))
+async def opens_its_endpoint_to_every_account(
+    right: Any, self: EbenchHandlers, call: Any
+) -> Any:
     """Another account can play the episodes of a run."""
-    right = EbenchHandlers._run
-
-    async def wrong(self: EbenchHandlers, call: Any) -> Run:
-        run = await self.service.registry.get(call.path["run_id"])
-        call.caller = dataclasses.replace(call.caller, account=run.account)
-        return await right(self, call)
-
-    put(EbenchHandlers, "_run", wrong)
+    run = await self.service.registry.get(call.path["run_id"])
+    call.caller = dataclasses.replace(call.caller, account=run.account)
+    return await right(self, call)
 
 
 # --- steps ---
 
 
-@mutant("EBE-008")
-def executes_a_list_of_steps_backwards() -> None:
+@mutant("EBE-008", through=instead_of(task_handlers, "read_chunks"))
+def executes_a_list_of_steps_backwards(right: Any, body: Any, run: Run) -> Any:
     """A robot executes the last steps first."""
-    right = task_requests.read_chunks
-
-    def wrong(body: Any, run: Run) -> Any:
-        return right(body[::-1] if isinstance(body, list) else body, run)
-
-    put(task_handlers, "read_chunks", wrong)
+    return right(body[::-1] if isinstance(body, list) else body, run)
 
 
 @mutant("EBE-023")
@@ -273,15 +187,12 @@ def never_reports_a_chunk_as_stopped_early() -> None:
     put(task_handlers, "_is_stopped_early", lambda _turn: False)
 
 
-@mutant("EBE-009", "EBE-026", "EBE-031")
-def omits_the_result_of_an_episode() -> None:
+@mutant(
+    "EBE-009", "EBE-026", "EBE-031", through=instead_of(task_handlers, "worker_view")
+)
+def omits_the_result_of_an_episode(right: Any, *arguments: Any, **how: Any) -> Any:
     """The client's folder of results stays empty."""
-    right = task_responses.worker_view
-
-    def wrong(*arguments: Any, **how: Any) -> dict[str, Any]:
-        return right(*arguments, **how) | {"episode_result": None}
-
-    put(task_handlers, "worker_view", wrong)
+    return right(*arguments, **how) | {"episode_result": None}
 
 
 @mutant("EBE-010", "EBE-025")
@@ -300,12 +211,6 @@ def shows_tasks_without_their_progress() -> None:
 def takes_half_a_score_for_half_a_success() -> None:
     """The rate of successes is higher than what succeeded."""
     put(message_conversion, "success_rate", lambda score: score)
-
-
-@mutant("EBE-031")
-def gives_each_result_once_whether_received_or_not() -> None:
-    """The folder of results has no file for an episode whose answer was lost."""
-    put(OwedResults, "add", lambda _self, _run, _indices: None)
 
 
 @mutant("EBE-031")
@@ -340,16 +245,13 @@ def plays_the_first_turn_of_a_long_list_alone() -> None:
     put(long_chunks, "split", lambda *arguments: right(*arguments)[:1])
 
 
-@mutant("EBE-011")
-def reads_numbers_in_single_precision() -> None:
+@mutant("EBE-011", through=instead_of(message_conversion, "_numbers"))
+def reads_numbers_in_single_precision(
+    right: Any, value: Any, at: str, size: int
+) -> Any:
     """A target is met by less than the policy commanded."""
-    right = message_conversion._numbers
-
-    def wrong(value: Any, at: str, size: int) -> list[float]:
-        with np.errstate(over="ignore"):
-            return [float(np.float32(number)) for number in right(value, at, size)]
-
-    put(message_conversion, "_numbers", wrong)
+    with np.errstate(over="ignore"):
+        return [float(np.float32(number)) for number in right(value, at, size)]
 
 
 @mutant("EBE-012")
@@ -387,47 +289,32 @@ def takes_an_equal_action_for_a_repeated_one() -> None:
     put(LostAnswers, "confirm_delivery", lambda _self, _session, _seq: None)
 
 
-@mutant("EBE-022")
-def shares_scores_among_the_workers_of_a_step() -> None:
+@mutant("EBE-022", through=instead_of(task_handlers, "read_chunks"))
+def shares_scores_among_the_workers_of_a_step(right: Any, body: Any, run: Run) -> Any:
     """The result of one worker depends on another worker."""
-    right = task_requests.read_chunks
-
-    def wrong(body: Any, run: Run) -> Any:
-        chunks = right(body, run)
-        last = [chunk.actions[-1]["action"] for chunk in chunks.values()]
-        if all(isinstance(one, list) and len(one) > SCORE_AT for one in last):
-            mean = sum(one[SCORE_AT] for one in last) / len(last)
-            for one in last:
-                one[SCORE_AT] = mean
-        return chunks
-
-    put(task_handlers, "read_chunks", wrong)
+    chunks = right(body, run)
+    last = [chunk.actions[-1]["action"] for chunk in chunks.values()]
+    if all(isinstance(action, list) and len(action) > SCORE_AT for action in last):
+        mean = sum(action[SCORE_AT] for action in last) / len(last)
+        for action in last:
+            action[SCORE_AT] = mean
+    return chunks
 
 
 # --- pickles ---
 
 
-@mutant("EBE-015")
-def accepts_pickles_that_call_functions() -> None:
+@mutant("EBE-015", through=instead_of(pickle_reader, "read"))
+def accepts_pickles_that_call_functions(right: Any, body: bytes) -> Any:
     """An attack is reported as malformed data."""
-    right = pickle_reader.read
-
-    def wrong(body: bytes) -> Any:
-        try:
-            return right(body)
-        except pickle_reader.BadPickle:
-            return None
-
-    put(pickle_reader, "read", wrong)
+    try:
+        return right(body)
+    except pickle_reader.BadPickle:
+        return None
 
 
-@mutant("EBE-020")
-def names_numpy_in_its_answers() -> None:
+@mutant("EBE-020", through=instead_of(pickle_writer, "write"))
+def names_numpy_in_its_answers(right: Any, value: Any) -> Any:
     """A client that reads only plain data cannot read the answers."""
-    right = pickle_writer.write
-
-    def wrong(value: Any) -> bytes:
-        body = right(value)
-        return body[:2] + b"cnumpy\ndtype\n0" + body[2:]
-
-    put(pickle_writer, "write", wrong)
+    body = right(value)
+    return body[:2] + b"cnumpy\ndtype\n0" + body[2:]

@@ -25,9 +25,7 @@ from reference_server.profiles.flageval.evaluation_requests import (
 from reference_server.profiles.flageval.evaluation_responses import EvaluationView
 from reference_server.push import chat_calls
 from reference_server.rules.refusal import Refused
-from tests.mutants import mutant, put
-
-Json = dict[str, Any]
+from tests.mutants import Json, instead_of, mutant, put
 
 
 def change_result(change: Callable[[Json, Json, Any], None]) -> None:
@@ -66,17 +64,12 @@ def returns_evaluations_in_another_order() -> None:
     change_body("evaluation", lambda body, _: body["eval_tasks"].reverse())
 
 
-@mutant("FLE-002")
-def omits_err_message() -> None:
+@mutant("FLE-002", through=instead_of(evaluation_handlers, "refusal_response"))
+def omits_err_message(right: Any, refused: Refused) -> Any:
     """Scripts written from the document find no error text."""
-    right = evaluation_responses.refusal_response
-
-    def wrong(refused: Refused) -> Response:
-        body = json.loads(bytes(right(refused).body))
-        del body["err_message"]
-        return Response(msgspec.json.encode(body), media_type=JSON)
-
-    put(evaluation_handlers, "refusal_response", wrong)
+    body = json.loads(bytes(right(refused).body))
+    del body["err_message"]
+    return Response(msgspec.json.encode(body), media_type=JSON)
 
 
 @mutant("FLE-003")
@@ -115,73 +108,53 @@ def calls_the_success_rate_accuracy() -> None:
     )
 
 
-@mutant("FLE-008")
-def ignores_the_query() -> None:
+@mutant("FLE-008", through=instead_of(FlagevalHandlers, "_read_query_or_body"))
+async def ignores_the_query(
+    right: Any, self: FlagevalHandlers, call: OperationCall, *rest: Any
+) -> Any:
     """Clients that cannot send a body with GET get no result."""
-    right = FlagevalHandlers._read_query_or_body
-
-    async def wrong(self: FlagevalHandlers, call: OperationCall, *rest: Any) -> Any:
-        return await right(self, replace(call, query={}), *rest)
-
-    put(FlagevalHandlers, "_read_query_or_body", wrong)
+    return await right(self, replace(call, query={}), *rest)
 
 
-@mutant("FLE-009")
-def reports_retryable_failures_as_final() -> None:
+@mutant("FLE-009", through=instead_of(evaluation_responses, "status_of"))
+def reports_retryable_failures_as_final(right: Any, *arguments: Any) -> Any:
     """The run does not wait for a policy server that restarts."""
-    right = evaluation_responses.status_of
-
-    def wrong(*arguments: Any) -> str:
-        status = right(*arguments)
-        return "F" if status == "OOR" else status
-
-    put(evaluation_responses, "status_of", wrong)
+    status = right(*arguments)
+    return "F" if status == "OOR" else status
 
 
-@mutant("FLE-010")
-def subtracts_the_other_way() -> None:
+@mutant("FLE-010", through=change_result)
+def subtracts_the_other_way(detail: Json, _group: Json, _base: Any) -> None:
     """A model that got worse is reported as better."""
-
-    def wrong(detail: Json, _group: Json, _base: Any) -> None:
-        if detail["diff"] is not None:
-            detail["diff"] = -detail["diff"]
-
-    change_result(wrong)
+    if detail["diff"] is not None:
+        detail["diff"] = -detail["diff"]
 
 
-@mutant("FLE-011")
-def releases_without_a_baseline() -> None:
+@mutant("FLE-011", through=instead_of(EvaluationView, "result"))
+def releases_without_a_baseline(
+    right: Any, self: EvaluationView, base: EvaluationView | None
+) -> Any:
     """A chip is released because its baseline was never evaluated."""
-    right = EvaluationView.result
-
-    def wrong(self: EvaluationView, base: EvaluationView | None) -> Json:
-        result = right(self, base)
-        return result | {"release": base is None or result["release"]}
-
-    put(EvaluationView, "result", wrong)
+    result = right(self, base)
+    return result | {"release": base is None or result["release"]}
 
 
-@mutant("FLE-012")
-def stops_the_first_model_alone() -> None:
+@mutant("FLE-012", through=instead_of(FlagevalHandlers, "stop"))
+async def stops_the_first_model_alone(
+    right: Any, self: FlagevalHandlers, call: OperationCall
+) -> Any:
     """The other models continue to call their servers."""
-    right = FlagevalHandlers.stop
-
-    async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
-        first, *_ = call.body.request_id.split(".")
-        return await right(self, replace(call, body=RequestReference(request_id=first)))
-
-    put(FlagevalHandlers, "stop", wrong)
+    first, *_ = call.body.request_id.split(".")
+    return await right(self, replace(call, body=RequestReference(request_id=first)))
 
 
-@mutant("FLE-009", "FLE-013")
-def reports_success_without_resuming() -> None:
+@mutant("FLE-009", "FLE-013", through=instead_of(FlagevalHandlers, "resume"))
+async def reports_success_without_resuming(
+    _right: Any, self: FlagevalHandlers, call: OperationCall
+) -> Any:
     """A script waits all night for a run that was never resumed."""
-
-    async def wrong(self: FlagevalHandlers, call: OperationCall) -> Response:
-        await self._evaluated(call.account, call.body.request_id)
-        return evaluation_responses.success_response()
-
-    put(FlagevalHandlers, "resume", wrong)
+    await self._evaluated(call.account, call.body.request_id)
+    return evaluation_responses.success_response()
 
 
 @mutant("FLE-014")
@@ -202,29 +175,21 @@ def always_answers_diffs_as_a_map() -> None:
     put(FlagevalHandlers, "diffs_as_list", FlagevalHandlers.diffs_by_id)
 
 
-@mutant("FLE-016")
-def shows_results_to_every_account() -> None:
+@mutant("FLE-016", through=instead_of(FlagevalHandlers, "_evaluated"))
+async def shows_results_to_every_account(
+    right: Any, self: FlagevalHandlers, _account: str, request_id: str
+) -> Any:
     """An account that knows a request_id reads the results of others."""
-    right = FlagevalHandlers._evaluated
-
-    async def wrong(self: FlagevalHandlers, _account: str, request_id: str) -> Any:
-        run = await self.service.registry.get(request_id.split(".", maxsplit=1)[0])
-        return await right(self, run.account, request_id)
-
-    put(FlagevalHandlers, "_evaluated", wrong)
+    run = await self.service.registry.get(request_id.split(".", maxsplit=1)[0])
+    return await right(self, run.account, request_id)
 
 
-@mutant("FLE-018")
-def requires_a_tokenizer() -> None:
+@mutant("FLE-018", through=instead_of(EvaluationRequest, "check"))
+def requires_a_tokenizer(right: Any, self: EvaluationRequest) -> None:
     """A script that was written for FlagEval's server is refused."""
-    right = EvaluationRequest.check
-
-    def wrong(self: EvaluationRequest) -> None:
-        right(self)
-        if not all(info.tokenizer for info in self.eval_infos):
-            raise Refused("invalid_request", "There is no tokenizer.")
-
-    put(EvaluationRequest, "check", wrong)
+    right(self)
+    if not all(info.tokenizer for info in self.eval_infos):
+        raise Refused("invalid_request", "There is no tokenizer.")
 
 
 @mutant("FLE-020")
@@ -239,17 +204,14 @@ def releases_what_is_as_bad_as_nothing() -> None:
     put(evaluation_responses, "_gate", release_of_any)
 
 
-@mutant("FLE-021")
-def compares_requests_with_a_baseline_of_nothing() -> None:
+@mutant("FLE-021", through=instead_of(EvaluationView, "diff"))
+def compares_requests_with_a_baseline_of_nothing(
+    right: Any, self: EvaluationView, base: EvaluationView
+) -> Any:
     """Two requests without a readable answer are released as equal."""
-    right = EvaluationView.diff
-
-    def wrong(self: EvaluationView, base: EvaluationView) -> Json:
-        found = right(self, base)
-        found.pop("warning", None)
-        return found | release_of_any(self.compare_with(base))
-
-    put(EvaluationView, "diff", wrong)
+    diff = right(self, base)
+    diff.pop("warning", None)
+    return diff | release_of_any(self.compare_with(base))
 
 
 @mutant("FLE-022")

@@ -14,37 +14,20 @@ from reference_server.push.driver import Driver
 from reference_server.push.http_calls import Call, HttpCalls, PolicyFault
 from reference_server.push.policy_calls import ProctorPolicy
 from reference_server.rules import effects, lifecycle
-from reference_server.rules.action_space import action_errors
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run, Session
-from tests.mutants import mutant, put
-from tests.mutants.turns.predict import no_guard, replace_guard
+from tests.mutants import Json, instead_of, mutant, put
+from tests.mutants.server_changes import no_guard, replace_guard
 
 
-@mutant("PUSH-001", "PUSH-010")
-def plays_only_the_first_action_of_a_chunk() -> None:
+@mutant("PUSH-001", "PUSH-010", through=instead_of(ProctorPolicy, "predict"))
+async def plays_only_the_first_action_of_a_chunk(
+    right: Any, self: ProctorPolicy, turn: Any
+) -> Any:
     """A policy that answers chunks is scored for actions it did not choose."""
-    right = ProctorPolicy.predict
-
-    async def wrong(self: ProctorPolicy, turn: Any) -> Any:
-        answer = await right(self, turn)
-        answer.actions = answer.actions[:1]
-        return answer
-
-    put(ProctorPolicy, "predict", wrong)
-
-
-@mutant("PUSH-001")
-def cancels_the_calls_of_a_draining_run() -> None:
-    """An orderly stop loses the episodes in play, and the run stays stopping."""
-    right = Driver.on_run_changed
-
-    def wrong(self: Driver, run: Run) -> None:
-        right(self, run)
-        if run.state == "stopping" and run.run_id in self._drives:
-            self._drives[run.run_id].cancel()
-
-    put(Driver, "on_run_changed", wrong)
+    answer = await right(self, turn)
+    answer.actions = answer.actions[:1]
+    return answer
 
 
 @mutant("PUSH-002")
@@ -55,7 +38,7 @@ def accepts_a_policy_server_without_push_mode() -> None:
 
     async def wrong(
         self: policy_server_validator.PolicyServerValidator,
-        submission: dict[str, Any],
+        submission: Json,
         account: str,
     ) -> Any:
         if submission.get("mode") == "push" and "policy_server" not in submission:
@@ -71,20 +54,15 @@ def lets_workers_attach_to_a_push_run() -> None:
     replace_guard(lifecycle._mode_allows_caller, no_guard)
 
 
-@mutant("PUSH-004")
-def sends_the_key_only_to_predict() -> None:
+@mutant("PUSH-004", through=instead_of(HttpCalls, "_send_once"))
+async def sends_the_key_only_to_predict(right: Any, self: HttpCalls, call: Call) -> Any:
     """A policy server that requires its key never gets a run."""
-    right = HttpCalls._send_once
-
-    async def wrong(self: HttpCalls, call: Call) -> Any:
-        key = self._key
-        self._key = key if call.path.endswith("/predict") else None
-        try:
-            return await right(self, call)
-        finally:
-            self._key = key
-
-    put(HttpCalls, "_send_once", wrong)
+    key = self._key
+    self._key = key if call.path.endswith("/predict") else None
+    try:
+        return await right(self, call)
+    finally:
+        self._key = key
 
 
 @mutant("PUSH-005")
@@ -93,65 +71,51 @@ def exposes_the_key_in_a_reason() -> None:
     put(HttpCalls, "redact_key", lambda _self, text: text)
 
 
-@mutant("PUSH-005")
-def shows_the_media_type_of_an_answer_as_it_came() -> None:
+@mutant("PUSH-005", through=instead_of(HttpCalls, "_check"))
+def shows_the_media_type_of_an_answer_as_it_came(
+    right: Any, self: HttpCalls, status: int, headers: Mapping[str, str], body: bytes
+) -> None:
     """A policy server that returns its key as media type publishes it."""
-    right = HttpCalls._check
-
-    def wrong(
-        self: HttpCalls, status: int, headers: Mapping[str, str], body: bytes
-    ) -> None:
-        try:
-            right(self, status, headers, body)
-        except PolicyFault as fault:
-            if not str(fault).startswith("answered with [API key"):
-                raise
-            raise PolicyFault(f"answered with {headers['content-type']}") from None
-
-    put(HttpCalls, "_check", wrong)
+    try:
+        right(self, status, headers, body)
+    except PolicyFault as fault:
+        if not str(fault).startswith("answered with [API key"):
+            raise
+        raise PolicyFault(f"answered with {headers['content-type']}") from None
 
 
-@mutant("PUSH-005")
-def shows_the_names_of_an_action_as_they_came() -> None:
+@mutant("PUSH-005", through=instead_of(policy_calls, "_format_errors"))
+def shows_the_names_of_an_action_as_they_came(
+    _right: Any, errors: Any, _calls: HttpCalls
+) -> Any:
     """A policy server that returns its key as the name of a value publishes it."""
-
-    def wrong(errors: Any, _calls: HttpCalls) -> str:
-        return "; ".join(f"{at} {text}" for at, text in errors)[:500]
-
-    put(policy_calls, "_format_errors", wrong)
+    return "; ".join(f"{at} {text}" for at, text in errors)[:500]
 
 
-@mutant("PUSH-006")
-def ignores_the_answer_to_reset() -> None:
+@mutant("PUSH-006", through=instead_of(ProctorPolicy, "reset"))
+async def ignores_the_answer_to_reset(
+    _right: Any, self: ProctorPolicy, turn: Mapping[str, Any]
+) -> None:
     """A policy that was not ready continues with the memory of another episode."""
-
-    async def wrong(self: ProctorPolicy, turn: Mapping[str, Any]) -> None:
-        body = {
-            "session_id": turn["session_id"],
-            "run_id": self._run.run_id,
-            "benchmark": self._run.manifest,
-            "episode": turn["episode"],
-        }
-        await self._calls.post("/v1/policy/reset", body)
-
-    put(ProctorPolicy, "reset", wrong)
+    body = {
+        "session_id": turn["session_id"],
+        "run_id": self._run.run_id,
+        "benchmark": self._run.manifest,
+        "episode": turn["episode"],
+    }
+    await self._calls.post("/v1/policy/reset", body)
 
 
-@mutant("PUSH-007")
-def ignores_max_concurrent() -> None:
+@mutant("PUSH-007", through=instead_of(PolicyServerConfig, "from_run"))
+def ignores_max_concurrent(right: Any, run: Run) -> Any:
     """A policy on one graphics card gets sixteen concurrent calls and runs out
     of memory.
     """
-    right = PolicyServerConfig.from_run
-
-    def wrong(run: Run) -> Any:
-        config = right(run)
-        if config.max_concurrent == 1:  # how many begin before one fails is luck
-            return config
-        changed = {name: getattr(config, name) for name in config.__slots__}
-        return PolicyServerConfig(**changed | {"max_concurrent": run.max_workers})
-
-    put(PolicyServerConfig, "from_run", wrong)
+    config = right(run)
+    if config.max_concurrent == 1:  # how many begin before one fails is luck
+        return config
+    changed = {name: getattr(config, name) for name in config.__slots__}
+    return PolicyServerConfig(**changed | {"max_concurrent": run.max_workers})
 
 
 @mutant("PUSH-008")
@@ -172,112 +136,52 @@ def changes_the_body_of_a_repeated_call() -> None:
     put(HttpCalls, "_call_with_deadline", wrong)
 
 
-@mutant("PUSH-009")
-def has_no_total_call_timeout() -> None:
+@mutant("PUSH-009", through=instead_of(HttpCalls, "_call_with_deadline"))
+async def has_no_total_call_timeout(_right: Any, self: HttpCalls, call: Call) -> Any:
     """One byte per second holds a worker and its simulator for days."""
-
-    async def wrong(self: HttpCalls, call: Call) -> Any:
-        try:
-            return await self._send_once(call)
-        except (httpcore.NetworkError, httpcore.RemoteProtocolError, OSError) as error:
-            raise PolicyFault("is unreachable", retryable=True) from error
-
-    put(HttpCalls, "_call_with_deadline", wrong)
+    try:
+        return await self._send_once(call)
+    except (httpcore.NetworkError, httpcore.RemoteProtocolError, OSError) as error:
+        raise PolicyFault("is unreachable", retryable=True) from error
 
 
-@mutant("PUSH-010")
-def omits_policy_fault_for_invalid_actions() -> None:
+@mutant("PUSH-010", through=instead_of(effects, "end_by_policy"))
+def omits_policy_fault_for_invalid_actions(
+    right: Any, run: Run, session: Session, fault: str, now_wall: float
+) -> None:
     """A run fails, and its episodes do not say that the policy was at fault."""
-    right = effects.end_by_policy
-
-    def wrong(run: Run, session: Session, fault: str, now_wall: float) -> None:
-        episode = session.episode
-        right(run, session, fault, now_wall)
-        if episode is not None and "was refused" in fault:
-            episode.policy_fault = None
-
-    put(effects, "end_by_policy", wrong)
+    episode = session.episode
+    right(run, session, fault, now_wall)
+    if episode is not None and "was refused" in fault:
+        episode.policy_fault = None
 
 
-@mutant("PUSH-010")
-def executes_the_beginning_of_a_chunk_that_is_too_long() -> None:
-    """A policy is scored for a part of an answer, and its author is not warned."""
-    right = ProctorPolicy.predict
-
-    async def wrong(self: ProctorPolicy, turn: Any) -> Any:
-        answer = await right(self, turn)
-        del answer.actions[self._run.manifest["max_chunk"] :]
-        return answer
-
-    put(ProctorPolicy, "predict", wrong)
-
-
-@mutant("PUSH-010")
-def executes_what_stands_before_an_invalid_action() -> None:
-    """A policy is scored for half an answer, and its author looks for the fault."""
-    right = ProctorPolicy.predict
-
-    async def wrong(self: ProctorPolicy, turn: Any) -> Any:
-        answer = await right(self, turn)
-        values, manifest = [a.values for a in answer.actions], self._run.manifest
-        for at in range(1, len(values)):
-            if action_errors(values[at : at + 1], manifest):
-                del answer.actions[at:]
-                break
-        return answer
-
-    put(ProctorPolicy, "predict", wrong)
-
-
-@mutant("PUSH-011")
-def follows_redirects() -> None:
+@mutant("PUSH-011", through=instead_of(HttpCalls, "_send_once"))
+async def follows_redirects(right: Any, self: HttpCalls, call: Call) -> Any:
     """The policy server decides where this server connects next."""
-    right = HttpCalls._send_once
-
-    async def wrong(self: HttpCalls, call: Call) -> Any:
-        try:
-            return await right(self, call)
-        except PolicyFault as fault:
-            if not str(fault).startswith("redirects"):
-                raise
-        own = [] if self._key is None else [("Authorization", f"Bearer {self._key}")]
-        async with self._pool.stream(
-            call.method, self._url + call.path, headers=own, content=call.content
-        ) as answer:
-            found = dict(answer.headers)
-        async with self._pool.stream(call.method, found[b"Location"]) as answer:
-            raise PolicyFault(f"redirects (status {answer.status})")
-
-    put(HttpCalls, "_send_once", wrong)
-
-
-@mutant("PUSH-011")
-def repeats_a_call_that_was_redirected() -> None:
-    """A policy behind a wrong address seems to be well, and no fault says so."""
-    right = HttpCalls._send_once
-
-    async def wrong(self: HttpCalls, call: Call) -> Any:
-        try:
-            return await right(self, call)
-        except PolicyFault as fault:
-            fault.retryable |= str(fault).startswith("redirects")
+    try:
+        return await right(self, call)
+    except PolicyFault as fault:
+        if not str(fault).startswith("redirects"):
             raise
+    own = [] if self._key is None else [("Authorization", f"Bearer {self._key}")]
+    async with self._pool.stream(
+        call.method, self._url + call.path, headers=own, content=call.content
+    ) as answer:
+        redirect = dict(answer.headers)
+    async with self._pool.stream(call.method, redirect[b"Location"]) as answer:
+        raise PolicyFault(f"redirects (status {answer.status})")
 
-    put(HttpCalls, "_send_once", wrong)
 
-
-@mutant("PUSH-012")
-def fails_finally_when_the_policy_is_unreachable() -> None:
+@mutant("PUSH-012", through=instead_of(effects, "fail_run"))
+def fails_finally_when_the_policy_is_unreachable(
+    right: Any, run: Run, reason: str, now_wall: float, **more: bool
+) -> Any:
     """A restart of the policy server costs the results of its run."""
-    right = effects.fail_run
-
-    def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
-        sessions = right(run, reason, now_wall, **more)
-        if run.state == "failed" and "is unreachable" in reason:
-            run.retryable = False
-        return sessions
-
-    put(effects, "fail_run", wrong)
+    sessions = right(run, reason, now_wall, **more)
+    if run.state == "failed" and "is unreachable" in reason:
+        run.retryable = False
+    return sessions
 
 
 @mutant("PUSH-013")
@@ -327,34 +231,15 @@ def does_not_continue_push_runs_after_a_restart() -> None:
     put(Driver, "open", lambda _self: None)
 
 
-@mutant("PUSH-014")
-def continues_calling_after_a_stop() -> None:
+@mutant("PUSH-014", through=instead_of(Driver, "_drive"))
+async def continues_calling_after_a_stop(right: Any, self: Driver, run: Run) -> None:
     """A policy that is paid by the call is called for a stopped run."""
-    right = Driver._drive
-
-    async def wrong(self: Driver, run: Run) -> None:
-        try:
-            await right(self, run)
-        except asyncio.CancelledError:
-            if run.state == "stopped":
-                await asyncio.sleep(0.1)
-                config = PolicyServerConfig.from_run(run)
-                async with self._calls(config, None, run.account) as again:
-                    await policy_calls.ProctorPolicy(run, config, again).describe()
-            raise
-
-    put(Driver, "_drive", wrong)
-
-
-@mutant("PUSH-014")
-def repeats_the_calls_of_a_stopped_run() -> None:
-    """A policy that is overloaded is called for runs that were stopped long ago."""
-    right = Driver.on_run_changed
-
-    def wrong(self: Driver, run: Run) -> None:
+    try:
+        await right(self, run)
+    except asyncio.CancelledError:
         if run.state == "stopped":
-            asyncio.get_running_loop().call_later(5, right, self, run)
-        else:
-            right(self, run)
-
-    put(Driver, "on_run_changed", wrong)
+            await asyncio.sleep(0.1)
+            config = PolicyServerConfig.from_run(run)
+            async with self._calls(config, None, run.account) as again:
+                await policy_calls.ProctorPolicy(run, config, again).describe()
+        raise

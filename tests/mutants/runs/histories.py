@@ -10,48 +10,11 @@ import time
 from typing import Any
 
 from reference_server.rules import effects
-from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
+from reference_server.rules.lifecycle import Heartbeat, Predict
 from reference_server.rules.run import Run, Session, SessionEnd
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import SessionResources
-from tests.mutants import mutant, put
-
-
-@mutant("LEASE-012", "MODEL-001")
-def counts_no_attempt_after_a_takeover() -> None:
-    """A client that takes over before it gives up can retry an episode without
-    limit.
-    """
-    taken_over: set[str] = set()
-    open_session, close_attempt = effects.open_session, effects._close_attempt
-
-    def wrong_open(run: Run, command: Attach, session_id: str, now: float) -> Session:
-        if command.worker_id in run.workers:
-            taken_over.add(session_id)
-        return open_session(run, command, session_id, now)
-
-    def wrong_close(
-        run: Run, session: Session, now_wall: float, *, counted: bool
-    ) -> None:
-        counted = counted and session.session_id not in taken_over
-        close_attempt(run, session, now_wall, counted=counted)
-
-    put(effects, "open_session", wrong_open)
-    put(effects, "_close_attempt", wrong_close)
-
-
-@mutant("EPI-004", "EPI-009", "MODEL-001")
-def abort_forgets_the_sessions_of_a_draining_run() -> None:
-    """Draining takes too long, the user aborts the run, and the robot goes on."""
-    right = effects.stop
-
-    def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
-        if (run.state, mode) == ("stopping", "abort"):
-            effects.apply_event(run, "stop_abort", "Stopped.")
-            return []
-        return right(run, mode, now_wall)
-
-    put(effects, "stop", wrong)
+from tests.mutants import Json, mutant, put
 
 
 @mutant("DET-005", "MODEL-001")
@@ -76,9 +39,7 @@ def revives_sessions_on_resume() -> None:
         effects.extend_lease(session, time.monotonic())
         return session
 
-    async def wrong_predict(
-        self: SessionExecutor, run: Run, command: Predict
-    ) -> dict[str, Any]:
+    async def wrong_predict(self: SessionExecutor, run: Run, command: Predict) -> Json:
         session = stopped.get(command.session_id)
         if session is None or session.turn is None or run.state == "stopped":
             return await predict(self, run, command)
@@ -109,23 +70,3 @@ def stop_misses_a_session_that_is_opening() -> None:
 
     put(effects, "stop", wrong)
     put(SessionExecutor, "_begin", slow_begin)
-
-
-@mutant("MODEL-002", "DET-001", "DET-003")
-def detach_misses_a_session_in_a_turn() -> None:
-    """A worker that is detached during its turn keeps its episode."""
-    right, play = SessionExecutor.detach, SessionExecutor._play
-
-    async def wrong(self: SessionExecutor, run: Run, command: Detach) -> None:
-        session = run.workers.get(command.worker_id)
-        if session is None or session.busy is None:
-            await right(self, run, command)
-
-    async def slow_play(
-        self: SessionExecutor, resources: SessionResources, command: Predict
-    ) -> Any:
-        await asyncio.sleep(0.03)
-        return await play(self, resources, command)
-
-    put(SessionExecutor, "detach", wrong)
-    put(SessionExecutor, "_play", slow_play)

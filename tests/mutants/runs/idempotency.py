@@ -2,131 +2,84 @@
 
 from __future__ import annotations
 
-import copy
 import hashlib
 from contextvars import ContextVar
 from typing import Any
-from urllib.parse import unquote
 
 from starlette.responses import Response
 
-from reference_server.http import handlers
 from reference_server.http.handlers import Handlers
-from reference_server.push.policy_server_validator import PolicyServerValidator
-from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
-from reference_server.runs import service
+from reference_server.runs import (
+    service,
+)
+from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.storage.store import Store
-from tests.mutants import mutant, put
+from tests.mutants import instead_of, mutant, put
 
 
-def digest_of_changed(change: Any) -> None:
-    """Let `change(submission)` spoil what two bodies are compared by."""
-    right = service.body_digest
+@mutant(
+    *("RUN-003", "RUN-004", "RUN-019", "RUN-026", "RUN-027", "RUN-028"),
+    through=instead_of(RunRegistry, "add"),
+)
+async def ignores_idempotency_keys(
+    right: Any, self: RunRegistry, run: Run, _key: str | None, body: str
+) -> Any:
+    """A repeated submit evaluates everything twice."""
+    return await right(self, run, None, body)
 
-    def wrong(submission: dict[str, Any]) -> str:
-        submission = copy.deepcopy(submission)
-        change(submission)
-        return right(submission)
 
-    put(service, "body_digest", wrong)
+@mutant("RUN-004", through=instead_of(RunRegistry, "add"))
+async def answers_a_used_key_whatever_the_body(
+    right: Any, self: RunRegistry, run: Run, key: str | None, _body: str
+) -> Any:
+    """The second of two different runs is not created, without an error."""
+    return await right(self, run, key, "same")
 
 
-def change_keys(change: Any) -> None:
-    """Let `change(key)` spoil every Idempotency-Key on its way to the store."""
-    right_insert, right_find = Store.insert, Store.find_key
+@mutant("RUN-005")
+def shares_idempotency_keys_between_accounts() -> None:
+    """Two accounts that count their runs from 1 block each other."""
+    right_add, right_find = Store.insert, Store.find_key
+    owners: dict[str, str] = {}
 
     async def insert(
         self: Store, run: Run, key: str | None, body: str, check: Any = None
     ) -> bool:
-        return await right_insert(self, run, key and change(key), body, check)
+        if key is not None and owners.setdefault(key, run.account) != run.account:
+            return False
+        return await right_add(self, run, key, body, check)
 
-    async def find_key(self: Store, account: str, key: str) -> Any:
-        return await right_find(self, account, change(key))
+    async def find(self: Store, account: str, key: str) -> Any:
+        stored = await right_find(self, owners.get(key, account), key)
+        return stored and (stored[0] + "-other", stored[1])
 
     put(Store, "insert", insert)
-    put(Store, "find_key", find_key)
 
+    async def find_own(self: Store, account: str, key: str) -> Any:
+        if owners.get(key, account) == account:
+            return await right_find(self, account, key)
+        return await find(self, account, key)
 
-@mutant("RUN-026")
-def reads_escapes_in_keys() -> None:
-    """Of two submits whose keys differ by an escape the second makes no run."""
-    change_keys(unquote)
-
-
-@mutant("RUN-003")
-def remembers_the_last_twenty_keys() -> None:
-    """A script that repeats all its submits evaluates the first ones twice."""
-    used: list[str] = []
-
-    def change(key: str) -> str:
-        if key not in used[-20:]:
-            used.append(key)
-        return f"{key}.{len(used) - 1 - used[::-1].index(key)}"
-
-    change_keys(change)
-
-
-@mutant("RUN-004")
-def compares_only_the_policies_of_repeated_submits() -> None:
-    """A run with other options is never made, without an error."""
-    digest_of_changed(lambda submission: submission.pop("options", None))
-
-
-@mutant("RUN-004")
-def ignores_the_order_of_tasks_in_repeated_submits() -> None:
-    """A run with its episodes in another order is never made, without an error."""
-    digest_of_changed(
-        lambda submission: submission.get("options", {}).get("tasks", []).sort()
-    )
-
-
-def _round_numbers(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {name: _round_numbers(one) for name, one in value.items()}
-    if isinstance(value, list):
-        return [_round_numbers(one) for one in value]
-    return round(value, 3) if isinstance(value, float) else value
-
-
-@mutant("RUN-004")
-def rounds_the_numbers_of_repeated_submits() -> None:
-    """A run with a slightly longer lease is never made, without an error."""
-    digest_of_changed(lambda submission: submission.update(_round_numbers(submission)))
+    put(Store, "find_key", find_own)
 
 
 @mutant("RUN-026")
 def ignores_the_case_of_idempotency_keys() -> None:
     """Random keys in Base64 collide far more often than they should."""
-    change_keys(str.lower)
+    right_insert, right_find = Store.insert, Store.find_key
 
+    async def insert(
+        self: Store, run: Run, key: str | None, body: str, check: Any = None
+    ) -> bool:
+        return await right_insert(self, run, key and key.lower(), body, check)
 
-@mutant("RUN-026")
-def cuts_idempotency_keys() -> None:
-    """Keys that begin with the name of a project all name its first run."""
-    change_keys(lambda key: key[:64])
+    async def find_key(self: Store, account: str, key: str) -> Any:
+        return await right_find(self, account, key.lower())
 
-
-@mutant("RUN-027")
-def uses_up_the_key_of_a_refused_submit() -> None:
-    """A user who corrects a body has to find out that the key must change, too."""
-    right = RunService.submit_run
-    used: set[tuple[str, str]] = set()
-
-    async def wrong(
-        self: RunService, account: str, submission: Any, key: str | None = None
-    ) -> Run:
-        if key is not None and (account, key) in used:
-            raise Refused("idempotency_conflict", "The key is used.")
-        try:
-            return await right(self, account, submission, key)
-        except Refused as refused:
-            if key is not None and refused.code == "invalid_request":
-                used.add((account, key))
-            raise
-
-    put(RunService, "submit_run", wrong)
+    put(Store, "insert", insert)
+    put(Store, "find_key", find_key)
 
 
 @mutant("RUN-028")
@@ -142,34 +95,11 @@ def compares_submits_byte_by_byte() -> None:
     put(service, "body_digest", lambda _: hashlib.sha256(raw.get()).hexdigest())
 
 
-@mutant("RUN-029")
-def takes_an_equal_submit_for_a_repeated_one() -> None:
+@mutant("RUN-029", through=instead_of(RunService, "submit_run"))
+async def takes_an_equal_submit_for_a_repeated_one(
+    right: Any, self: RunService, account: str, submission: Any, key: str | None = None
+) -> Any:
     """Two evaluations of one policy become one."""
-    right = RunService.submit_run
-
-    async def wrong(
-        self: RunService, account: str, submission: Any, key: str | None = None
-    ) -> Run:
-        if key is None and len(submission["policy"]["name"]) > 40:
-            key = service.body_digest(submission)
-        return await right(self, account, submission, key)
-
-    put(RunService, "submit_run", wrong)
-
-
-@mutant("RUN-032")
-def accepts_push_runs_that_nothing_plays() -> None:
-    """A run waits without end for calls that the server never makes."""
-    announced = tuple(name for name in handlers.PROFILES if name != "push")
-    put(handlers, "PROFILES", announced)
-
-    async def wrong(
-        _self: object, submission: dict[str, Any], _account: str
-    ) -> dict[str, Any]:
-        return {
-            name: value
-            for name, value in submission.items()
-            if name not in ("mode", "policy_server")
-        }
-
-    put(PolicyServerValidator, "validate_and_encrypt", wrong)
+    if key is None and len(submission["policy"]["name"]) > 40:
+        key = service.body_digest(submission)
+    return await right(self, account, submission, key)

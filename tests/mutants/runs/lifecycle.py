@@ -1,8 +1,11 @@
-"""One mutant per cell of the lifecycle table: what is legal is refused, what is illegal
-is accepted. They are enumerated, not written, so that no cell can be forgotten."""
+"""One mutant per cell of the lifecycle table: it decides the opposite.
+
+The rows are read from the specification, so that no cell can be forgotten.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +15,7 @@ from reference_server.rules import effects
 from reference_server.rules import lifecycle as protocol
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
-from tests.mutants import MUTANTS, Mutant, put
+from tests.mutants import Json, Row, mutants, put
 
 SPEC = Path(__file__).parents[3] / "spec" / "openapi.yaml"
 
@@ -37,7 +40,7 @@ ALSO: dict[str, set[str]] = {
 NOT_MUTATED = {"LIFE-201", "LIFE-302", "LIFE-801"}
 
 
-def _register() -> None:
+def _rows() -> Iterator[Row]:
     lifecycle = yaml.safe_load(SPEC.read_text())["x-lifecycle"]
     for row in lifecycle["transitions"]:
         if row.get("observable") is False or row["id"] in NOT_MUTATED:
@@ -46,29 +49,23 @@ def _register() -> None:
         if row["event"] in lifecycle["events"]:
             verb = "misses"
         name = f"{verb}_{row['event']}_when_{row.get('when', row['from'])}"
-        MUTANTS[name] = Mutant(
-            name,
-            frozenset({row["id"]} | ALSO.get(row["id"], set())),
-            f"The opposite of: {row['text']}",
-            _patch_of(row),
-        )
+        kills = {row["id"]} | ALSO.get(row["id"], set())
+        yield Row(name, tuple(kills), f"The opposite of: {row['text']}", row)
 
 
-def _patch_of(row: dict[str, Any]) -> Any:
+@mutants(*_rows())
+def break_cell(row: Json) -> None:
+    """Let one cell of the lifecycle table decide the opposite."""
     cell: Any = (row["from"], row["event"])
-
-    def patch() -> None:
-        if row.get("when"):
-            _flip_retryable(resumes=row["when"] == "not_retryable")
-        elif row["to"] == "refused":
-            protocol.TRANSITIONS[cell] = row["from"]
-            if row["event"] == "attach_worker":
-                # Such a run has no place to be played, either.
-                put(RunRegistry, "take_place", lambda _self, _run: None)
-        else:
-            del protocol.TRANSITIONS[cell]
-
-    return patch
+    if row.get("when"):
+        _flip_retryable(resumes=row["when"] == "not_retryable")
+    elif row["to"] == "refused":
+        protocol.TRANSITIONS[cell] = row["from"]
+        if row["event"] == "attach_worker":
+            # Such a run has no place to be played, either.
+            put(RunRegistry, "take_place", lambda _self, _run: None)
+    else:
+        del protocol.TRANSITIONS[cell]
 
 
 def _flip_retryable(*, resumes: bool) -> None:
@@ -81,6 +78,3 @@ def _flip_retryable(*, resumes: bool) -> None:
 
     put(protocol, "legal", wrong)
     put(effects, "legal", wrong)
-
-
-_register()

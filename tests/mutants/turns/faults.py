@@ -2,199 +2,114 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
-from reference_server.rules import effects, lifecycle
-from reference_server.rules.lifecycle import (
-    Attach,
-    Command,
-    Predict,
-    Refuse,
-    Verdict,
-    decide,
+from reference_server.rules import (
+    effects,
 )
-from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
-from reference_server.runs import session_executor
+from reference_server.rules.run import Episode, Run, Session, SessionEnd
 from reference_server.views import run_views
-from tests.mutants import mutant, put
-from tests.mutants.turns.predict import change_turn, replace_guard
+from tests.mutants import Json, instead_of, mutant
+from tests.mutants.server_changes import (
+    change_turn,
+)
 
 
-@mutant("FAULT-007")
-def counts_attempts_when_a_fault_fails_the_run() -> None:
+@mutant(
+    *("EPI-003", "FAULT-001", "FAULT-007", "FAULT-008"),
+    through=instead_of(effects, "record_fault"),
+)
+def counts_a_fault_as_an_attempt(
+    right: Any, run: Run, session: Session, *rest: Any, **named: Any
+) -> Any:
+    """A crash of the server uses up an attempt of the policy."""
+    if session.episode is not None:
+        session.episode.attempt += 1
+    return right(run, session, *rest, **named)
+
+
+@mutant("FAULT-007", through=instead_of(effects, "_end_sessions"))
+def counts_attempts_when_a_fault_fails_the_run(
+    right: Any, run: Run, sessions: Any, *rest: Any, counted: bool
+) -> None:
     """A broken simulator costs the workers beside it an attempt."""
-    right = effects._end_sessions
-
-    def wrong(run: Run, sessions: Any, *rest: Any, counted: bool) -> None:
-        right(run, sessions, *rest, counted=counted or rest[0] == "run_failed")
-
-    put(effects, "_end_sessions", wrong)
+    right(run, sessions, *rest, counted=counted or rest[0] == "run_failed")
 
 
-@mutant("FAULT-008")
-def adds_the_steps_before_a_fault_to_the_result() -> None:
-    """A result claims more steps than its attempt was allowed."""
-    record_fault, record_result = effects.record_fault, effects._record_result
-    lost: dict[tuple[str, int], int] = {}
-
-    def wrong_fault(run: Run, session: Session, *rest: Any, **named: Any) -> Any:
-        assert session.episode is not None
-        place = run.run_id, session.episode.index
-        lost[place] = lost.get(place, 0) + session.steps
-        return record_fault(run, session, *rest, **named)
-
-    def wrong_result(run: Run, episode: Episode, result: Result) -> None:
-        steps = result.steps + lost.get((run.run_id, episode.index), 0)
-        record_result(run, episode, replace(result, steps=steps))
-
-    put(effects, "record_fault", wrong_fault)
-    put(effects, "_record_result", wrong_result)
+@mutant(
+    *("DET-005", "FAULT-004", "FAULT-007", "FAULT-014"),
+    through=instead_of(effects, "record_fault"),
+)
+def ends_every_session_when_one_simulator_breaks(
+    right: Any, run: Run, session: Session, *rest: Any, **named: Any
+) -> Any:
+    """One broken episode ends the sessions of all workers."""
+    bystanders = [s for s in run.workers.values() if s is not session]
+    for bystander in bystanders:
+        effects.close_session(run, bystander, "unknown", named["now_wall"])
+    return bystanders + right(run, session, *rest, **named)
 
 
-@mutant("FAULT-009")
-def forgets_faults_on_resume() -> None:
-    """A simulator that breaks again and again seems to have broken once."""
-    right = effects.resume
-
-    def wrong(run: Run, queue_until_wall: float) -> None:
-        is_resumed = run.state in ("stopped", "failed")
-        right(run, queue_until_wall)
-        for episode in run.episodes if is_resumed else []:
-            if episode.result is None and episode.faults:
-                episode.faults = episode.faults_forgiven = 0
-                run.changed.add(episode.index)
-
-    put(effects, "resume", wrong)
-
-
-@mutant("FAULT-010")
-def counts_the_faults_of_all_episodes_together() -> None:
+@mutant("FAULT-010", through=instead_of(effects, "record_fault"))
+def counts_the_faults_of_all_episodes_together(
+    right: Any, run: Run, session: Session, *rest: Any, **named: Any
+) -> Any:
     """A long run fails although no episode has broken often."""
-    right = effects.record_fault
-
-    def wrong(run: Run, session: Session, *rest: Any, **named: Any) -> list[Session]:
-        episode = session.episode
-        assert episode is not None
-        others = sum(
-            e.faults - e.faults_forgiven for e in run.episodes if e is not episode
-        )
-        episode.faults_forgiven -= others
-        try:
-            return right(run, session, *rest, **named)
-        finally:
-            episode.faults_forgiven += others
-
-    put(effects, "record_fault", wrong)
+    episode = session.episode
+    assert episode is not None
+    faults_elsewhere = sum(
+        e.faults - e.faults_forgiven for e in run.episodes if e is not episode
+    )
+    episode.faults_forgiven -= faults_elsewhere
+    try:
+        return right(run, session, *rest, **named)
+    finally:
+        episode.faults_forgiven += faults_elsewhere
 
 
-@mutant("FAULT-010")
-def forgives_faults_when_a_session_ends() -> None:
-    """An episode that always breaks is played for ever."""
-    right = effects._close_attempt
-
-    def wrong(run: Run, session: Session, now_wall: float, *, counted: bool) -> None:
-        if session.episode is not None:
-            session.episode.faults_forgiven = session.episode.faults
-        right(run, session, now_wall, counted=counted)
-
-    put(effects, "_close_attempt", wrong)
+@mutant("FAULT-005", "LIFE-605", through=instead_of(effects, "record_fault"))
+def calls_an_unplayable_task_retryable(
+    right: Any, run: Run, *rest: Any, **named: Any
+) -> Any:
+    """A broken benchmark is resumed and fails again without end."""
+    sessions = right(run, *rest, **named)
+    if run.state == "failed":
+        run.retryable = True
+    return sessions
 
 
-@mutant("FAULT-010")
-def forgives_faults_on_takeover() -> None:
-    """An episode that always breaks is played for ever by a client that restarts."""
-    right = effects.open_session
-
-    def wrong(run: Run, command: Attach, session_id: str, now: float) -> Session:
-        is_takeover = command.worker_id in run.workers
-        session = right(run, command, session_id, now)
-        if is_takeover and session.episode is not None:
-            session.episode.faults_forgiven = session.episode.faults
-        return session
-
-    put(effects, "open_session", wrong)
+@mutant("FAULT-002", through=instead_of(effects, "record_fault"))
+def gives_no_reason_for_a_failure(
+    right: Any, run: Run, *rest: Any, **named: Any
+) -> Any:
+    """A run has failed and its user cannot learn why."""
+    ended = right(run, *rest, **named)
+    if run.state == "failed":
+        run.reason = ""
+    return ended
 
 
-@mutant("FAULT-011")
-def executes_a_turn_that_faulted_again() -> None:
-    """A lost answer breaks the simulator a second time."""
-
-    def wrong(run: Run, command: Command, now: float) -> Verdict:
-        session = run.workers.get(getattr(command, "worker_id", ""))
-        if (
-            isinstance(command, Predict)
-            and session is not None
-            and command.seq == session.seq
-            and "fault" in (session.turn or {})
-        ):
-            session.seq -= 1
-        return decide(run, command, now)
-
-    put(session_executor, "decide", wrong)
+@mutant("DET-005", "FAULT-006", "FAULT-014", through=instead_of(Run, "record_end"))
+def does_not_say_that_the_run_failed(
+    right: Any, self: Run, session: Session, ended_by: SessionEnd
+) -> None:
+    """The client attaches again to a run that has failed."""
+    right(self, session, "unknown" if ended_by == "run_failed" else ended_by)
 
 
-@mutant("FAULT-011")
-def executes_another_body_for_a_turn_that_faulted() -> None:
-    """A client with two requests on their way loses count of its turns at a fault."""
-    right = lifecycle._repeated_seq
-
-    def wrong(run: Run, command: Predict, now: float) -> Verdict | None:
-        verdict = right(run, command, now)
-        session = run.workers[command.worker_id]
-        if isinstance(verdict, Refuse) and "fault" in (session.turn or {}):
-            session.seq -= 1
-            return None
-        return verdict
-
-    replace_guard(right, wrong)
-
-
-@mutant("FAULT-012")
-def reports_steps_of_a_chunk_that_broke() -> None:
+@mutant("FAULT-012", through=change_turn)
+def reports_steps_of_a_chunk_that_broke(body: Json, _session: Session) -> None:
     """A client counts steps that the episode has not taken."""
-
-    def wrong(body: dict[str, Any], _session: Session) -> None:
-        if "fault" in body:
-            body.update(executed_steps=1, rewards=[0.0])
-
-    change_turn(wrong)
+    if "fault" in body:
+        body.update(executed_steps=1, rewards=[0.0])
 
 
-@mutant("FAULT-012")
-def reports_the_fault_of_a_beginning_beside_a_result() -> None:
-    """A client takes the steps of an episode that was scored for lost."""
-
-    def wrong(body: dict[str, Any], session: Session) -> None:
-        ended = body.get("episode_result")
-        if ended and ended["faults"] > 1 and session.episode is not None:
-            fault = {"episode_id": session.episode.episode_id, "faults": 1}
-            body["fault"] = fault | {"detail": "The simulator broke."}
-
-    change_turn(wrong)
-
-
-@mutant("DET-005", "FAULT-014")
-def calls_a_failure_a_stop_to_other_workers() -> None:
-    """A client believes that a person has stopped the run."""
-    right = Run.record_end
-
-    def wrong(self: Run, session: Session, ended_by: SessionEnd) -> None:
-        is_other = ended_by == "run_failed" and session.busy is None
-        right(self, session, "run_stopped" if is_other else ended_by)
-
-    put(Run, "record_end", wrong)
-
-
-@mutant("FAULT-009")
-def lists_the_faults_since_the_last_resume_of_a_result() -> None:
+@mutant("FAULT-009", through=instead_of(run_views, "episode_view"))
+def lists_the_faults_since_the_last_resume_of_a_result(
+    right: Any, episode: Episode
+) -> Any:
     """A list of episodes hides how often a simulator broke."""
-    right = run_views.episode_view
-
-    def wrong(episode: Episode) -> dict[str, Any]:
-        view = right(episode)
-        if episode.result is not None:
-            view["faults"] -= episode.faults_forgiven
-        return view
-
-    put(run_views, "episode_view", wrong)
+    view = right(episode)
+    if episode.result is not None:
+        view["faults"] -= episode.faults_forgiven
+    return view

@@ -1,0 +1,61 @@
+"""Mutants of benchmarks: which are listed, and what their digest covers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from reference_server.runs import (
+    benchmarks,
+)
+from reference_server.runs.benchmarks import Benchmarks
+from reference_sim import benchmark_registry
+from tests.mutants import instead_of, mutant, put
+
+
+@mutant("BEN-001", through=instead_of(Benchmarks, "summaries"))
+def does_not_list_calibration(right: Any, self: Benchmarks) -> Any:
+    """The kit cannot find the benchmark that it plays."""
+    return [b for b in right(self) if b["benchmark_id"] != "calibration"]
+
+
+@mutant("BEN-002", through=instead_of(Benchmarks, "view"))
+async def answers_for_unknown_benchmarks(
+    right: Any, self: Benchmarks, benchmark_id: str
+) -> Any:
+    """A misspelt benchmark seems to exist."""
+    is_known = benchmark_id in benchmark_registry.benchmark_ids()
+    return await right(self, benchmark_id if is_known else "calibration")
+
+
+@mutant("BEN-003", "BEN-004")
+def hashes_a_benchmark_anew_each_time() -> None:
+    """Two runs of the same benchmark cannot be compared."""
+    right = Benchmarks.view
+    count = iter(range(10**9))
+
+    async def wrong(self: Benchmarks, benchmark_id: str) -> Any:
+        shown = await right(self, benchmark_id)
+        return shown | {"manifest_sha256": f"{next(count):064x}"}
+
+    put(Benchmarks, "view", wrong)
+
+
+@mutant("BEN-005", through=instead_of(benchmarks, "digest"))
+def hashes_the_first_hundred_episodes(right: Any, manifest: Any) -> Any:
+    """Runs of different episodes are compared as if they were the same."""
+    episodes = manifest["episodes"]
+    if len(episodes) <= 100:
+        return right(manifest)
+    hashed = {**manifest, "episodes": episodes[:100], "total": len(episodes)}
+    return right(hashed)
+
+
+@mutant("CAL-001", through=instead_of(Benchmarks, "view"))
+async def offers_another_calibration(
+    right: Any, self: Benchmarks, benchmark_id: str
+) -> Any:
+    """The kit plays another benchmark than the one it knows."""
+    body = await right(self, benchmark_id)
+    if benchmark_id == "calibration":
+        body["max_attempts"] = 4
+    return body
