@@ -111,8 +111,7 @@ def run_once(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
     with tempfile.TemporaryDirectory() as report:
         server = [*commands.server, mutant.name]
         profiles = {load_ledger()[id_].profile for id_ in mutant.kills}
-        if "DEL-008" in mutant.kills:
-            profiles.add("board")
+        profiles |= mutant.needs
         if enabled_profiles := profiles & OPTIONAL_PROFILES:
             server += ["--profiles", ",".join(sorted(enabled_profiles))]
         if "public_board" in profiles:

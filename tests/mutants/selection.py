@@ -30,6 +30,8 @@ ROTATION_BY_ALL_ROWS = 20
 # After a change of everything a day's mutants would take an hour.
 CHANGED_MAX = 60
 _JUDGED = ("reference_server", "reference_sim", "reference_record")
+# Changes of the server that mutants of several files share.
+SHARED_CHANGES = Path(__file__).with_name("server_changes.py")
 _CHECKS = "conformance/checks/"
 _MUTANTS = "tests/mutants/"
 _HUNK = re.compile(r"^@@ -\S+ \+(\d+)(?:,(\d+))? @@")
@@ -194,9 +196,13 @@ def _names_of(mutant: Mutant) -> frozenset[str]:
 
 @functools.cache
 def _names_by_function(path: Path) -> dict[tuple[int, int], frozenset[str]]:
-    """By the first and the last line of each function of a file."""
+    """By the first and the last line of each function of a file.
+
+    A function has the names of what it calls in its file and in SHARED_CHANGES, too.
+    """
     functions = [function for _, function in _functions(path)]
-    used = {function.name: _names_in(function) for function in functions}
+    shared = [function for _, function in _functions(SHARED_CHANGES)]
+    used = {function.name: _names_in(function) for function in [*shared, *functions]}
     return {
         (_span(function)[0], _span(function)[-1]): used[function.name].union(
             *(used[helper] for helper in used[function.name] & used.keys())
