@@ -6,6 +6,7 @@ fails when it starts a server or a kit, or computes for long: the marks stay com
 
 import asyncio
 import functools
+import gc
 import inspect
 import resource
 import sys
@@ -85,3 +86,13 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Iterator[None]:
     if _fast_test[0] and sys.gettrace() is None and took_s > FAST_TEST_MAX_S:
         pytest.fail(f"{took_s:.0f} s of a processor: mark it with pytest.mark.slow")
     return result
+
+
+def pytest_collection_finish() -> None:
+    """Leave what was imported and collected out of every later garbage collection.
+
+    A test that counts what is alive collects again and again; each time it would look
+    through all modules and all tests.
+    """
+    gc.collect()
+    gc.freeze()
