@@ -58,7 +58,6 @@ from reference_server.records.shared_folder import check_shared, show_node
 from reference_server.rules.capacity import Quota
 from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
 from reference_server.rules.run_owner import NodeRefused
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.benchmarks import Benchmarks
@@ -112,15 +111,8 @@ def build(
     recordings, store, records, board_store = _storage_of(settings)
     pool, replay_pool = _pools_of(settings)
 
-    # Called only while the server runs; by then both parts are there.
-    def on_run_lost(run: Run) -> None:
-        executor.discard_sessions(run)
-
-    def on_change(run: Run) -> None:
-        driver.on_run_changed(run)
-
     node = _node_of(settings, store, records, lambda: service)
-    registry = _registry_of(settings, store, on_run_lost, on_change, node)
+    registry = _registry_of(settings, store, node)
     seed_secret = SeedSecret(settings.seed_secret_path)
     executor = _executor_of(settings, registry, pool, seed_secret, recordings)
     egress = EgressPolicy(settings.allow_private_policies)
@@ -250,7 +242,7 @@ def _read_state(
         sessions=executor.sessions,
         turns=executor.turns_in_progress,
         runs=registry.count_open(),
-        oldest_queued_s=registry.oldest_queued_s(),
+        oldest_queued_s=registry.admission.oldest_queued_s(),
         simulators={"lent": pool.busy, "idle": pool.idle},
         simulators_max=pool.size_max,
         simulator_starts=pool.starts,
@@ -278,17 +270,11 @@ async def _close_all(*parts: _Part | None) -> None:
 
 
 def _registry_of(
-    settings: Settings,
-    store: Store,
-    on_run_lost: Callable[[Run], None],
-    on_change: Callable[[Run], None],
-    node: ServerNode | None,
+    settings: Settings, store: Store, node: ServerNode | None
 ) -> RunRegistry:
     return RunRegistry(
         store,
         settings.max_active_runs,
-        on_run_lost,
-        on_change,
         unused_s=settings.unused_s_max,
         quota=_quota(settings),
         ownership=None if node is None else node.membership,

@@ -58,7 +58,9 @@ class ServerNode:
         self._connections = NodeConnections(self.membership)
         self.views = ViewsElsewhere(self._connections, self._view_run)
         self.commands = OwnerCommands(self._connections, self._command_run)
-        self.queue = SharedQueue(nodes, self._connections, lambda: service().registry)
+        self.queue = SharedQueue(
+            nodes, self._connections, lambda: service().registry.admission
+        )
 
     def routed(self, endpoints: Mapping[str, ASGIApp]) -> dict[str, ASGIApp]:
         """The same paths, each answered by the node that has the run it names."""
@@ -91,10 +93,10 @@ class ServerNode:
         return self.membership.node_id
 
     def _forget_runs(self) -> None:
-        self._service().registry.drop_all()
+        self._service().registry.admission.drop_all()
 
     def _adopt(self, run_id: str) -> None:
-        self._service().registry.load_in_background(run_id)
+        self._service().registry.writer.load_in_background(run_id)
 
     async def _view_run(self, run_id: str, endpoint: str) -> dict[str, Any]:
         return await self._service().view_run(None, run_id, endpoint)

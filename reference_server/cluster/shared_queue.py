@@ -22,7 +22,7 @@ import msgspec
 
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_requests import NodeRequests
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.storage.node_store import Node, NodeStore, StoredQueue
 from reference_server.storage.store import StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
@@ -57,16 +57,16 @@ class _Places(msgspec.Struct):
 class SharedQueue:
     """This node's part in it, from `open` to `close`.
 
-    registry: once the server is put together.
+    admission: once the server is put together.
     """
 
     def __init__(
         self,
         nodes: NodeStore,
         connections: NodeConnections,
-        registry: Callable[[], RunRegistry],
+        admission: Callable[[], RunAdmission],
     ) -> None:
-        self._nodes, self._registry = nodes, registry
+        self._nodes, self._admission = nodes, admission
         self._membership = connections.membership
         self.requests = NodeRequests(
             connections,
@@ -99,10 +99,10 @@ class SharedQueue:
         if self._next_read is not None:
             await asyncio.wait([self._next_read])
 
-    # --- what the registry asks for ---
+    # --- what RunAdmission asks for ---
 
     async def refresh(self) -> None:
-        """Let the registry know what waits at all nodes by now."""
+        """Let RunAdmission know what waits at all nodes by now."""
         try:
             await self._read()
         except StoreFailed as error:  # a place in the queue is no promise
@@ -144,9 +144,9 @@ class SharedQueue:
         async with self._read_lock:
             await asyncio.sleep(self._read_not_before - time.monotonic())
             self._next_read = None
-            registry, began = self._registry(), time.monotonic()
-            seen = await self._nodes.queue(registry.queued_ids())
-            registry.note_queue(seen)
+            admission, began = self._admission(), time.monotonic()
+            seen = await self._nodes.queue(admission.queued_ids())
+            admission.note_queue(seen)
             if len(seen.queued) > LONG_QUEUE:
                 took_s = time.monotonic() - began
                 rest_s = min(LOOK_S, RESTS_AFTER_READ * took_s)
@@ -158,8 +158,8 @@ class SharedQueue:
         if not self._membership.claims:
             return
         await self._membership.ensure_lease()
-        registry, me = self._registry(), self._membership.node_id
-        await self._let_others_take(registry.held_no_more())
+        admission, me = self._admission(), self._membership.node_id
+        await self._let_others_take(admission.held_no_more())
         seen = await self._read()
         elsewhere = [
             one
@@ -168,10 +168,10 @@ class SharedQueue:
         ]
         self._fences = {one.run.run_id: one.fence for one in elsewhere}
         waiting = {one.run.account for one in seen.queued}
-        if waiting and len(waiting | registry.places_of_accounts().keys()) > 1:
+        if waiting and len(waiting | admission.places_of_accounts().keys()) > 1:
             await self._ask_for_places()
         places = sum(map(Counter, self._places.values()), Counter[str]())
-        registry.note_waiting_elsewhere([one.run for one in elsewhere], places)
+        admission.note_waiting_elsewhere([one.run for one in elsewhere], places)
 
     async def _let_others_take(self, run_ids: list[str]) -> None:
         """Runs whose submitters hold them no more in the queue."""
@@ -203,7 +203,7 @@ class SharedQueue:
         """The answer to another node."""
         if announced.has_changed:
             self._look_is_due.set()
-        return _Places(self._registry().places_of_accounts())
+        return _Places(self._admission().places_of_accounts())
 
     async def _repeat(
         self, work: Work, is_due: asyncio.Event, every_s: float | None

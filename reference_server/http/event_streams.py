@@ -162,7 +162,7 @@ class EventStream:
             return next_batch(cursor, run, run_body, episodes, common_body)
 
         window = (cursor.results_sent, cursor.results_sent + EPISODES_PER_BATCH)
-        return await self.registry.read_view(
+        return await self.registry.reader.read_view(
             self.run_id, self._reader, view, *window, scored=True
         )
 

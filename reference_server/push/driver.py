@@ -38,9 +38,10 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
-from reference_server.runs.registry import RELOAD_S
+from reference_server.runs.run_events import RunFollower
+from reference_server.runs.run_writer import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
 from reference_server.system.repeated_failures import RepeatedFailures
@@ -91,7 +92,7 @@ class _Worker:
     backoff: Backoff
 
 
-class Driver:
+class Driver(RunFollower):
     """Plays every push run of this server that is ready or running."""
 
     def __init__(
@@ -109,10 +110,11 @@ class Driver:
         self._drives: dict[str, asyncio.Task[None]] = {}
         self._closed = False
         self._failures = RepeatedFailures(log)
+        service.registry.subscribe(self)
 
     def open(self) -> None:
         """PUSH-017: continue the runs that the last process left unfinished."""
-        self._registry.run_in_background(self._check_all_runs())
+        self._registry.work.start(self._check_all_runs())
 
     async def _check_all_runs(self) -> None:
         try:
@@ -139,7 +141,10 @@ class Driver:
         await self.stop_playing()
         self._egress.close()
 
-    def on_run_changed(self, run: Run) -> None:
+    def loaded(self, run: Run, stored: State) -> None:
+        self.changed(run)
+
+    def changed(self, run: Run) -> None:
         """Start to play the run, or stop playing it, as its state requires now.
 
         PUSH-013: a resumed run becomes ready, which starts it again.
@@ -162,7 +167,7 @@ class Driver:
     async def _check_run(self, run_id: str) -> None:
         """PUSH-017: now, or when it can be loaded; no request may ever load it."""
         try:
-            self.on_run_changed(await self._registry.get(run_id))
+            self.changed(await self._registry.get(run_id))
         except Refused:
             log.debug("run %s was deleted", run_id)
         except StoreFailed as error:
@@ -172,7 +177,7 @@ class Driver:
 
     def _schedule_check(self, run_id: str) -> None:
         if not self._closed:
-            self._registry.run_in_background(self._check_run(run_id))
+            self._registry.work.start(self._check_run(run_id))
 
     async def _drive(self, run: Run) -> None:
         config = PolicyServerConfig.from_run(run)

@@ -64,7 +64,7 @@ class BoardService:
     ) -> tuple[Json, bool]:
         """Schema BoardEntry, and whether it is new."""
         entry_id = f"entry_{secrets.token_hex(12)}"
-        fresh = await self._registry.read_view(
+        fresh = await self._registry.reader.read_view(
             run_id,
             account,
             lambda run, all_: rules.new_entry(entry_id, run, all_, time.time()),
@@ -87,7 +87,7 @@ class BoardService:
     async def withdraw(self, account: str, run_id: str) -> Json:
         """Schema BoardEntry."""
         # A run of another account is refused as any run is (AUTH-003).
-        await self._registry.read_view(run_id, account, lambda run, _: run)
+        await self._registry.reader.read_view(run_id, account, lambda run, _: run)
 
         def decide(stored: BoardEntry | None) -> Change:
             if stored is None:
@@ -124,7 +124,7 @@ class BoardService:
             usage.note_kept(changed.entry.account, changed.kept_bytes)
             return changed
 
-        return await self._registry.run_to_end(store())
+        return await self._registry.work.run_to_end(store())
 
     async def entry_id_of_run(self, run_id: str) -> str | None:
         """Of its entry, withdrawn or not. Who may see that, `get` decides."""

@@ -11,21 +11,22 @@ from collections.abc import Sequence
 from weakref import WeakKeyDictionary
 
 from reference_server.rules.run import Episode, Run, Session, State
+from reference_server.runs.run_events import Departure, RunFollower
 from reference_server.system.counters import COUNTERS
 from reference_server.system.log_output import log_event
 
 log = logging.getLogger("proctor.runs")
 
 
-class RunLog:
+class RunLog(RunFollower):
     """Logs what is new of each run since its last line."""
 
     def __init__(self) -> None:
         self._states: WeakKeyDictionary[Run, State] = WeakKeyDictionary()
 
-    def note_loaded(self, run: Run) -> None:
+    def loaded(self, run: Run, stored: State) -> None:
         """Nothing is new of a run that was read."""
-        self._states[run] = run.state
+        self._states[run] = stored
 
     def log_taken(self, run: Run) -> None:
         """The run waited at another node; it was let in before it was read."""
@@ -43,27 +44,21 @@ class RunLog:
             episodes=run.total,
         )
         self._states[run] = "queued"
-        self.log_stored(run, ())
+        self._log_state(run)
 
-    def log_stored(self, run: Run, scored: Sequence[Episode]) -> None:
-        """The run was stored with these new results."""
+    def stored(self, run: Run, scored: Sequence[Episode]) -> None:
         for episode in scored:
             _log_scored(run, episode)
         self._log_state(run)
 
-    def log_playing(self, run: Run) -> None:
+    def changed(self, run: Run) -> None:
         """A worker attached, which is in memory alone until an episode ends."""
         if run.state == "running":
             self._log_state(run)
 
-    def log_deleted(self, run: Run) -> None:
-        log_event(
-            log,
-            "run deleted",
-            run_id=run.run_id,
-            account=run.account,
-            is_played=run.is_played,
-        )
+    def left(self, run: Run, why: Departure) -> None:
+        if why == "deleted":
+            _log_deleted(run)
 
     def _log_state(self, run: Run) -> None:
         if self._states.get(run) == run.state:
@@ -79,12 +74,6 @@ class RunLog:
             episodes=run.total,
             reason=run.reason,
         )
-
-
-def new_results(run: Run) -> list[Episode]:
-    """The episodes whose result is not stored yet."""
-    changed = (run.episodes[index] for index in sorted(run.changed))
-    return [episode for episode in changed if episode.result is not None]
 
 
 def log_attached(run: Run, session: Session) -> None:
@@ -107,6 +96,16 @@ def log_left(run_id: str, session: Session) -> None:
         run_id=run_id,
         worker_id=session.worker_id,
         ended_by=session.ended_by,
+    )
+
+
+def _log_deleted(run: Run) -> None:
+    log_event(
+        log,
+        "run deleted",
+        run_id=run.run_id,
+        account=run.account,
+        is_played=run.is_played,
     )
 
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_reader import RunReader
 from reference_server.views import run_views
 
 CACHED_SCORES_MAX = 256
@@ -25,15 +25,13 @@ class ScoreCache:
         # run_id → state, results, score
         self._cache: dict[str, tuple[str, int, Json]] = {}
 
-    async def get(
-        self, registry: RunRegistry, run_id: str, account: str | None
-    ) -> Json:
-        """The score, in every state (SCORE-010). Refused like `RunRegistry.get`."""
+    async def get(self, reader: RunReader, run_id: str, account: str | None) -> Json:
+        """The score, in every state (SCORE-010). Refused like `RunReader.get`."""
         if run_id in self._cache:
-            again = await registry.read_view(run_id, account, self._cached_score)
+            again = await reader.read_view(run_id, account, self._cached_score)
             if again is not None:
                 return again
-        return await registry.read_view(run_id, account, self._compute_score, end=None)
+        return await reader.read_view(run_id, account, self._compute_score, end=None)
 
     def _cached_score(self, run: RunHead, _: object) -> Json | None:
         state, scored, score = self._cache.get(run.run_id, (None, 0, {}))

@@ -142,7 +142,7 @@ class RunService:
             images=resolved.images,
             created_at_wall=now,
             updated_at_wall=now,
-            queue_until_wall=self.registry.queue_until(checked),
+            queue_until_wall=self.registry.admission.queue_until(checked),
             episodes=[
                 Episode.of(resolved.manifest, index)
                 for index in range(len(resolved.manifest["episodes"]))
@@ -174,7 +174,7 @@ class RunService:
         """The run, stopped (abort) or stopping (drain)."""
         run = await self._run_accepting(account, run_id, Stop(mode))
         self.executor.release_sessions(effects.stop(run, mode, time.time()))
-        await self.registry.commit(run)
+        await self.registry.writer.commit(run)
         return run
 
     async def resume_run(self, account: str, run_id: str) -> Run:
@@ -185,7 +185,7 @@ class RunService:
             run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
             self.registry.open_again(run)
-            effects.resume(run, self.registry.queue_until(run.submission))
+            effects.resume(run, self.registry.admission.queue_until(run.submission))
             await self.registry.commit_opened(run)
         return run
 
@@ -236,7 +236,7 @@ class RunService:
         self.executor.release_sessions(effects.stop(run, "abort", time.time()))
         try:
             by_host = command.ended_before_wall is not None
-            await self.registry.delete(run, by_host=by_host)
+            await self.registry.writer.delete(run, by_host=by_host)
         except RunIsKept as error:  # published since that was looked at
             raise _has_entry() from error
         if self.records is not None:
@@ -255,7 +255,7 @@ class RunService:
         """
         runs, scored = [], []
         for run_id in run_ids:
-            read = partial(self.registry.read_view, run_id, account, end=None)
+            read = partial(self.registry.reader.read_view, run_id, account, end=None)
             run, episodes = await read(
                 lambda run, all_: (run, run_views.scored_episodes(all_))
             )
@@ -291,7 +291,7 @@ class RunService:
         try:
             return await self.get_run(account, run_id)
         except OwnedElsewhere:
-            return await self.registry.read_view(
+            return await self.registry.reader.read_view(
                 run_id, account, lambda run, _episodes: run
             )
 
@@ -299,19 +299,19 @@ class RunService:
         self, account: str, run_id: str
     ) -> tuple[RunHead, Availability]:
         """The run as it is stored, and whether workers may attach to it."""
-        return await self.registry.read_view(
+        return await self.registry.reader.read_view(
             run_id, account, lambda run, _episodes: (run, availability(run))
         )
 
     async def view_run(self, account: str | None, run_id: str, endpoint: str) -> Json:
         """Schema Run, of what is stored."""
         view = partial(self.current_view, endpoint)
-        return await self.registry.read_view(run_id, account, view)
+        return await self.registry.reader.read_view(run_id, account, view)
 
     async def view_stored(self, run: Run, endpoint: str) -> Json:
         """Schema Run of a run that was just changed, once the change is stored."""
         view = partial(self._run_view, endpoint)
-        return await self.registry.render_when_stored(run, view)
+        return await self.registry.reader.render_when_stored(run, view)
 
     async def list_runs(
         self, account: str | None, before: int | None, limit: int, endpoint: str
@@ -321,11 +321,11 @@ class RunService:
         elsewhere: list[RunHead] = []
 
         def view(run: RunHead) -> tuple[int, Json]:
-            if run.state in OPEN_STATES and self.registry.is_elsewhere(run):
+            if run.state in OPEN_STATES and self.registry.cache.is_elsewhere(run):
                 elsewhere.append(run)
             return run.number, self._run_view(endpoint, run)
 
-        found = await self.registry.page(account, before, limit, view)
+        found = await self.registry.reader.page(account, before, limit, view)
         if elsewhere:
             fresh = await self.views_elsewhere(elsewhere, endpoint)
             found = [(n, fresh.get(body["run_id"], body)) for n, body in found]
@@ -339,11 +339,11 @@ class RunService:
         def view(run: RunHead, page: Sequence[Episode]) -> tuple[list[Json], int]:
             return [run_views.episode_view(episode) for episode in page], run.total
 
-        return await self.registry.read_view(run_id, account, view, start, end)
+        return await self.registry.reader.read_view(run_id, account, view, start, end)
 
     async def get_score(self, account: str | None, run_id: str) -> Json:
         """Schema Score."""
-        return await self.scores.get(self.registry, run_id, account)
+        return await self.scores.get(self.registry.reader, run_id, account)
 
     # --- records ---
 
@@ -354,7 +354,7 @@ class RunService:
     async def fetch_record(self, account: str, run_id: str) -> Record:
         """The signed record of a completed run that the account may see (REC-108)."""
         records = self._require_records()
-        run, episodes = await self.registry.read_view(
+        run, episodes = await self.registry.reader.read_view(
             run_id, account, lambda run, all_: (run, all_), end=None
         )
         refused = refuse_record(run)
@@ -373,7 +373,7 @@ class RunService:
         records = self._require_records()
         index = index_of(episode_id)
         start = 0 if index is None else index
-        _, found = await self.registry.read_view(
+        _, found = await self.registry.reader.read_view(
             run_id, account, lambda run, some: (run, some), start, start + 1
         )
         if index is None or not found:
@@ -395,7 +395,7 @@ class RunService:
         return self._run_view(endpoint, run)
 
     def _run_view(self, endpoint: str, run: RunHead) -> Json:
-        position = self.registry.queue_position(run)
+        position = self.registry.admission.queue_position(run)
         return run_views.run_view(run, endpoint, position)
 
     # --- data plane ---
@@ -451,7 +451,7 @@ class RunService:
         self.executor.record_policy_fault(session, fault)
         effects.end_by_policy(run, session, fault, time.time())
         self.executor.release_sessions([session])
-        await self.registry.commit(run)
+        await self.registry.writer.commit(run)
         return True
 
     async def fail_run(self, run_id: str, reason: str, *, retryable: bool) -> None:
@@ -459,7 +459,7 @@ class RunService:
         run = await self.registry.get(run_id)
         ended = effects.fail_run(run, reason, time.time(), retryable=retryable)
         self.executor.release_sessions(ended)
-        await self.registry.commit(run)
+        await self.registry.writer.commit(run)
 
     async def _run_accepting(
         self, account: str | None, run_id: str, command: Stop | Resume | Delete
@@ -471,7 +471,7 @@ class RunService:
             if not isinstance(verdict, Refuse):
                 return run
             # A refusal shows the state that forbids it: it may not be lost then.
-            if await self.registry.is_stored(run):
+            if await self.registry.writer.is_stored(run):
                 raise Refused.from_verdict(verdict)
 
 

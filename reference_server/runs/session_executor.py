@@ -35,6 +35,7 @@ from reference_server.rules.lifecycle import (
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_events import Departure, RunFollower
 from reference_server.runs.run_log import log_attached
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_server.storage.store import StoreFailed
@@ -60,7 +61,7 @@ log = logging.getLogger("proctor.sessions")
 _FAULTS = (SimulatorFault, TaskUnplayable, RecordingFailed)
 
 
-class SessionExecutor:
+class SessionExecutor(RunFollower):
     """Every session of this process.
 
     unused_s: how long a session keeps its simulator without a turn, when it has to be
@@ -79,18 +80,20 @@ class SessionExecutor:
         recordings: Recordings | None = None,
     ) -> None:
         self._recordings = recordings
-        self._registry = registry
+        self._registry, self._writer = registry, registry.writer
+        self._admission = registry.admission
         self._heartbeat_s_max = heartbeat_s_max
         self._resources = ResourceManager(
             pool,
             seed_secret,
-            registry.run_in_background,
+            registry.work.start,
             self.sweep,
             self._abort,
             unused_s=unused_s,
             ended_sessions=registry.ended_sessions,
             recordings=recordings,
         )
+        registry.subscribe(self)
 
     # --- operations of the data plane ---
 
@@ -99,7 +102,7 @@ class SessionExecutor:
         run, again = await self._decide_or_replay(run, command)
         if again is not None:
             return again
-        self._registry.take_place(run)
+        self._admission.take_place(run)
         old = run.workers.get(command.worker_id)
         session_id = secrets.token_urlsafe(24)  # ATT-009
         session = effects.open_session(run, command, session_id, time.monotonic())
@@ -119,7 +122,7 @@ class SessionExecutor:
         now = time.monotonic()
         resources.think_s = max(0.0, now - session.answered_at)
         if effects.mark_played(run):
-            self._registry.commit_later(run)  # `_play` waits for it
+            self._writer.commit_later(run)  # `_play` waits for it
         effects.begin_turn(session, command, now)
         return await self._execute(resources, self._play(resources, command))
 
@@ -143,7 +146,7 @@ class SessionExecutor:
         effects.close_session(run, session, "detached", time.time())
         self.release_sessions([session])
         if was_live or run.changed:  # else nothing that a view shows
-            await self._registry.commit(run)
+            await self._writer.commit(run)
 
     async def _decide_or_replay(
         self, run: Run, command: Attach | Predict
@@ -178,7 +181,7 @@ class SessionExecutor:
         if expired.closed:
             self.release_sessions(expired.closed)
         if expired.freed_slot:
-            self._registry.commit_later(run)
+            self._writer.commit_later(run)
         return now
 
     def release_sessions(self, sessions: list[Session]) -> None:
@@ -194,9 +197,10 @@ class SessionExecutor:
             resources.run, session.episode, session.seq, "policy_fault", fault
         )
 
-    def discard_sessions(self, run: Run) -> None:
+    def left(self, run: Run, why: Departure) -> None:
         """End the sessions of a run that was lost, without counting anything."""
-        self._resources.discard_sessions(run)
+        if why != "deleted":  # then they have ended before
+            self._resources.discard_sessions(run)
 
     async def close(self) -> None:
         """End every session without counting anything."""
@@ -271,7 +275,7 @@ class SessionExecutor:
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
         if ended is not None:
             # The result is on disk before any response shows it (CRASH-001).
-            await self._registry.commit(run)
+            await self._writer.commit(run)
             self._ensure_live(resources)
             observation = None
             if session.episode is not None:
@@ -293,7 +297,7 @@ class SessionExecutor:
 
     async def _ensure_stored_as_played(self, run: Run) -> None:
         """DEL-006: stored while the first turn was played, before it is answered."""
-        if run.played_number is None and not await self._registry.is_stored(run):
+        if run.played_number is None and not await self._writer.is_stored(run):
             raise Refused("unavailable", "The run could not be stored.")
 
     async def _begin_turn(
@@ -407,7 +411,7 @@ class SessionExecutor:
             now_wall=time.time(),
         )
         self.release_sessions(ended)
-        await self._registry.commit(run)
+        await self._writer.commit(run)
         self._ensure_live(resources)
         resources.fault = {
             "episode_id": episode.episode_id,
@@ -461,7 +465,7 @@ class SessionExecutor:
             must_store = effects.abort_session(run, session, time.time())
             self.release_sessions([session])
             if must_store:
-                self._registry.commit_later(run)
+                self._writer.commit_later(run)
             else:
                 self._registry.notify(run)
 

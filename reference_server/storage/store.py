@@ -275,8 +275,10 @@ class Store:
 
     async def save(
         self, run: Run, check: Callable[[Quota], None] | None = None
-    ) -> None:
+    ) -> list[Episode]:
         """Commit the run's state and the episodes that changed since.
+
+        Returns those of them that have a result.
 
         CRASH-001, CRASH-004: every answer that shows them is sent after that. check:
         raises if the account, which has so much without it, may not have it open.
@@ -290,6 +292,8 @@ class Store:
                 raise StoreFailed("an earlier write of the run failed")
             changed, run.changed = run.changed, set()
             row, episodes = rows.run_row(run), rows.episode_rows(run, changed)
+            stored = (run.episodes[index] for index in sorted(changed))
+            scored = [episode for episode in stored if episode.result is not None]
             count = run.is_played and run.played_number is None
 
             def store(connection: sa.Connection) -> None:
@@ -310,6 +314,7 @@ class Store:
                 raise
             run.played_number = row["played_number"]
         self._after_save(run, changed)
+        return scored
 
     def before_delete(self, call: BeforeDelete) -> None:
         """Of another module of storage/, whose tables name runs."""

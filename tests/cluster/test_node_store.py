@@ -24,7 +24,7 @@ from reference_server.rules.lifecycle import (
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
-from reference_server.runs.account_usage import AccountUsage
+from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.runs.service import RunService
 from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock

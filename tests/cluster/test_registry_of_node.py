@@ -15,11 +15,11 @@ import sqlalchemy as sa
 from reference_server.rules import effects
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
-from reference_server.runs import registry as registry_module
-from reference_server.runs import steady_clock
+from reference_server.runs import run_writer, steady_clock
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_events import RunFollower
 from reference_server.storage.node_store import NodeStore, OwnedRun, StoredQueue
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.counters import COUNTERS
@@ -36,6 +36,19 @@ class Ownership:
 
     async def claim(self, _run_id: str) -> bool:
         return self.claims
+
+
+class ChangedRuns(RunFollower):
+    """Puts each run that was loaded or has changed into a queue."""
+
+    def __init__(self, changed: asyncio.Queue[Run]) -> None:
+        self._changed = changed
+
+    def loaded(self, run: Run, stored: State) -> None:
+        self.changed(run)
+
+    def changed(self, run: Run) -> None:
+        self._changed.put_nowait(run)
 
 
 @dataclass
@@ -59,18 +72,14 @@ async def opened(
     store = Store(used.url, is_shared=True)
     ownership = Ownership()
 
-    def on_change(run: Run) -> None:
-        runs.changed.put_nowait(run)
-
     registry = RunRegistry(
         store,
         4,
-        lambda _: None,
-        on_change,
         ownership=ownership,
         other_queues=others,
     )
     runs = NodeRuns(store, registry, ownership)
+    registry.subscribe(ChangedRuns(runs.changed))
     await store.open()
     await registry.open()
     try:
@@ -179,7 +188,7 @@ async def add_full(runs: NodeRuns, places: int = 4) -> Run:
 
 async def forget_what_waits(runs: NodeRuns, run_id: str) -> None:
     """Until it is only in the queue, as those that nothing uses are."""
-    while run_id in runs.registry._in_memory:
+    while run_id in runs.registry.cache._in_memory:
         while not runs.changed.empty():
             runs.changed.get_nowait()
         await asyncio.sleep(0)

@@ -96,11 +96,12 @@ class MemoryStore:
                 data.keys[run.account, key] = body_sha256, run.run_id
         return True
 
-    async def save(self, run: Run) -> None:
+    async def save(self, run: Run) -> list[Episode]:
         async with self._write_lock:
             if run.lost:
                 raise StoreFailed("an earlier write of the run failed")
             changed, run.changed = run.changed, set()
+            stored_now = [run.episodes[index] for index in sorted(changed)]
             row, episodes = rows.run_row(run), rows.episode_rows(run, changed)
             try:
                 async with self._commit():
@@ -113,6 +114,7 @@ class MemoryStore:
                 run.changed |= changed
                 raise
             run.played_number = row["played_number"]
+        return [one for one in stored_now if one.result is not None]
 
     def _played(self) -> int:
         numbers = (row["played_number"] for row in self._database.runs.values())

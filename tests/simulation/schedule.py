@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from typing import cast
 
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
@@ -76,10 +75,7 @@ class SimulatedServer:
         store = cast("Store", MemoryStore(self._world, life, self._database))
         pool = MemoryPool(self._world, life, SIMULATORS)
 
-        def on_run_lost(run: Run) -> None:
-            executor.discard_sessions(run)
-
-        registry = RunRegistry(store, ACTIVE_RUNS, on_run_lost, lambda _run: None)
+        registry = RunRegistry(store, ACTIVE_RUNS)
         lent = cast("SimulatorPool", pool)
         executor = SessionExecutor(registry, lent, self._seed_secret)
         service = make_service(registry, executor, self._seed_secret)

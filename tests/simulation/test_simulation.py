@@ -14,7 +14,8 @@ import pytest
 from reference_server.rules import lifecycle
 from reference_server.rules.lifecycle import Predict, Replay, Wait
 from reference_server.rules.run import Run
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_reader import RunReader
+from reference_server.runs.run_writer import RunWriter
 from reference_server.runs.session_resources import ResourceManager
 from tests.simulation.schedule import play_schedule
 from tests.support.paths import ROOT
@@ -77,21 +78,21 @@ def test_a_seed_gives_the_same_schedule_in_another_process() -> None:
 
 
 def answer_before_it_is_stored(patch: pytest.MonkeyPatch) -> None:
-    async def commit(self: RunRegistry, run: Run) -> None:
+    async def commit(self: RunWriter, run: Run) -> None:
         self.commit_later(run)
 
-    patch.setattr(RunRegistry, "commit", commit)
+    patch.setattr(RunWriter, "commit", commit)
 
 
 def show_what_is_not_stored(patch: pytest.MonkeyPatch) -> None:
     async def render(_self: object, run: Run, view: Callable[[Run], Any]) -> Any:
         return view(run)
 
-    patch.setattr(RunRegistry, "render_when_stored", render)
+    patch.setattr(RunReader, "render_when_stored", render)
 
 
 def go_on_after_a_failed_write(patch: pytest.MonkeyPatch) -> None:
-    patch.setattr(RunRegistry, "_evict", lambda _self, _run: None)
+    patch.setattr(RunWriter, "_drop_and_reload", lambda _self, _run, _why: None)
 
 
 def execute_a_repeat_again(patch: pytest.MonkeyPatch) -> None:

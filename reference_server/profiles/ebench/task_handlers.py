@@ -198,7 +198,7 @@ class EbenchHandlers:
 
     async def status(self, call: OperationCall) -> Response:
         run = await self._find_run(call)
-        stored = await self.service.registry.read_view(
+        stored = await self.service.registry.reader.read_view(
             run.run_id, call.account, status_of, end=None
         )
         settings = self.handlers.settings
@@ -443,7 +443,7 @@ class EbenchHandlers:
         """What each worker sees; current: for that generation of the client."""
         scores: TaskScores = {}
         if any(turn["done"] or "episode_result" in turn for turn in turns.values()):
-            scores = await self.service.registry.render_when_stored(
+            scores = await self.service.registry.reader.render_when_stored(
                 run, lambda run: task_scores(run, run.episodes)
             )
         return {

@@ -230,7 +230,7 @@ class FlagevalHandlers:
 
     async def _evaluated(self, account: str, request_id: str) -> list[EvaluationView]:
         """The evaluations of a request, if they are the account's (FLE-016)."""
-        read = self.service.registry.read_view
+        read = self.service.registry.reader.read_view
         return [
             await read(run_id, account, EvaluationView.from_run, end=None)
             for run_id in request_id.split(".")

@@ -1,1 +1,1 @@
-"""What the registry keeps in memory beside the runs: it awaits and stores nothing."""
+"""Facts that are kept in memory beside the runs: nothing here awaits or stores."""

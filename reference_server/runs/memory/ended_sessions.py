@@ -8,13 +8,14 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Mapping
 
-from reference_server.rules.run import ENDED_SESSIONS_MAX, Session, SessionEnd
+from reference_server.rules.run import ENDED_SESSIONS_MAX, Run, Session, SessionEnd
+from reference_server.runs.run_events import Departure, RunFollower
 
 # Of all runs together, at some 500 bytes each.
 SESSIONS_MAX = 2**16
 
 
-class EndedSessions:
+class EndedSessions(RunFollower):
     """By run; those are forgotten first whose run had none for the longest time."""
 
     def __init__(self) -> None:
@@ -35,6 +36,10 @@ class EndedSessions:
         self._count += len(ended)
         while self._count > SESSIONS_MAX:
             self.forget(next(iter(self._of_runs)))
+
+    def left(self, run: Run, why: Departure) -> None:
+        if why == "deleted":
+            self.forget(run.run_id)
 
     def of(self, run_id: str) -> Mapping[str, SessionEnd]:
         """Why those of a run ended, by their ids, the last one last."""

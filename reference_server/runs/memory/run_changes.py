@@ -5,6 +5,9 @@ from __future__ import annotations
 import asyncio
 from weakref import WeakValueDictionary
 
+from reference_server.rules.run import Run
+from reference_server.runs.run_events import Departure, RunFollower
+
 
 class RunChange(asyncio.Event):
     """The next change of a run. is_elsewhere: it will happen on another node."""
@@ -16,7 +19,7 @@ class RunChange(asyncio.Event):
         self.run_id = run_id
 
 
-class RunChanges:
+class RunChanges(RunFollower):
     """The next change of each run that a request waits for."""
 
     def __init__(self) -> None:
@@ -33,6 +36,12 @@ class RunChanges:
     def next_of(self, run_id: str) -> RunChange:
         """Take it before the run is read: then no change is missed."""
         return self._events.setdefault(run_id, RunChange(run_id))
+
+    def changed(self, run: Run) -> None:
+        self.wake(run.run_id)
+
+    def left(self, run: Run, why: Departure) -> None:
+        self.wake(run.run_id, is_elsewhere=why == "moved")
 
     def wake(self, run_id: str, *, is_elsewhere: bool = False) -> None:
         """The run has changed, or will do so on another node only."""

@@ -13,7 +13,7 @@ from reference_server.cluster import node_requests, shared_queue
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.rules.capacity import WaitingRun
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.storage.node_store import (
     Node,
     NodeStore,
@@ -98,7 +98,7 @@ class FakeNode:
         return SharedQueue(
             cast("NodeStore", self),
             cast("NodeConnections", self),
-            lambda: cast("RunRegistry", self),
+            lambda: cast("RunAdmission", self),
         )
 
 

@@ -14,6 +14,7 @@ from reference_server.rules import events
 from reference_server.rules.events import Cursor
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_writer import RunWriter
 from reference_server.storage.store import Store
 from tests.mutants import instead_of, mutant, put
 
@@ -131,17 +132,17 @@ def sends_results_before_they_are_stored() -> None:
     put(event_streams, "KEEPALIVE_S", 1.0)
     right, save = RunRegistry.commit, Store.save
 
-    async def commit_after_notify(self: RunRegistry, run: Run) -> None:
-        self.notify(run)
-        await right(self, run)
+    async def commit_after_notify(self: RunWriter, run: Run, *checks: Any) -> None:
+        self._events.changed(run)
+        await right(self, run, *checks)
 
-    async def save_slowly(self: Store, run: Run, *checks: Any) -> None:
+    async def save_slowly(self: Store, run: Run, *checks: Any) -> list[Episode]:
         await asyncio.sleep(0.25)
-        await save(self, run, *checks)
+        return await save(self, run, *checks)
 
-    async def always_stored(_self: RunRegistry, _run: Run) -> bool:
+    async def always_stored(_self: RunWriter, _run: Run) -> bool:
         return True
 
-    put(RunRegistry, "commit", commit_after_notify)
+    put(RunWriter, "commit", commit_after_notify)
     put(Store, "save", save_slowly)
-    put(RunRegistry, "is_stored", always_stored)
+    put(RunWriter, "is_stored", always_stored)

@@ -187,7 +187,7 @@ def fails_finally_when_the_policy_is_unreachable(
 @mutant("PUSH-013")
 def never_plays_a_resumed_run() -> None:
     """A resumed run stays ready for ever."""
-    right = Driver.on_run_changed
+    right = Driver.changed
     played: set[str] = set()
 
     def wrong(self: Driver, run: Run) -> None:
@@ -196,7 +196,7 @@ def never_plays_a_resumed_run() -> None:
         if run.run_id not in played or run.state == "failed":
             right(self, run)
 
-    put(Driver, "on_run_changed", wrong)
+    put(Driver, "changed", wrong)
 
 
 @mutant("PUSH-013")

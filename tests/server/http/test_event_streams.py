@@ -83,14 +83,14 @@ class StreamClient:
 
 async def add_stored_run(parts: ServerParts, *tasks: str, **changes: Any) -> Run:
     run = await parts.registry.add(calibration_run(*tasks, **changes), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     return run
 
 
 async def score_episodes(parts: ServerParts, run: Run, *order: int) -> None:
     for index in order:
         record_score(run, index)
-    await parts.registry.commit(run)
+    await parts.registry.writer.commit(run)
 
 
 async def complete_run(parts: ServerParts, run: Run) -> None:
@@ -99,7 +99,7 @@ async def complete_run(parts: ServerParts, run: Run) -> None:
         parts, run, *[e.index for e in run.episodes if e.result is None]
     )
     rules.apply_event(run, "all_scored")
-    await parts.registry.commit(run)
+    await parts.registry.writer.commit(run)
 
 
 # --- changes of a run ---
@@ -238,7 +238,7 @@ async def test_a_finished_run_is_sent_in_batches_and_not_cached(tmp_path: Path) 
         assert (indices(events), kinds(events)[-1]) == (order, "run")
         middle = await StreamClient.open(make_event_stream(parts), events[499].id)
         assert indices(await middle.rest()) == order[500:]
-        assert len(parts.registry._in_memory) == 0
+        assert len(parts.registry.cache._in_memory) == 0
 
 
 async def test_an_idle_stream_keeps_no_run_in_memory(tmp_path: Path) -> None:
@@ -250,10 +250,10 @@ async def test_an_idle_stream_keeps_no_run_in_memory(tmp_path: Path) -> None:
         batch = asyncio.ensure_future(stream.events())
         await asyncio.sleep(0)
         gc.collect()
-        assert len(parts.registry._in_memory) == 0
+        assert len(parts.registry.cache._in_memory) == 0
         run = await parts.registry.get("run_1")
         rules.stop(run, "abort", time.time())
-        await parts.registry.commit(run)
+        await parts.registry.writer.commit(run)
         (event,) = await batch
         assert event.body["state"] == "stopped"
 

@@ -27,7 +27,7 @@ from reference_server.push.policy_calls import Description, ProctorPolicy, answe
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Episode, Run
 from reference_server.storage.store import StoreFailed
 from reference_sim.process.pool import NoCapacity, SimulatorPool
 from tests.support.server import server_parts as rest
@@ -83,9 +83,7 @@ def make_driver(parts: ServerParts) -> Driver:
 
 
 def make_driver_with(parts: ServerParts, key_encryption: KeyEncryption) -> Driver:
-    driver = Driver(parts.service, EgressPolicy("all"), key_encryption, 65536)
-    parts.on_change = driver.on_run_changed
-    return driver
+    return Driver(parts.service, EgressPolicy("all"), key_encryption, 65536)
 
 
 async def wait_until_completed(parts: ServerParts) -> Run:
@@ -172,11 +170,12 @@ async def test_a_session_without_a_simulator_is_not_stored(
     monkeypatch.setattr(SimulatorPool, "acquire", acquire)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run("score"), None, "")
-        assert await parts.registry.is_stored(run)
+        assert await parts.registry.writer.is_stored(run)
         saved: list[str] = []
 
-        async def save(run: Run) -> None:
+        async def save(run: Run) -> list[Episode]:
             saved.append(run.state)
+            return []
 
         monkeypatch.setattr(parts.store, "save", save)
         with expect_refusal("no_capacity"):

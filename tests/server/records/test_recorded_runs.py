@@ -113,7 +113,7 @@ async def test_an_abandoned_episode_is_stored_with_its_recording(
             turn = await attach(parts, run, key)
             await parts.executor.predict(run, predict_command(turn))
             stop_run(parts, run)
-            await parts.registry.commit(run)
+            await parts.registry.writer.commit(run)
             if run.state != "completed":
                 await parts.service.resume_run(run.account, run.run_id)
         result = run.episodes[0].result
@@ -213,7 +213,7 @@ async def test_what_could_not_be_appended_is_appended_later(
         turn = await attach(parts, run)
         await parts.executor.predict(run, predict_command(turn))
         stop_run(parts, run)
-        await parts.registry.commit(run)
+        await parts.registry.writer.commit(run)
         await parts.service.resume_run(run.account, run.run_id)
         turn = await attach(parts, run, "another")
         await parts.executor.predict(run, predict_command(turn, end=1))

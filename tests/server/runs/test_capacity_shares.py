@@ -14,8 +14,8 @@ from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
-from reference_server.runs import registry
-from reference_server.runs.memory import places
+from reference_server.runs import run_reader, run_writer
+from reference_server.runs.admission import places
 from reference_server.storage.rows import EPISODE_BYTES, stored_bytes
 from reference_server.storage.store import Store, StoreFailed
 from tests.support.server.server_parts import (
@@ -49,9 +49,9 @@ async def until(parts: ServerParts, run_id: str, state: str) -> Run:
 
 
 def let_unused_time_pass(parts: ServerParts) -> None:
-    parts.registry._admission.places._unused_s = 0.0
-    parts.registry._admission.places._settled_until = 0.0
-    parts.registry._admission.admit()
+    parts.registry.admission.places._unused_s = 0.0
+    parts.registry.admission.places._settled_until = 0.0
+    parts.registry.admission._admission.admit()
 
 
 # --- places ---
@@ -70,7 +70,7 @@ async def test_unplayed_runs_of_one_account_do_not_keep_out_another(
         with expect_refusal("no_capacity"):
             await parts.executor.attach(runs[0], Attach("w", "key"))
         effects.stop(runs[1], "abort", 0.0)
-        await parts.registry.commit(runs[1])
+        await parts.registry.writer.commit(runs[1])
         turn = await parts.executor.attach(runs[0], Attach("w", "key"))
         await parts.executor.predict(runs[0], predict_command(turn, score=1))
         assert [run.state for run in runs[4:]] == ["queued"] * 2
@@ -117,10 +117,10 @@ async def test_a_stopped_run_waits_for_no_place(tmp_path: Path) -> None:
         await submit(parts, "run_1")
         second = await submit(parts, "run_2")
         effects.stop(second, "abort", 0.0)
-        await parts.registry.commit(second)
+        await parts.registry.writer.commit(second)
         let_unused_time_pass(parts)
         assert second.state == "stopped"
-        assert "run_1" in parts.registry._admission.places
+        assert "run_1" in parts.registry.admission.places
 
 
 # --- a long queue ---
@@ -133,22 +133,22 @@ async def test_a_restart_loads_no_run_of_the_queue(tmp_path: Path) -> None:
     async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         for run_id in names[:2]:
             await until(parts, run_id, "ready")
-        while parts.registry._tasks:
-            await asyncio.wait(parts.registry._tasks)
+        while parts.registry.work._tasks:
+            await asyncio.wait(parts.registry.work._tasks)
         gc.collect()
-        loaded = set(parts.registry._in_memory)
+        loaded = set(parts.registry.cache._in_memory)
         assert loaded <= set(names[:2])
 
         def view(run: RunHead) -> tuple[str, str, int | None]:
-            position = parts.registry.queue_position(run)
+            position = parts.registry.admission.queue_position(run)
             return run.run_id, run.state, position
 
-        shown = await parts.registry.page("alice", None, 99, view)
+        shown = await parts.registry.reader.page("alice", None, 99, view)
         queued = [(name, "queued", n) for n, name in enumerate(names[2:], 1)]
         ready = [(name, "ready", None) for name in names[:2]]
         assert shown == (ready + queued)[::-1]
         gc.collect()
-        assert set(parts.registry._in_memory) == loaded
+        assert set(parts.registry.cache._in_memory) == loaded
         assert (await parts.registry.get("run_19")).state == "queued"
 
 
@@ -407,6 +407,8 @@ async def test_a_long_page_of_runs_leaves_the_loop_to_others(
         for number in range(9):
             await submit(parts, f"run_{number}")
         other = OtherTask()
-        seen = await parts.registry.page("alice", None, 9, lambda _: other.continued)
+        seen = await parts.registry.reader.page(
+            "alice", None, 9, lambda _: other.continued
+        )
         other.end()
         assert seen[-1] - seen[0] >= 4

@@ -15,7 +15,7 @@ from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.run import Run
-from reference_server.runs.account_usage import AccountUsage
+from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.store import StoreFailed
 from reference_server.system import hourly_work
@@ -101,7 +101,7 @@ async def test_older_databases_count_what_has_left_a_trace(tmp_path: Path) -> No
             run = await submit(parts, run_id)
             if run_id != "run_2":
                 record_score(run, 0)
-                await parts.registry.commit(run)
+                await parts.registry.writer.commit(run)
         with contextlib.closing(sqlite3.connect(parts.path)) as database:
             for statement in MAKE_UNVERSIONED:
                 database.execute(statement)
@@ -248,9 +248,9 @@ async def test_hourly_work_is_repeated_after_it_failed(
 
 def test_a_deleted_run_counts_little_and_its_key_as_before() -> None:
     run, usage = calibration_run(), AccountUsage(Quota(keys=1, stored_bytes=2**20))
-    usage.note_stored(run, "key")
+    usage.note_submitted(run, "key")
     assert stored_bytes(run) > RUN_BYTES
-    usage.note_deleted(run)
+    usage.left(run, "deleted")
     assert usage._bytes == {"alice": RUN_BYTES}
     with expect_refusal("quota_exceeded"):
         usage.check_new("alice", has_key=True)

@@ -13,7 +13,7 @@ import pytest
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Detach
 from reference_server.rules.run import Run
-from reference_server.runs import registry
+from reference_server.runs import run_writer
 from reference_server.runs.memory import recent_runs
 from reference_server.storage.store import StoreFailed
 from reference_server.system.log_output import REQUEST_ID
@@ -79,7 +79,10 @@ async def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
         found = {state: (await parts.registry.get(state)).state for state in states}
         ended = {"running": "ready", "stopping": "stopped"}
         assert found == {state: ended.get(state, state) for state in states}
-        assert parts.registry.queue_position(await parts.registry.get("queued")) == 1
+        assert (
+            parts.registry.admission.queue_position(await parts.registry.get("queued"))
+            == 1
+        )
 
 
 async def test_the_age_of_the_queue_needs_no_database(
@@ -88,7 +91,7 @@ async def test_the_age_of_the_queue_needs_no_database(
     def age(parts: ServerParts) -> float:
         with monkeypatch.context() as patch:
             patch.setattr("time.time", lambda: 5000.0)
-            return parts.registry.oldest_queued_s()
+            return parts.registry.admission.oldest_queued_s()
 
     async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
         assert age(parts) == 0.0
@@ -203,14 +206,14 @@ async def test_an_unstored_resume_has_no_effect(tmp_path: Path) -> None:
         run = await parts.registry.add(calibration_run(state="stopped"), None, "")
         run.state = "queued"
         with parts.reject_writes(), expect_refusal("unavailable"):
-            await parts.registry.commit(run)
+            await parts.registry.writer.commit(run)
         with expect_refusal(
             "unavailable"
         ):  # nor does it happen later, by the lost object
-            await parts.registry.commit(run)
+            await parts.registry.writer.commit(run)
         found = await parts.registry.get(run.run_id)
         assert (found is run, found.state) == (False, "stopped")
-        assert parts.registry.queue_position(found) is None
+        assert parts.registry.admission.queue_position(found) is None
         # It holds no place among the active ones either.
         for number in (2, 3):
             await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
@@ -242,7 +245,10 @@ async def test_a_queued_run_whose_write_failed_keeps_its_turn(
         with expect_refusal("unavailable"):
             await parts.service.stop_run("alice", "run_3")
         run = await parts.registry.get("run_3")
-        assert (run.state, parts.registry.queue_position(run)) == ("queued", 2)
+        assert (run.state, parts.registry.admission.queue_position(run)) == (
+            "queued",
+            2,
+        )
 
 
 async def test_a_damaged_run_does_not_keep_others_in_the_queue(
@@ -276,7 +282,7 @@ async def test_a_run_whose_admission_failed_is_admitted_later(
         first = await parts.registry.add(calibration_run(), None, "")
         for number in (2, 3):
             await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
-        await parts.registry.is_stored(first)
+        await parts.registry.writer.is_stored(first)
         broken = {"run_2"}
         done = fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
         load, unread = parts.store.load, [] if readable else [StoreFailed("gone")]
@@ -287,16 +293,19 @@ async def test_a_run_whose_admission_failed_is_admitted_later(
             return await load(run_id)
 
         monkeypatch.setattr(parts.store, "load", load_at_last)
-        monkeypatch.setattr(registry, "RELOAD_S", 0.001)
+        monkeypatch.setattr(run_writer, "RELOAD_S", 0.001)
         effects.stop(first, "abort", 0.0)
-        await parts.registry.commit(first)
-        while "run_2" not in parts.registry._reload_timers:
-            await asyncio.wait(parts.registry._tasks)
+        await parts.registry.writer.commit(first)
+        while "run_2" not in parts.registry.writer._reload_timers:
+            await asyncio.wait(parts.registry.work._tasks)
         assert (await parts.registry.get("run_3")).state == "queued"
         broken.clear()
         assert await done("run_2") == "ready"
         assert (await parts.registry.get("run_3")).state == "queued"
-        assert parts.registry.queue_position(await parts.registry.get("run_3")) == 1
+        assert (
+            parts.registry.admission.queue_position(await parts.registry.get("run_3"))
+            == 1
+        )
         assert unread == []
 
 
@@ -328,7 +337,7 @@ async def test_a_failing_database_is_one_line_in_the_log(
 ) -> None:
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.is_stored(run)
+        await parts.registry.writer.is_stored(run)
         fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("the disk is full"))
         for _ in range(20):
             run = await parts.registry.get(run.run_id)
@@ -445,19 +454,19 @@ async def test_closing_waits_for_tasks_of_the_last_writes(
         await parts.registry.add(calibration_run(run_id="run_2"), None, "")
         blocked = BlockedCall(monkeypatch, parts.store, "save")
         effects.stop(first, "abort", 0.0)
-        parts.registry.commit_later(first)
+        parts.registry.writer.commit_later(first)
 
         async def one_more() -> None:
-            await parts.registry.is_stored(first)
-            parts.registry.commit_later(held)
+            await parts.registry.writer.is_stored(first)
+            parts.registry.writer.commit_later(held)
 
-        parts.registry.run_in_background(one_more())
+        parts.registry.work.start(one_more())
         closing = asyncio.create_task(parts.registry.close())
         await blocked.wait_until_reached()
         blocked.open()
         await closing
-        assert parts.registry._tasks == set()
-        timer = parts.registry._admission._timer
+        assert parts.registry.work._tasks == set()
+        timer = parts.registry.admission._admission._timer
         assert timer is not None
         assert timer.cancelled()
         stored = [await parts.store.load(f"run_{n}") for n in (1, 2)]
@@ -540,7 +549,7 @@ async def test_an_evicted_run_is_read_again(
             del run
         await parts.registry.close()
         gc.collect()
-        assert sorted(parts.registry._in_memory) == ["run_1", "run_3", "run_4"]
+        assert sorted(parts.registry.cache._in_memory) == ["run_1", "run_3", "run_4"]
         again = await parts.registry.get("run_0")
         assert (again.state, again.scored, again.live_sessions) == ("completed", 1, [])
         assert len((await parts.registry.get("run_1")).live_sessions) == 1
@@ -576,7 +585,7 @@ async def test_waiters_are_notified_when_their_queue_position_changes(
 async def test_what_a_timer_does_belongs_to_no_request(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(registry, "RELOAD_S", 0.001)
+    monkeypatch.setattr(run_writer, "RELOAD_S", 0.001)
     seen: list[tuple[str, str | None]] = []
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         runs, leases = parts.registry, parts.executor._resources
@@ -588,15 +597,15 @@ async def test_what_a_timer_does_belongs_to_no_request(
         def note(name: str) -> Any:
             return lambda *_: seen.append((name, REQUEST_ID.get()))
 
-        monkeypatch.setattr(runs._admission, "admit", note("admit"))
-        monkeypatch.setattr(runs, "_reload", note("reload"))
+        monkeypatch.setattr(admission, "admit", note("admit"))
+        monkeypatch.setattr(writer, "_reload", note("reload"))
         monkeypatch.setattr(leases, "_on_lease_over", note("lease"))
         token = REQUEST_ID.set("another")
-        runs._admission._admit_in(0.001)
-        runs._reload_later("run_2")
+        admission._admit_in(0.001)
+        writer._reload_later("run_2")
         resources.session.expires_at = time.monotonic() + 0.001
         leases._schedule_lease_check(resources)
         await asyncio.sleep(0.1)
         REQUEST_ID.reset(token)
-        runs._reload_timers.clear()
+        writer._reload_timers.clear()
         assert dict(seen) == {"admit": None, "reload": None, "lease": None}

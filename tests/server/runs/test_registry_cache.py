@@ -13,7 +13,8 @@ from reference_server.rules.capacity import Shares, WaitingRun
 from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach, Heartbeat
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs import session_resources
-from reference_server.runs.memory import places, recent_runs
+from reference_server.runs.admission import places
+from reference_server.runs.memory import recent_runs
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
@@ -56,7 +57,7 @@ def finished_run(run_id: str = "run_1", state: str = "completed") -> Run:
 
 def runs_in_memory(parts: ServerParts) -> list[str]:
     gc.collect()
-    return sorted(parts.registry._in_memory)
+    return sorted(parts.registry.cache._in_memory)
 
 
 def held_turns(parts: ServerParts) -> list[Any]:
@@ -98,9 +99,12 @@ async def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
         run.changed = {0}
         record_score(run, 1)
         await insert_runs(parts, run)
-        read = await parts.registry.read_view("run_1", "alice", whole, end=None)
+        read = await parts.registry.reader.read_view("run_1", "alice", whole, end=None)
         run = await parts.registry.get("run_1")
-        assert await parts.registry.read_view("run_1", "alice", whole, end=None) == read
+        assert (
+            await parts.registry.reader.read_view("run_1", "alice", whole, end=None)
+            == read
+        )
 
 
 async def test_foreign_runs_are_not_found(parts: ServerParts) -> None:
@@ -214,7 +218,7 @@ async def test_waiters_are_notified_of_evicted_runs(
         assert not waiting.done()
         run = await parts.registry.get("run_1")
         effects.resume(run, 0.0)
-        await parts.registry.commit(run)
+        await parts.registry.writer.commit(run)
         assert await waiting
 
 
@@ -267,7 +271,7 @@ async def test_a_lease_ends_without_requests(
         del run
         await parts.registry.get("run_2")
         change = parts.registry.change_event("run_1")
-        while (await parts.registry.read_view("run_1", "alice", run_summary))[
+        while (await parts.registry.reader.read_view("run_1", "alice", run_summary))[
             0
         ] == "running":
             assert await parts.registry.wait_for_change(change, TIMEOUT_S)
@@ -279,7 +283,7 @@ async def test_a_lease_ends_without_requests(
         def attempt(run: RunHead, episodes: Sequence[Episode]) -> tuple[str, int]:
             return run.state, episodes[0].attempt
 
-        found = await parts.registry.read_view("run_1", "alice", attempt, end=1)
+        found = await parts.registry.reader.read_view("run_1", "alice", attempt, end=1)
         assert found == ("ready", 2)
 
 
@@ -312,7 +316,7 @@ async def test_why_a_session_ended_outlives_its_run_in_memory(
             await parts.executor.detach(run, Detach("w", session_id))
         elif end == "run_stopped":
             stop_run(parts, run)
-            await parts.registry.commit(run)
+            await parts.registry.writer.commit(run)
         del run
         await parts.registry.get("run_2")
         while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
@@ -445,11 +449,11 @@ async def test_eviction_does_not_repeat_episodes(
             del run
             await parts.registry.get("run_2")
             assert runs_in_memory(parts) == ["run_2"]
-            counted = await parts.registry.read_view(
+            counted = await parts.registry.reader.read_view(
                 "run_1", "alice", run_summary, end=None
             )
             assert counted[1] == len(counted[2]) == number + 1
-        body = await parts.registry.read_view(
+        body = await parts.registry.reader.read_view(
             "run_1", "alice", run_views.score_view, end=None
         )
         assert (body["state"], body["score"]) == ("completed", 10 / 32)
@@ -494,6 +498,6 @@ async def test_admission_is_computed_only_when_capacity_changes(
         parts.registry.notify(first)
         assert asked == []
         effects.stop(first, "abort", 0.0)
-        await parts.registry.commit(first)
+        await parts.registry.writer.commit(first)
         assert asked == [1]
         assert second.state == "ready"

@@ -41,8 +41,8 @@ def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
 
 async def evict_run(parts: ServerParts, run: Run) -> None:
     """The run is stored and leaves memory as soon as no caller holds it."""
-    await parts.registry.commit(run)
-    parts.registry._recent.drop(run.run_id)
+    await parts.registry.writer.commit(run)
+    parts.registry.cache._recent.drop(run.run_id)
 
 
 async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
@@ -64,8 +64,8 @@ async def test_the_score_of_a_stable_run_is_computed_once(
         gc.collect()
         score_cache = ScoreCache()
         for _ in range(3):
-            first = await score_cache.get(parts.registry, "run_1", "alice")
-            second = await score_cache.get(parts.registry, "run_2", "alice")
+            first = await score_cache.get(parts.registry.reader, "run_1", "alice")
+            second = await score_cache.get(parts.registry.reader, "run_2", "alice")
         assert [s["counts"]["success"] for s in (first, second)] == [1, 2]
         assert [s["run_id"] for s in (first, second)] == computed == ["run_1", "run_2"]
 
@@ -78,15 +78,15 @@ async def test_a_changed_run_is_scored_again(
         await add_stopped_run(parts, "run_1", 1)
         gc.collect()
         score_cache = ScoreCache()
-        before = await score_cache.get(parts.registry, "run_1", "alice")
+        before = await score_cache.get(parts.registry.reader, "run_1", "alice")
         assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
         run = await parts.registry.get("run_1")
         effects.resume(run, 1e11)
-        await parts.registry.commit(run)
-        queued = await score_cache.get(parts.registry, "run_1", "alice")
+        await parts.registry.writer.commit(run)
+        queued = await score_cache.get(parts.registry.reader, "run_1", "alice")
         assert queued == before | {"state": "queued"}
         record_score(run, 1)
-        playing = await score_cache.get(parts.registry, "run_1", "alice")
+        playing = await score_cache.get(parts.registry.reader, "run_1", "alice")
         assert playing["counts"]["unscored"] == 1
         effects.stop(run, "abort", 0.0)
         await evict_run(parts, run)
@@ -94,7 +94,7 @@ async def test_a_changed_run_is_scored_again(
         gc.collect()
         del computed[:]
         for _ in range(2):
-            after = await score_cache.get(parts.registry, "run_1", "alice")
+            after = await score_cache.get(parts.registry.reader, "run_1", "alice")
             assert after == playing | {"state": "stopped"}
         assert computed == ["run_1"]
 
@@ -111,16 +111,16 @@ async def test_lost_results_are_not_cached(
         )
         fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
         blocked = BlockedCall(monkeypatch, parts.store, "save")
-        blocked_is_stored = BlockedCall(monkeypatch, parts.registry, "is_stored")
+        blocked_is_stored = BlockedCall(monkeypatch, parts.registry.writer, "is_stored")
         record_score(run, 0)
-        parts.registry.commit_later(run)
-        leaving = start_task(score_cache.get(parts.registry, "run_1", "alice"))
+        parts.registry.writer.commit_later(run)
+        leaving = start_task(score_cache.get(parts.registry.reader, "run_1", "alice"))
         await blocked_is_stored.wait_until_reached()
         assert computed == ["run_1"]
         leaving.cancel()
         blocked_is_stored.open()
         blocked.open()
-        assert not await parts.registry.is_stored(run)
+        assert not await parts.registry.writer.is_stored(run)
         broken.clear()
         run = await parts.registry.get("run_1")
         record_score(run, 0)
@@ -129,7 +129,7 @@ async def test_lost_results_are_not_cached(
         del run
         gc.collect()
         for _ in range(2):
-            assert (await score_cache.get(parts.registry, "run_1", "alice"))[
+            assert (await score_cache.get(parts.registry.reader, "run_1", "alice"))[
                 "mean"
             ] == 0.25
 

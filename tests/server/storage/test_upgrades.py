@@ -187,7 +187,7 @@ async def use_new_columns(parts: ServerParts, head: RunHead) -> None:
     run = await parts.registry.get(head.run_id)
     run.episodes[2].policy_fault = "it hung up"
     record_score(run, 2)
-    await parts.registry.commit(run)
+    await parts.registry.writer.commit(run)
     again = await parts.store.read_window(head.run_id, 2, 3)
     assert again is not None
     assert (again[0].scored, again[1][0].policy_fault) == (2, "it hung up")

@@ -79,7 +79,6 @@ class ServerParts:
     pool: SimulatorPool
     executor: SessionExecutor
     service: RunService
-    on_change: Callable[[Run], None] = lambda _run: None
 
     @property
     def path(self) -> Path:
@@ -122,13 +121,7 @@ async def open_server_parts(
     else:
         store = Store(url, recordings.finish_unplayed, recordings.remove_parts)
 
-    def on_run_lost(run: Run) -> None:
-        executor.discard_sessions(run)
-
-    def on_change(run: Run) -> None:
-        parts.on_change(run)
-
-    registry = RunRegistry(store, active_max, on_run_lost, on_change)
+    registry = RunRegistry(store, active_max)
     pool = pool or SimulatorPool(4, 0, TIMEOUT_S)
     seed_secret = SeedSecret()
     executor = SessionExecutor(registry, pool, seed_secret, recordings=recordings)
@@ -212,12 +205,13 @@ def fail_writes(
     save = parts.store.save
     written: dict[str, asyncio.Future[str]] = {}
 
-    async def fail(run: Run) -> None:
+    async def fail(run: Run) -> list[Episode]:
         if run.run_id in broken:
             raise error
-        await save(run)
+        scored = await save(run)
         if run.run_id in written:
             written.pop(run.run_id).set_result(run.state)
+        return scored
 
     def next_write(run_id: str) -> Awaitable[str]:
         return written.setdefault(run_id, asyncio.get_running_loop().create_future())

@@ -11,8 +11,8 @@ import uvloop
 
 from reference_server.rules.capacity import WaitingRun
 from reference_server.runs import steady_clock
-from reference_server.runs.admission import Admission
-from reference_server.runs.memory.places import Places
+from reference_server.runs.admission.admission import Admission
+from reference_server.runs.admission.places import Places
 
 HELD_S, UNUSED_S = 0.05, 3600.0
 NewLoop = Callable[[], asyncio.AbstractEventLoop]

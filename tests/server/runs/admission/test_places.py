@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from reference_server.rules.capacity import WaitingRun
-from reference_server.runs.memory.places import Places
+from reference_server.runs.admission.places import Places
 
 NOW, WALL, UNUSED_S = 1000.0, 5000.0, 60.0
 

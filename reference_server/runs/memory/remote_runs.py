@@ -1,8 +1,6 @@
 """What a node of a cluster knows of runs that other nodes have, or offer.
 
-It decides nothing, and without other nodes it is empty. The registry changes it: by
-what the shared queue reads (`note_queue`, `note_waiting_elsewhere`), and by what it
-finds out itself when it loads or stores a run.
+It decides nothing, and without other nodes it is empty.
 """
 
 from __future__ import annotations
@@ -30,7 +28,7 @@ class OtherQueues(Protocol):
     """What waits at the other nodes of a cluster."""
 
     async def refresh(self) -> None:
-        """Call `note_queue` with what waits at all nodes by now."""
+        """Call `RunAdmission.note_queue` with what waits at all nodes by now."""
 
     async def take(self, run_id: str) -> bool:
         """Let in a run that waits there, as its owner; whether it worked."""
@@ -39,24 +37,17 @@ class OtherQueues(Protocol):
         """Let the others know that what waits here has changed."""
 
     def look(self) -> None:
-        """Call `note_waiting_elsewhere` soon: there is a place for what waits."""
+        """Call `RunAdmission.note_waiting_elsewhere` soon: a place is free here."""
 
 
-class RunsElsewhere:
-    """Facts about runs of other nodes; each is of one of these kinds.
+class OfferedRuns:
+    """Runs that wait at other nodes, and that this one may take.
 
-    offered: a run that waits at another node, and that this one may take. Each look at
-    the queues replaces all of them (`offer`); one that was loaded here is none any more
-    (`note_here`).
+    offered: each look at the queues replaces all of them (`offer`); one that was loaded
+    here is none any more (`note_here`).
 
     wanted: an offered run that got a place here (`want`), until the attempt to take it
     begins (`begin_to_take`).
-
-    lost: a run of this node's memory for which another node acts by now (`note_lost`).
-    Nothing more of it is stored here.
-
-    complete: a lost run of which all was stored before that (`note_lost`): what memory
-    showed of it was right.
 
     changed: what waits here is not what the other nodes know (`note_queue_change`),
     until they are informed (`begin_to_announce`).
@@ -65,12 +56,10 @@ class RunsElsewhere:
     def __init__(self) -> None:
         self._offered: set[str] = set()
         self._wanted: set[str] = set()
-        self._lost: WeakSet[Run] = WeakSet()
-        self._complete: WeakSet[Run] = WeakSet()
         self._has_changed = False
 
     def offer(self, run_ids: Iterable[str]) -> None:
-        """What this node may take now, and nothing else."""
+        """This node may take these runs now, and no others."""
         self._offered = set(run_ids)
 
     def note_here(self, run_id: str) -> None:
@@ -93,19 +82,6 @@ class RunsElsewhere:
         self._offered.clear()
         self._wanted.clear()
 
-    def note_lost(self, run: Run, *, is_complete: bool = False) -> None:
-        """Another node acts for the run. is_complete: all of it was stored before."""
-        self._lost.add(run)
-        if is_complete:
-            self._complete.add(run)
-
-    def is_lost(self, run: Run) -> bool:
-        return run in self._lost
-
-    def is_complete(self, run: Run) -> bool:
-        """Whether the run is lost, and all that memory has of it is stored."""
-        return run in self._complete
-
     def note_queue_change(self) -> None:
         """A run waits here, or waits here no more."""
         self._has_changed = True
@@ -114,6 +90,31 @@ class RunsElsewhere:
         """Whether the other nodes have to be informed; True once for each change."""
         has_changed, self._has_changed = self._has_changed, False
         return has_changed
+
+
+class MovedRuns:
+    """Runs of this node's memory for which another node acts by now.
+
+    Nothing more of them is stored here. complete: all of the run was stored before
+    that, so that what memory showed of it was right.
+    """
+
+    def __init__(self) -> None:
+        self._moved: WeakSet[Run] = WeakSet()
+        self._complete: WeakSet[Run] = WeakSet()
+
+    def note(self, run: Run, *, is_complete: bool) -> None:
+        """Another node acts for the run."""
+        self._moved.add(run)
+        if is_complete:
+            self._complete.add(run)
+
+    def has(self, run: Run) -> bool:
+        return run in self._moved
+
+    def is_complete(self, run: Run) -> bool:
+        """Whether the run has moved, and all that memory has of it is stored."""
+        return run in self._complete
 
 
 def has_newer_owner(run: RunHead, seen: OwnedRun) -> bool:

@@ -13,13 +13,14 @@ from reference_server.rules.capacity import (
     below_quota,
     below_storage_quota,
 )
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.lifecycle import OPEN_STATES, Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Run, State
+from reference_server.runs.run_events import Departure, RunFollower
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
 
 
-class AccountUsage:
+class AccountUsage(RunFollower):
     """Open runs, Idempotency-Keys and stored bytes of each account."""
 
     def __init__(self, quota: Quota) -> None:
@@ -31,6 +32,29 @@ class AccountUsage:
     def load_stored(self, keys: Mapping[str, int], size: Mapping[str, int]) -> None:
         """Begin with what the database has of each account."""
         self._keys, self._bytes = dict(keys), dict(size)
+
+    def loaded(self, run: Run, stored: State) -> None:
+        self.changed(run)
+
+    def changed(self, run: Run) -> None:
+        self.note_open(run.account, run.run_id, is_open=run.state in OPEN_STATES)
+
+    def left(self, run: Run, why: Departure) -> None:
+        if why == "unstored":  # it is counted until it is known what the store has
+            return
+        self.note_open(run.account, run.run_id, is_open=False)
+        if why == "deleted":
+            self._note_deleted(run)
+
+    def note_submitted(self, run: Run, key: str | None) -> None:
+        """Count at once: what is submitted at the same time counts it, too."""
+        self.note_open(run.account, run.run_id, is_open=True)
+        self._note_size(run, key, 1)
+
+    def note_not_stored(self, run: Run, key: str | None) -> None:
+        """What was submitted could not be stored: it counts no more."""
+        self.note_open(run.account, run.run_id, is_open=False)
+        self._note_size(run, key, -1)
 
     def note_open(self, account: str, run_id: str, *, is_open: bool) -> None:
         ids = self._open.setdefault(account, set())
@@ -47,15 +71,13 @@ class AccountUsage:
         """Other servers have the runs now."""
         self._open.clear()
 
-    def note_stored(self, run: Run, key: str | None, *, is_stored: bool = True) -> None:
-        """Count a run that is about to be stored; or no more, for it was not."""
-        sign = 1 if is_stored else -1
+    def _note_size(self, run: Run, key: str | None, sign: int) -> None:
         size = self._bytes.get(run.account, 0) + sign * stored_bytes(run)
         self._bytes[run.account] = size
         if key is not None:
             self._keys[run.account] = self._keys.get(run.account, 0) + sign
 
-    def note_deleted(self, run: Run) -> None:
+    def _note_deleted(self, run: Run) -> None:
         """DEL-005, DEL-006: its key and its row are kept."""
         left = self._bytes.get(run.account, 0) - stored_bytes(run) + RUN_BYTES
         self._bytes[run.account] = left

@@ -20,8 +20,8 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Run, State
 from reference_server.runs import steady_clock
-from reference_server.runs.memory.places import Places
-from reference_server.runs.memory.run_queue import RunQueue
+from reference_server.runs.admission.places import Places
+from reference_server.runs.admission.run_queue import RunQueue
 
 
 class Admission:

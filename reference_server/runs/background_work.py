@@ -1,0 +1,42 @@
+"""Work that no request waits for, or that outlives the request that began it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable
+from typing import TypeVar
+
+Result = TypeVar("Result")
+
+
+class BackgroundWork:
+    """All of it ends before the server does.
+
+    is_closed: the server ends. Whoever begins work by itself begins no more of it.
+    """
+
+    def __init__(self) -> None:
+        self._tasks: set[asyncio.Future[object]] = set()
+        self.is_closed = False
+
+    def start(self, work: Awaitable[object]) -> None:
+        """Start work that no request waits for."""
+        task = asyncio.ensure_future(work)
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+    async def run_to_end(self, work: Awaitable[Result]) -> Result:
+        """What `work` returns. A caller that is cancelled does not take it with it.
+
+        For a write and what memory notes of it: both happen, or neither does.
+        """
+        task = asyncio.ensure_future(work)
+        self.start(task)
+        # What it raises is for its caller; one that is gone needs no traceback.
+        task.add_done_callback(lambda done: done.cancelled() or done.exception())
+        return await asyncio.shield(task)
+
+    async def wait(self) -> None:
+        """Until nothing is left of it."""
+        while self._tasks:  # one may begin another
+            await asyncio.wait(self._tasks)
