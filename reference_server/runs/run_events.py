@@ -1,8 +1,8 @@
 """What follows when a run changes: one event, published to all that follow runs.
 
-The cache and the writer publish. They know none of the followers, and no follower
-knows another one: what an account has open, the log, the queue, the requests that wait,
-the sessions and the calls to policy servers each do their own part.
+The cache and the writer publish, and know none of the followers. Each of these does its
+own part: what an account has open, the log, the queue, the requests that wait, the
+sessions, the calls to policy servers.
 """
 
 from __future__ import annotations
