@@ -12,7 +12,7 @@ from typing import Generic, TypeVar
 import msgspec
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import Response
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_headers import is_from_node
@@ -25,10 +25,10 @@ Reply = TypeVar("Reply")
 
 
 class NodeRequests(Generic[Question, Reply]):
-    """One kind of them: it asks other nodes, and is the endpoint that answers them.
+    """One kind of them: asks other nodes, and makes the endpoint that answers them.
 
     question_type, answer_type: what is sent, and what comes back, both as JSON.
-    answer: what this node says; it may raise Refused. timeout_s: of another node's.
+    timeout_s: of the answer of another node.
     """
 
     def __init__(
@@ -38,12 +38,11 @@ class NodeRequests(Generic[Question, Reply]):
         *,
         question_type: type[Question],
         answer_type: type[Reply],
-        answer: Callable[[Question], Awaitable[Reply]],
         timeout_s: float,
     ) -> None:
         self._connections, self.path = connections, path
         self._question_type, self._answer_type = question_type, answer_type
-        self._answer, self._timeout_s = answer, timeout_s
+        self._timeout_s = timeout_s
 
     async def ask(self, node: Node, question: Question) -> Reply | None:
         """What a node says; None if it does not in time, ends or refuses."""
@@ -56,6 +55,23 @@ class NodeRequests(Generic[Question, Reply]):
         if answer is None:
             return None
         return msgspec.json.decode(answer, type=self._answer_type)
+
+    def answered_by(self, answer: Callable[[Question], Awaitable[Reply]]) -> ASGIApp:
+        """The endpoint of this node. answer: what it says; it may raise Refused."""
+        return _NodeEndpoint(self._connections, self._question_type, answer)
+
+
+class _NodeEndpoint(Generic[Question, Reply]):
+    """Answers other nodes with what `answer` returns."""
+
+    def __init__(
+        self,
+        connections: NodeConnections,
+        question_type: type[Question],
+        answer: Callable[[Question], Awaitable[Reply]],
+    ) -> None:
+        self._connections = connections
+        self._question_type, self._answer = question_type, answer
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer another node; to every other caller there is nothing here."""

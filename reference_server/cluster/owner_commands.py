@@ -8,16 +8,17 @@ on, stays as it is.
 
 from __future__ import annotations
 
-from collections.abc import Awaitable, Callable
+from functools import partial
 from typing import Any
 
 import msgspec
+from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_requests import NodeRequests
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere
-from reference_server.runs.service import RunCommand
+from reference_server.runs.service import CarryOut, RunCommand
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import StoreFailed
 
@@ -26,9 +27,6 @@ PATH = "/node/commands"
 TIMEOUT_S = 10.0
 # How often a run is followed that moves meanwhile.
 MOVES_MAX = 3
-
-# (command, account, run id): at this node; raises Refused and StoreFailed.
-CarryOut = Callable[[RunCommand, str, str], Awaitable[None]]
 
 
 class _Asked(msgspec.Struct):
@@ -54,29 +52,34 @@ class _Outcome(msgspec.Struct):
 
 
 class OwnerCommands:
-    """Carries out commands for others at this node, and gives them its own.
+    """Gives commands to the nodes that have their runs, and carries out theirs."""
 
-    carry_out: what a command does here.
-    """
-
-    def __init__(self, connections: NodeConnections, carry_out: CarryOut) -> None:
-        self._membership, self._carry_out = connections.membership, carry_out
+    def __init__(self, connections: NodeConnections) -> None:
+        self._membership = connections.membership
         self.requests = NodeRequests(
             connections,
             PATH,
             question_type=_Asked,
             answer_type=_Outcome,
-            answer=self._answer,
             timeout_s=TIMEOUT_S,
         )
 
-    async def apply(self, command: RunCommand, account: str, run_id: str) -> None:
-        """At the node that has the run. Raises Refused and StoreFailed."""
+    def answered_by(self, carry_out: CarryOut) -> ASGIApp:
+        """The endpoint for other nodes. carry_out: what a command does here."""
+        return self.requests.answered_by(partial(self.carry_out, carry_out))
+
+    async def apply(
+        self, command: RunCommand, account: str, run_id: str, carry_out: CarryOut
+    ) -> None:
+        """At the node that has the run. Raises Refused and StoreFailed.
+
+        carry_out: what the command does here, if this node has the run by now.
+        """
         asked = _Asked(command, account, run_id)
         for _ in range(MOVES_MAX):
             node = await self._membership.find_other(run_id, only_reads=False)
             if node is None:  # this node has it by now, or there is no run
-                outcome = await self._answer(asked)
+                outcome = await self.carry_out(carry_out, asked)
             else:
                 outcome = await self._ask(node, asked)
             if not outcome.has_moved:
@@ -92,11 +95,11 @@ class OwnerCommands:
             raise Refused("unavailable", "The node that has the run does not answer.")
         return outcome
 
-    async def _answer(self, asked: _Asked) -> _Outcome:
-        """What this node makes of it."""
+    async def carry_out(self, carry_out: CarryOut, asked: _Asked) -> _Outcome:
+        """What this node makes of a command."""
         try:
             await self._membership.ensure_lease()
-            await self._carry_out(asked.command, asked.account, asked.run_id)
+            await carry_out(asked.command, asked.account, asked.run_id)
         except OwnedElsewhere:
             return _Outcome(has_moved=True)
         except Refused as refused:

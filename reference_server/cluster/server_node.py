@@ -1,35 +1,46 @@
-"""This server as a node: the parts of this folder, connected."""
+"""This server as a node: its lease, and its way to the other nodes.
+
+It is there before any run is: what other nodes ask this one, which needs the runs, is
+answered by `node_routes.py`.
+"""
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Awaitable, Callable, Mapping
-from typing import Any
+from collections.abc import Awaitable, Callable
+from typing import Protocol
 
-from starlette.types import ASGIApp, Scope
+from starlette.types import Scope
 
-from reference_server.cluster.forwarding import PageForwarding, RunForwarding
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_headers import has_secret_of
 from reference_server.cluster.owner_commands import OwnerCommands
-from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.cluster.views_elsewhere import ViewsElsewhere
 from reference_server.rules.run_owner import NodeRefused
-from reference_server.runs.service import RunCommand, RunService
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.store import StoreFailed
 
 log = logging.getLogger("proctor.cluster")
 
 
+class OwnedRuns(Protocol):
+    """The runs of this node, as far as their ownership changes."""
+
+    def drop_all(self) -> None:
+        """This node lost its runs; awaits nothing."""
+
+    def adopt(self, run_id: str) -> None:
+        """This node has claimed an open run, with which nothing else goes on."""
+
+
 class ServerNode:
     """From `open` to `close` a node, which claims runs without an owner.
 
-    url: where other nodes reach it. service: once the server is put together.
-    announce: as of Membership. on_joined: is called when the others see this node, and
-    before it acts for a run; it may raise StoreFailed, and NodeRefused. If it refuses a
-    node that has joined again, end_server is called.
+    url: where other nodes reach it. announce: as of Membership. on_joined: is called
+    when the others see this node, and before it acts for a run; it may raise
+    StoreFailed, and NodeRefused. If it refuses a node that has joined again, end_server
+    is called.
     """
 
     def __init__(
@@ -37,52 +48,31 @@ class ServerNode:
         nodes: NodeStore,
         url: str,
         lease_s: float,
-        service: Callable[[], RunService],
         *,
         announce: Callable[[str], None],
         on_joined: Callable[[], Awaitable[None]],
         end_server: Callable[[], None],
     ) -> None:
-        self._service, self._on_joined = service, on_joined
-        self._end_server = end_server
+        self.nodes = nodes
+        self._on_joined, self._end_server = on_joined, end_server
         self._refused: str | None = None
+        self._runs: list[OwnedRuns] = []
         self.membership = Membership(
             nodes,
             url,
             lease_s,
-            on_lost=self._forget_runs,
+            on_lost=self._drop_all,
             adopt=self._adopt,
             announce=announce,
             on_joined_again=self._check_again,
         )
-        self._connections = NodeConnections(self.membership)
-        self.views = ViewsElsewhere(self._connections, self._view_run)
-        self.commands = OwnerCommands(self._connections, self._command_run)
-        self.queue = SharedQueue(
-            nodes, self._connections, lambda: service().registry.admission
-        )
+        self.connections = NodeConnections(self.membership)
+        self.views = ViewsElsewhere(self.connections)
+        self.commands = OwnerCommands(self.connections)
 
-    def routed(self, endpoints: Mapping[str, ASGIApp]) -> dict[str, ASGIApp]:
-        """The same paths, each answered by the node that has the run it names."""
-        has_run = self._service().registry.has
-        routed: dict[str, ASGIApp] = {
-            path: RunForwarding(endpoint, self._connections, has_run)
-            for path, endpoint in endpoints.items()
-        }
-        for requests in (
-            self.views.requests,
-            self.commands.requests,
-            self.queue.requests,
-        ):
-            routed[requests.path] = requests
-        return routed
-
-    def routed_pages(self, pages: ASGIApp, away: ASGIApp) -> ASGIApp:
-        """The pages, each answered by the node where its reader has signed in.
-
-        away: answers in place of that node, when it does not.
-        """
-        return PageForwarding(pages, away, self._connections)
+    def act_for(self, runs: OwnedRuns) -> None:
+        """Inform these runs of what becomes of their ownership, from now on."""
+        self._runs.append(runs)
 
     def is_passed_on(self, scope: Scope) -> bool:
         """Whether another node passed the request on to this one."""
@@ -92,19 +82,13 @@ class ServerNode:
         """Of this node, now."""
         return self.membership.node_id
 
-    def _forget_runs(self) -> None:
-        self._service().registry.admission.drop_all()
+    def _drop_all(self) -> None:
+        for runs in self._runs:
+            runs.drop_all()
 
     def _adopt(self, run_id: str) -> None:
-        self._service().registry.writer.load_in_background(run_id)
-
-    async def _view_run(self, run_id: str, endpoint: str) -> dict[str, Any]:
-        return await self._service().view_run(None, run_id, endpoint)
-
-    async def _command_run(
-        self, command: RunCommand, account: str, run_id: str
-    ) -> None:
-        await self._service().command_run_here(command, account, run_id)
+        for runs in self._runs:
+            runs.adopt(run_id)
 
     async def _check_again(self) -> None:
         """Nodes that started meanwhile may have agreed on something else."""
@@ -130,10 +114,8 @@ class ServerNode:
             await self.membership.close()
             raise
         self.membership.start()
-        self.queue.open()
 
     async def close(self) -> None:
         """After the last write: others may claim the runs at once."""
-        await self.queue.close()
-        await self._connections.close()
+        await self.connections.close()
         await self.membership.close()

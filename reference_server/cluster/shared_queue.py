@@ -19,6 +19,7 @@ from collections import Counter
 from collections.abc import Awaitable, Callable
 
 import msgspec
+from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_requests import NodeRequests
@@ -57,23 +58,22 @@ class _Places(msgspec.Struct):
 class SharedQueue:
     """This node's part in it, from `open` to `close`.
 
-    admission: once the server is put together.
+    admission: of this node's runs; from now on they wait in the queue of all nodes.
     """
 
     def __init__(
         self,
         nodes: NodeStore,
         connections: NodeConnections,
-        admission: Callable[[], RunAdmission],
+        admission: RunAdmission,
     ) -> None:
         self._nodes, self._admission = nodes, admission
         self._membership = connections.membership
-        self.requests = NodeRequests(
+        self._requests = NodeRequests(
             connections,
             PATH,
             question_type=_Announced,
             answer_type=_Places,
-            answer=self._answer,
             timeout_s=TIMEOUT_S,
         )
         self._fences: dict[str, int] = {}  # of runs that wait elsewhere
@@ -84,8 +84,13 @@ class SharedQueue:
         self._next_read: asyncio.Task[StoredQueue] | None = None
         self._tasks: list[asyncio.Task[None]] = []
         self._failures = RepeatedFailures(log)
+        admission.share_queue(self)
 
-    def open(self) -> None:
+    def endpoint(self) -> ASGIApp:
+        """Answers other nodes."""
+        return self._requests.answered_by(self._answer)
+
+    async def open(self) -> None:
         """Follow the queue until `close`."""
         follow = self._repeat(self._look, self._look_is_due, LOOK_S)
         announce = self._repeat(self._announce, self._announce_is_due, None)
@@ -144,7 +149,7 @@ class SharedQueue:
         async with self._read_lock:
             await asyncio.sleep(self._read_not_before - time.monotonic())
             self._next_read = None
-            admission, began = self._admission(), time.monotonic()
+            admission, began = self._admission, time.monotonic()
             seen = await self._nodes.queue(admission.queued_ids())
             admission.note_queue(seen)
             if len(seen.queued) > LONG_QUEUE:
@@ -158,7 +163,7 @@ class SharedQueue:
         if not self._membership.claims:
             return
         await self._membership.ensure_lease()
-        admission, me = self._admission(), self._membership.node_id
+        admission, me = self._admission, self._membership.node_id
         await self._let_others_take(admission.held_no_more())
         seen = await self._read()
         elsewhere = [
@@ -195,7 +200,7 @@ class SharedQueue:
         self._places = {n: of for n, of in self._places.items() if n in there}
 
     async def _post(self, node: Node, announced: _Announced) -> None:
-        answer = await self.requests.ask(node, announced)
+        answer = await self._requests.ask(node, announced)
         if answer is not None:
             self._places[node.node_id] = answer.places
 
@@ -203,7 +208,7 @@ class SharedQueue:
         """The answer to another node."""
         if announced.has_changed:
             self._look_is_due.set()
-        return _Places(self._admission().places_of_accounts())
+        return _Places(self._admission.places_of_accounts())
 
     async def _repeat(
         self, work: Work, is_due: asyncio.Event, every_s: float | None

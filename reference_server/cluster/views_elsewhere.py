@@ -9,9 +9,11 @@ from __future__ import annotations
 import asyncio
 from collections import defaultdict
 from collections.abc import Awaitable, Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import msgspec
+from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_requests import NodeRequests
@@ -36,19 +38,15 @@ class _Page(msgspec.Struct):
 
 
 class ViewsElsewhere:
-    """Shows this node's runs to others, and gets the views of theirs.
+    """Gets the views of runs of other nodes, and shows this node's runs to them."""
 
-    view_run: of a run of this node; raises Refused and StoreFailed.
-    """
-
-    def __init__(self, connections: NodeConnections, view_run: ViewRun) -> None:
-        self._membership, self._view_run = connections.membership, view_run
-        self.requests = NodeRequests(
+    def __init__(self, connections: NodeConnections) -> None:
+        self._membership = connections.membership
+        self._requests = NodeRequests(
             connections,
             PATH,
             question_type=_Page,
             answer_type=dict[str, Json],
-            answer=self._views,
             timeout_s=TIMEOUT_S,
         )
 
@@ -69,15 +67,23 @@ class ViewsElsewhere:
         node = await self._membership.find_node(node_id)
         if node is None:
             return {}
-        return await self.requests.ask(node, _Page(endpoint, run_ids)) or {}
+        return await self._requests.ask(node, _Page(endpoint, run_ids)) or {}
 
-    async def _views(self, page: _Page) -> dict[str, Json]:
-        """The answer to another node."""
-        views = {}
-        for run_id in page.run_ids:
-            try:
-                views[run_id] = await self._view_run(run_id, page.endpoint)
-            except (Refused, StoreFailed):
-                continue  # deleted, or lost meanwhile
-            await asyncio.sleep(0)  # others are served between two runs
-        return views
+    def answered_by(self, view_run: ViewRun) -> ASGIApp:
+        """The endpoint for other nodes.
+
+        view_run: of a run of this node; raises Refused and StoreFailed.
+        """
+        return self._requests.answered_by(partial(_view_page, view_run))
+
+
+async def _view_page(view_run: ViewRun, page: _Page) -> dict[str, Json]:
+    """The answer to another node."""
+    views = {}
+    for run_id in page.run_ids:
+        try:
+            views[run_id] = await view_run(run_id, page.endpoint)
+        except (Refused, StoreFailed):
+            continue  # deleted, or lost meanwhile
+        await asyncio.sleep(0)  # others are served between two runs
+    return views

@@ -33,7 +33,7 @@ from reference_server.runs.admission.places import Places
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.runs.background_work import BackgroundWork
 from reference_server.runs.memory.ended_sessions import EndedSessions
-from reference_server.runs.memory.remote_runs import OtherQueues, Ownership
+from reference_server.runs.memory.remote_runs import Ownership
 from reference_server.runs.memory.run_changes import RunChange, RunChanges
 from reference_server.runs.run_cache import RunCache
 from reference_server.runs.run_events import RunEvents, RunFollower
@@ -51,7 +51,7 @@ class RunRegistry:
 
     active_max: places of runs that are played or about to be. unused_s: when others
     wait, how long a run without a worker keeps its place. quota: of each account.
-    ownership, other_queues: None for a server that has the database for itself.
+    ownership: None for a server that has the database for itself.
     """
 
     def __init__(
@@ -62,7 +62,6 @@ class RunRegistry:
         unused_s: float = 120.0,
         quota: Quota | None = None,
         ownership: Ownership | None = None,
-        other_queues: OtherQueues | None = None,
     ) -> None:
         self._store, self._ownership = store, ownership
         self.usage = AccountUsage(quota or Quota())
@@ -82,7 +81,6 @@ class RunRegistry:
             changes=self._changes,
             run_log=self._log,
             ownership=ownership,
-            other_queues=other_queues,
         )
         self._events.subscribe(self.admission)
         self.reader = RunReader(store, self.cache, self.writer, self.admission)

@@ -65,8 +65,10 @@ SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
 ViewsElsewhere = Callable[[Sequence[RunHead], str], Awaitable[Mapping[str, Json]]]
 
 RunCommand = Literal["stop", "resume"]
-# (command, account, run id); raises Refused.
-CommandElsewhere = Callable[[RunCommand, str, str], Awaitable[None]]
+# (command, account, run id): at this node; raises Refused and StoreFailed.
+CarryOut = Callable[[RunCommand, str, str], Awaitable[None]]
+# At the node that has the run; CarryOut is for a run that is here by then.
+CommandElsewhere = Callable[[RunCommand, str, str, CarryOut], Awaitable[None]]
 
 DAY_S = 86_400.0
 
@@ -78,7 +80,9 @@ async def no_views_elsewhere(
     return {}
 
 
-async def no_command_elsewhere(_command: RunCommand, _account: str, _id: str) -> None:
+async def no_command_elsewhere(
+    _command: RunCommand, _account: str, _id: str, _carry_out: CarryOut
+) -> None:
     """Without a cluster no other node has a run."""
     raise AssertionError("every run is here")
 
@@ -194,7 +198,8 @@ class RunService:
         try:
             await self.command_run_here(command, account, run_id)
         except OwnedElsewhere:
-            await self.command_elsewhere(command, account, run_id)
+            here = self.command_run_here
+            await self.command_elsewhere(command, account, run_id, here)
 
     async def command_run_here(
         self, command: RunCommand, account: str, run_id: str

@@ -7,6 +7,7 @@ otherwise is a defect, and the log has its traceback.
 from __future__ import annotations
 
 import logging
+import signal
 from contextlib import AbstractAsyncContextManager
 
 from starlette.types import Receive, Send
@@ -16,6 +17,11 @@ log = logging.getLogger("proctor.app")
 
 class CannotServe(Exception):
     """Why the server cannot start, or not end in order: a sentence for its host."""
+
+
+def end_server() -> None:
+    """End this process in order, as a SIGTERM from outside does."""
+    signal.raise_signal(signal.SIGTERM)
 
 
 async def run_lifespan(

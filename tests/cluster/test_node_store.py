@@ -7,7 +7,7 @@ import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 import pytest
 import sqlalchemy as sa
@@ -25,7 +25,6 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
 from reference_server.runs.admission.account_usage import AccountUsage
-from reference_server.runs.service import RunService
 from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock
 from reference_server.storage.database_tables import nodes as node_rows

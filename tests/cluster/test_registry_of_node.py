@@ -76,8 +76,9 @@ async def opened(
         store,
         4,
         ownership=ownership,
-        other_queues=others,
     )
+    if others is not None:
+        registry.admission.share_queue(others)
     runs = NodeRuns(store, registry, ownership)
     registry.subscribe(ChangedRuns(runs.changed))
     await store.open()

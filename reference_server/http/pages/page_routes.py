@@ -79,12 +79,14 @@ Endpoint = Callable[[Request], Awaitable[Response]]
 class Pages:
     """The pages of a server, over its API.
 
+    api: the application with the operations.
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
     node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
     """
 
     def __init__(
         self,
+        api: ASGIApp,
         hosts: AllowedHosts,
         public_url: str,
         node_id: Callable[[], str] = str,
@@ -94,10 +96,6 @@ class Pages:
         self._is_https = public_url.startswith("https:")
         self._sessions = PageSessions(node_id=node_id)
         self._handlers = PageHandlers(find_entry_id)
-        self._api: ASGIApp | None = None
-
-    def use_api(self, api: ASGIApp) -> None:
-        """The application with the operations; before the first request."""
         self._api = api
 
     def routes(self) -> list[BaseRoute]:
@@ -239,7 +237,6 @@ class Pages:
         return PageCall(request, session, self._documents(request, session.token))
 
     def _documents(self, request: Request, token: str) -> ApiDocuments:
-        assert self._api is not None, "use_api comes first"
         return ApiDocuments.of(self._api, request, token)
 
     def _is_secure(self, request: Request) -> bool:

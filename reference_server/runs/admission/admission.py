@@ -29,8 +29,7 @@ class Admission:
 
     let_in: is called with the id of each run that got a place, and with the run itself
     if it is not stored yet. on_moved: is called with a number in the queue, when those
-    behind it have moved. look: asks for a look at what waits at other nodes, which ends
-    in `admit`; None without other nodes.
+    behind it have moved.
     """
 
     def __init__(
@@ -38,13 +37,20 @@ class Admission:
         places: Places,
         let_in: Callable[[str, Run | None], None],
         on_moved: Callable[[int], None],
-        look: Callable[[], None] | None = None,
     ) -> None:
         self.places, self.queue = places, RunQueue()
-        self._let_in, self._on_moved, self._look = let_in, on_moved, look
+        self._let_in, self._on_moved = let_in, on_moved
+        self._look: Callable[[], None] | None = None
         self._timer: asyncio.Handle | None = None  # None as soon as it has fired
         self._timer_at = 0.0  # by the clock of the loop
         self._closed = False
+
+    def look_elsewhere(self, look: Callable[[], None]) -> None:
+        """From now on runs wait at other nodes, too.
+
+        look: asks for a look at these, which ends in `admit`.
+        """
+        self._look = look
 
     def close(self) -> None:
         """Let no more runs in."""

@@ -48,7 +48,7 @@ log = logging.getLogger("proctor.runs")
 class RunAdmission(RunFollower):
     """Lets the runs of one server in, as they change and as time passes.
 
-    other_queues: None for a server that has the database for itself.
+    ownership: None for a server that has the database for itself.
     """
 
     def __init__(
@@ -62,13 +62,12 @@ class RunAdmission(RunFollower):
         changes: RunChanges,
         run_log: RunLog,
         ownership: Ownership | None,
-        other_queues: OtherQueues | None,
     ) -> None:
-        look = None if other_queues is None else other_queues.look
-        self._admission = Admission(places, self._let_in, self._note_moved, look)
+        self._admission = Admission(places, self._let_in, self._note_moved)
         self._cache, self._writer, self._work = cache, writer, work
         self._usage, self._changes, self._log = usage, changes, run_log
-        self._ownership, self._other_queues = ownership, other_queues
+        self._ownership = ownership
+        self._other_queues: OtherQueues | None = None
         self._offered = OfferedRuns()
         self._admitted: deque[str] = deque()  # ids of what is to be loaded for that
 
@@ -248,6 +247,11 @@ class RunAdmission(RunFollower):
 
     # --- the queues of other nodes ---
 
+    def share_queue(self, other_queues: OtherQueues) -> None:
+        """From now on the runs of this server wait in a queue of several nodes."""
+        self._other_queues = other_queues
+        self._admission.look_elsewhere(other_queues.look)
+
     def queued_ids(self) -> list[str]:
         """Ids of the runs of this server that wait."""
         return self._admission.queue.ids()
@@ -299,6 +303,10 @@ class RunAdmission(RunFollower):
         self._offered.offer(run.run_id for run in waiting)
         self.places.note_elsewhere(waiting, places)
         self._admission.admit(knows_all=True)
+
+    def adopt(self, run_id: str) -> None:
+        """This node has claimed an open run: it is loaded without a request for it."""
+        self._writer.load_in_background(run_id)
 
     def drop_all(self) -> None:
         """This node lost its runs: others may have claimed them."""

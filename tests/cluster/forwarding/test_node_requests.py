@@ -44,20 +44,20 @@ class FakeConnections:
         return self.body
 
 
+async def answer(asked: Count) -> Count:
+    if asked.number < 0:
+        raise Refused("not_found", "There is no such number.")
+    return Count(asked.number + 1)
+
+
 def requests_of(
     node: FakeConnections, timeout_s: float = 20.0
 ) -> NodeRequests[Count, Count]:
-    async def answer(asked: Count) -> Count:
-        if asked.number < 0:
-            raise Refused("not_found", "There is no such number.")
-        return Count(asked.number + 1)
-
     return NodeRequests(
         cast("NodeConnections", node),
         "/node/count",
         question_type=Count,
         answer_type=Count,
-        answer=answer,
         timeout_s=timeout_s,
     )
 
@@ -77,7 +77,7 @@ async def answered(
 
     headers = [(b"proctor-node-secret", secret.encode())] if secret else []
     scope = {"type": "http", "method": method, "headers": headers, "path": "/"}
-    await requests_of(FakeConnections())(scope, receive, send)
+    await requests_of(FakeConnections()).answered_by(answer)(scope, receive, send)
     return sent[0]["status"], msgspec.json.decode(sent[1]["body"])
 
 

@@ -12,7 +12,7 @@ from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.owner_commands import MOVES_MAX, OwnerCommands
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere
-from reference_server.runs.service import RunCommand
+from reference_server.runs.service import CarryOut, RunCommand
 from reference_server.storage.node_store import Node
 from reference_server.storage.store import StoreFailed
 
@@ -46,22 +46,27 @@ class Nodes:
 OTHER = Node("other", "http://127.0.0.1:1", "of the other")
 
 
-def commands_of(nodes: Nodes, outcome: Exception | None) -> OwnerCommands:
-    """Those of a node; each node meets that outcome when it carries a command out."""
+def carry_out_with(outcome: Exception | None) -> CarryOut:
+    """What each node does with a command: it meets that outcome."""
 
     async def carry_out(command: RunCommand, account: str, run_id: str) -> None:
         assert (command, account, run_id) == ("stop", "alice", "run_1")
         if outcome is not None:
             raise outcome
 
+    return carry_out
+
+
+def commands_of(nodes: Nodes, carry_out: CarryOut) -> OwnerCommands:
+    """Those of a node, whose other nodes carry commands out in that way."""
     connections: Any = NodeConnections.__new__(NodeConnections)
     connections.membership = nodes
-    commands = OwnerCommands(connections, carry_out)
+    commands = OwnerCommands(connections)
 
     async def ask(_node: Node, question: Any) -> Any:
         """Over what another node would read, and answer."""
         sent = msgspec.json.decode(msgspec.json.encode(question), type=type(question))
-        answer = await commands._answer(sent)
+        answer = await commands.carry_out(carry_out, sent)
         return msgspec.json.decode(msgspec.json.encode(answer), type=type(answer))
 
     commands.requests.ask = ask  # type: ignore[assignment,method-assign]
@@ -70,7 +75,9 @@ def commands_of(nodes: Nodes, outcome: Exception | None) -> OwnerCommands:
 
 def outcome_of(nodes: Nodes, outcome: Exception | None) -> Refused | None:
     try:
-        asyncio.run(commands_of(nodes, outcome).apply("stop", "alice", "run_1"))
+        carry_out = carry_out_with(outcome)
+        commands = commands_of(nodes, carry_out)
+        asyncio.run(commands.apply("stop", "alice", "run_1", carry_out))
     except Refused as refused:
         return refused
     return None
@@ -104,12 +111,13 @@ def test_a_command_follows_a_run_that_moves() -> None:
 
 def test_a_node_that_does_not_answer_is_looked_for_again() -> None:
     nodes = Nodes(OTHER)
-    commands = commands_of(nodes, None)
+    carry_out = carry_out_with(None)
+    commands = commands_of(nodes, carry_out)
 
     async def say_nothing(_node: Node, _question: Any) -> None:
         return None
 
     commands.requests.ask = say_nothing  # type: ignore[assignment,method-assign]
     with pytest.raises(Refused) as refused:
-        asyncio.run(commands.apply("stop", "alice", "run_1"))
+        asyncio.run(commands.apply("stop", "alice", "run_1", carry_out))
     assert (refused.value.code, nodes.forgotten) == ("unavailable", 1)

@@ -83,6 +83,9 @@ class FakeNode:
     def places_of_accounts(self) -> dict[str, int]:
         return {"bob": 1}
 
+    def share_queue(self, _queue: SharedQueue) -> None:
+        """As RunAdmission does it, whose runs wait in it from then on."""
+
     def held_no_more(self) -> list[str]:
         return self.held
 
@@ -98,7 +101,7 @@ class FakeNode:
         return SharedQueue(
             cast("NodeStore", self),
             cast("NodeConnections", self),
-            lambda: cast("RunAdmission", self),
+            cast("RunAdmission", self),
         )
 
 
@@ -182,7 +185,7 @@ async def said_to(queue: SharedQueue, *, has_changed: bool) -> dict[str, Any]:
         sent.append(message)
 
     scope = {"type": "http", "method": "POST", "headers": [], "path": ""}
-    await queue.requests(scope, receive, send)
+    await queue.endpoint()(scope, receive, send)
     return dict(msgspec.json.decode(sent[1]["body"]))
 
 

@@ -12,7 +12,7 @@ from pydantic import MISSING
 
 from reference_record.formats.merkle_tree import MerkleTree
 from reference_record.keys import make_key
-from reference_server import app
+from reference_server.assembly import stored_parts
 from reference_server.generated import models
 from reference_server.http import dispatch
 from reference_server.http.auth import NO_ACCOUNT, READ_ALL, Caller
@@ -224,7 +224,7 @@ def signs_checkpoints_with_a_key_of_its_own() -> None:
 @mutant("BRD-014", "BRD-015", "BRD-016")
 def hashes_leaves_without_their_prefix() -> None:
     """A node can be passed off as a leaf, and a proof of what was never published."""
-    put(app, "leaf_hash", lambda leaf: hashlib.sha256(leaf).digest())
+    put(stored_parts, "leaf_hash", lambda leaf: hashlib.sha256(leaf).digest())
 
 
 @mutant("BRD-015", "BRD-016")

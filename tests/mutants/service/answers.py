@@ -7,7 +7,6 @@ from typing import Any
 from starlette.requests import Request
 from starlette.responses import Response
 
-from reference_server import app
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http import (
     codec,

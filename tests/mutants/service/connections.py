@@ -74,7 +74,7 @@ def announce(**limits: Any) -> None:
     """Run the server with other settings; what it announces follows from them."""
     right = app.build
 
-    def wrong(settings: Settings, *parts: Any) -> Application:
+    def wrong(settings: Settings, *parts: Any) -> application.Application:
         return right(settings.model_copy(update=limits), *parts)
 
     put(server_main, "build", wrong)

@@ -41,7 +41,7 @@ def checks_the_version_after_the_work() -> None:
             return problem_response(refused)
         return response
 
-    put(app, "perform", wrong)
+    put(application, "perform", wrong)
 
 
 @mutant("ERR-009", through=instead_of(app, "_not_found"))
@@ -145,7 +145,7 @@ def answers_the_body_of_a_refused_request() -> None:
     right = app.Application.__call__
     poisoned: set[Any] = set()
 
-    async def wrong(self: app.Application, scope: Any, receive: Any, send: Any) -> None:
+    async def wrong(self: Application, scope: Any, receive: Any, send: Any) -> None:
         client = scope.get("client")
         if scope["type"] == "http" and client in poisoned:
             poisoned.discard(client)

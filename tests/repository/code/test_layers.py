@@ -76,6 +76,16 @@ PURE = sorted(
 # folder of reference_server → the other parts that it may import. A part is a folder or
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
+    "assembly": {
+        "cluster",
+        "http",
+        "monitoring",
+        "profiles",
+        "push",
+        "records",
+        "rules",
+    }
+    | {"reference_record", "reference_sim", "runs", "settings", "storage", "system"},
     "generated": set(),
     "rules": {"generated"},
     "storage": {"rules", "system"},

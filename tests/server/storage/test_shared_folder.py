@@ -17,7 +17,7 @@ import pytest
 
 from reference_record.formats.mcap_reader import McapReader
 from reference_record.recording_file import DRAFT_SUFFIX
-from reference_server import app
+from reference_server.assembly.node_parts import make_node
 from reference_server.records.recordings import Recordings
 from reference_server.records.shared_folder import (
     ID_FILE,
@@ -30,7 +30,7 @@ from reference_server.records.shared_folder import (
 from reference_server.rules.run import Recording, Result
 from reference_server.settings import Settings
 from reference_server.storage.node_store import Node, NodeStore
-from reference_server.storage.store import NotTheNext, Store, StoreFailed
+from reference_server.storage.store import NotTheNext, Store
 from tests.support.server.databases import UsedDatabase
 
 LEASE_S = 60.0
@@ -143,12 +143,9 @@ class StartingNode:
             used_keys.append(keyid)
 
         records = SimpleNamespace(key=SimpleNamespace(keyid=keyid), use_key=use_key)
-        node = app._node_of(self.settings, store, records, self._service)  # type: ignore[arg-type]
+        node = make_node(self.settings, store, records)  # type: ignore[arg-type]
         assert node is not None
         self.node = node
-
-    def _service(self) -> Any:
-        raise StoreFailed("no run of it is looked for in this test")
 
     async def check_before(self) -> None:
         """As the program does before it listens."""

@@ -141,8 +141,7 @@ def _is_withdrawn(entry: Mapping[str, Any]) -> bool:
 
 def client_of(api: PageApi) -> httpx.AsyncClient:
     """A browser without scripts, of pages over this API."""
-    pages = Pages(AllowedHosts(), "", find_entry_id=api.entry_id_of_run)
-    pages.use_api(api)
+    pages = Pages(api, AllowedHosts(), "", find_entry_id=api.entry_id_of_run)
     app = Starlette(routes=pages.routes())
     return httpx.AsyncClient(
         transport=httpx.ASGITransport(app), base_url="http://server"

@@ -1,0 +1,70 @@
+"""The paths of a server: operations, those of other nodes, health, and pages."""
+
+from __future__ import annotations
+
+import typing
+
+from starlette.routing import BaseRoute, Route, Router
+from starlette.types import ASGIApp, Scope
+
+from reference_server.cluster.node_routes import NodeRoutes
+from reference_server.cluster.server_node import ServerNode
+from reference_server.http.allowed_hosts import AllowedHosts
+from reference_server.http.application import Endpoint, not_found
+from reference_server.http.auth import Tokens
+from reference_server.http.handlers import Handlers
+from reference_server.http.pages.page_routes import Pages
+from reference_server.monitoring.health import health_routes
+from reference_server.monitoring.readiness import Readiness
+from reference_server.monitoring.request_spans import RequestSpans
+from reference_server.profiles.operation_tables import profile_tables
+from reference_server.settings import Settings
+
+if typing.TYPE_CHECKING:
+    from reference_server.monitoring.traces import Traces
+
+
+def make_router(
+    handlers: Handlers,
+    tokens: Tokens,
+    readiness: Readiness,
+    node: ServerNode | None,
+    node_routes: NodeRoutes | None,
+) -> ASGIApp:
+    """Everything that the server answers. node, node_routes: both, or none of them."""
+    table = handlers.table() | profile_tables(handlers)
+    settings = handlers.settings
+    hosts = AllowedHosts.parse(settings.allowed_hosts)
+    endpoints: dict[str, ASGIApp] = {
+        path: Endpoint(operations, tokens, settings.max_body_bytes, hosts)
+        for path, operations in table.items()
+    }
+    if node_routes is not None:
+        endpoints = node_routes.routed(endpoints)
+    routes: list[BaseRoute] = [Route(*endpoint) for endpoint in endpoints.items()]
+    routes += health_routes(readiness)
+    operations = Router(routes, False, not_found)
+    if settings.pages == "off":
+        return operations
+    node_id = str if node is None else node.node_id
+    find_entry_id = None if handlers.board is None else handlers.board.entry_id_of_run
+    pages = Pages(operations, hosts, settings.public_url, node_id, find_entry_id)
+    shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(not_found))
+    if node_routes is not None:
+        shown = node_routes.routed_pages(shown, pages.show_away)
+    # Behind the operations: no turn looks at the routes of pages.
+    return Router(routes, False, shown)
+
+
+def traced(
+    app: ASGIApp, traces: Traces | None, settings: Settings, node: ServerNode | None
+) -> ASGIApp:
+    """The same, with a span for each request; unchanged without traces."""
+    if traces is None:
+        return app
+
+    def trusts(scope: Scope) -> bool:
+        is_of_node = node is not None and node.is_passed_on(scope)
+        return is_of_node or settings.traces_parent == "all"
+
+    return RequestSpans(app, traces, trusts)

@@ -1,0 +1,52 @@
+"""What a node of a cluster answers besides the operations, and whom it passes them to.
+
+A request that names a run is answered by the node that has the run. Each node has paths
+for the others, too: views of its runs, commands for them, and the queue of all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from starlette.types import ASGIApp
+
+from reference_server.cluster import owner_commands, shared_queue, views_elsewhere
+from reference_server.cluster.forwarding import PageForwarding, RunForwarding
+from reference_server.cluster.server_node import ServerNode
+from reference_server.cluster.shared_queue import SharedQueue
+from reference_server.runs.service import RunService
+
+
+class NodeRoutes:
+    """The paths of one node, over the use cases of its server."""
+
+    def __init__(
+        self, node: ServerNode, queue: SharedQueue, service: RunService
+    ) -> None:
+        self._node, self._queue, self._service = node, queue, service
+        node.act_for(service.registry.admission)
+
+    def routed(self, endpoints: Mapping[str, ASGIApp]) -> dict[str, ASGIApp]:
+        """The same paths, each answered by the node that has the run it names."""
+        node, service = self._node, self._service
+        has_run = service.registry.has
+        routed: dict[str, ASGIApp] = {
+            path: RunForwarding(endpoint, node.connections, has_run)
+            for path, endpoint in endpoints.items()
+        }
+        return routed | {
+            views_elsewhere.PATH: node.views.answered_by(self._view_run),
+            owner_commands.PATH: node.commands.answered_by(service.command_run_here),
+            shared_queue.PATH: self._queue.endpoint(),
+        }
+
+    def routed_pages(self, pages: ASGIApp, away: ASGIApp) -> ASGIApp:
+        """The pages, each answered by the node where its reader has signed in.
+
+        away: answers in place of that node, when it does not.
+        """
+        return PageForwarding(pages, away, self._node.connections)
+
+    async def _view_run(self, run_id: str, endpoint: str) -> dict[str, Any]:
+        return await self._service.view_run(None, run_id, endpoint)

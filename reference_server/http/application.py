@@ -1,0 +1,156 @@
+"""The ASGI application: what holds for every response, and for every path.
+
+It decides no rule, and knows no operation.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Awaitable, Callable, Mapping
+from contextlib import AbstractAsyncContextManager
+
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from reference_server.generated.protocol_version import PROTOCOL_VERSION
+from reference_server.http.allowed_hosts import AllowedHosts
+from reference_server.http.auth import Tokens
+from reference_server.http.dispatch import (
+    ACCOUNT,
+    OPERATION,
+    Operation,
+    operation_name,
+    perform,
+)
+from reference_server.http.pages.page_sessions import PATH as PAGES_PATH
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import Refused
+from reference_server.system.counters import COUNTERS
+from reference_server.system.lifespan import run_lifespan
+from reference_server.system.log_output import (
+    ACCESS_LOG,
+    REQUEST_ID,
+    log_event,
+    request_id_of,
+)
+
+log = logging.getLogger("proctor.app")
+access_log = logging.getLogger(ACCESS_LOG)
+
+_VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
+
+
+class Endpoint:
+    """One path for every method, so that a 405 can name those that it has (ERR-010)."""
+
+    def __init__(
+        self,
+        operations: Mapping[str, Operation],
+        tokens: Tokens,
+        max_body: int,
+        hosts: AllowedHosts,
+    ) -> None:
+        self._operations = operations
+        self._names = {
+            method: operation_name(operation)
+            for method, operation in operations.items()
+        }
+        self._tokens = tokens
+        self._max_body = max_body
+        self._hosts = hosts
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        operation = self._operations.get(scope["method"])
+        if operation is None:
+            response = self._not_allowed(scope["method"])
+        else:
+            scope[OPERATION] = self._names[scope["method"]]
+            request = Request(scope, receive)
+            response = await perform(
+                request, operation, self._tokens, self._max_body, self._hosts
+            )
+        await response(scope, receive, send)
+
+    def _not_allowed(self, method: str) -> Response:
+        detail = f"{method} is not a method of this path."
+        allowed = {"Allow": ", ".join(sorted(self._operations))}
+        return problem_response(Refused("method_not_allowed", detail), allowed)
+
+
+async def not_found(scope: Scope, receive: Receive, send: Send) -> None:
+    refused = Refused("not_found", "Unknown path.")  # ERR-009
+    await problem_response(refused)(scope, receive, send)
+
+
+class Application:
+    """What holds for every response: its version, and that a defect is a problem too.
+
+    One layer around the router, not a framework's stack of them: a turn passes every
+    layer three times.
+
+    lifespan: the parts, open while it is entered. begin_drain: to be called when the
+    server begins to end; ends waiting requests, and from then on nothing new begins.
+    turns_in_progress: how many turns are to be finished then.
+    """
+
+    def __init__(
+        self,
+        app: ASGIApp,
+        lifespan: Callable[[], AbstractAsyncContextManager[None]],
+        begin_drain: Callable[[], Awaitable[None]],
+        turns_in_progress: Callable[[], int],
+    ) -> None:
+        self._app, self._lifespan = app, lifespan
+        self.begin_drain, self.turns_in_progress = begin_drain, turns_in_progress
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        if scope["type"] != "http":  # no web sockets: it is the lifespan
+            await run_lifespan(self._lifespan(), receive, send)
+            return
+        response_started = False
+        status = 0
+        started = time.perf_counter()
+        request_id = request_id_of(_header(scope, b"x-request-id"))
+        REQUEST_ID.set(request_id)
+
+        async def send_versioned(message: Message) -> None:
+            nonlocal response_started, status
+            if message["type"] == "http.response.start":
+                response_started, status = True, message["status"]
+                message["headers"].append(_VERSION_HEADER)  # VER-001
+                message["headers"].append((b"x-request-id", request_id.encode()))
+            await send(message)
+
+        try:
+            await self._app(scope, receive, send_versioned)
+        except Exception:
+            if response_started:  # too late for a problem; the connection is closed
+                raise
+            log.exception("a request failed")
+            refused = Refused("internal_error", "Internal server error.")
+            await problem_response(refused)(scope, receive, send_versioned)
+        finally:
+            took_s = time.perf_counter() - started
+            operation = scope.get(OPERATION) or _other(scope["path"])
+            COUNTERS.requests[operation, status // 100].add(took_s)
+            log_event(
+                access_log,
+                "request",
+                method=scope["method"],
+                path=scope["path"],
+                status=status,
+                ms=round(1000 * took_s, 1),
+                account=scope.get(ACCOUNT),
+                client=(scope.get("client") or ("-",))[0],
+            )
+
+
+def _other(path: str) -> str:
+    """What a request that is no operation counts as."""
+    return "pages" if path.startswith(PAGES_PATH) else "other"
+
+
+def _header(scope: Scope, name: bytes) -> bytes | None:
+    return next((value for key, value in scope["headers"] if key == name), None)
