@@ -71,7 +71,7 @@ def build(
     board = make_board(stored, runs.service)
     handlers = Handlers(settings, runs.service, streams, board, imports)
     checks = {
-        "database": stored.store.check_writable,
+        "database": stored.store.transactions.check_writable,
         "simulators": pools.sessions.check_start,
     }
     readiness = Readiness(checks, lambda: runs.registry.is_ending)

@@ -89,15 +89,19 @@ def _statements(node: ast.AST) -> Iterator[ast.AST]:
         yield from _statements(child)
 
 
+LEFT_OUT = ("assembly", "generated")
+
+
 def part_of(module: str) -> str | None:
     """The folder of the server that a module is in; the simulators are one part.
 
-    None for generated modules, which nearly everything imports.
+    None for generated modules, which nearly everything imports, and for `assembly/`,
+    which imports nearly everything.
     """
     names = module.split(".")
     if names[0] == SIMULATORS:
         return SIMULATORS
-    if names[0] != SERVER.name or len(names) < 2 or names[1] == "generated":
+    if names[0] != SERVER.name or len(names) < 2 or names[1] in LEFT_OUT:
         return None
     return names[1] if (SERVER / names[1]).is_dir() else None
 

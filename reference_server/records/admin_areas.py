@@ -20,6 +20,7 @@ from reference_record.recording import timestamp
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.run import PublicKey, RunHead
+from reference_server.storage.record_store import RecordStore
 from reference_server.storage.store import Store
 
 DAY_S = 86_400.0
@@ -86,7 +87,7 @@ def list_keys(files: AdminFiles, _args: argparse.Namespace) -> None:
 
 async def _keys_of(url: str) -> list[PublicKey]:
     async with opened_store(url) as store:
-        return await store.keys()
+        return await RecordStore(store.transactions).keys()
 
 
 def rotate_key(files: AdminFiles, _args: argparse.Namespace) -> None:

@@ -45,7 +45,8 @@ from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.manifest import without_sealed_seeds
 from reference_server.rules.run import Episode, PublicKey, RunHead
-from reference_server.storage.store import NotTheNext, Store, StoreFailed
+from reference_server.storage.record_store import NotTheNext, RecordStore
+from reference_server.storage.store import Store, StoreFailed
 from reference_server.system.private_files import restrict
 from reference_sim.engine import engine_fingerprint
 
@@ -92,6 +93,7 @@ class RunRecords:
         self, store: Store, recordings: Recordings, settings: HostSettings
     ) -> None:
         self._store, self._recordings, self._settings = store, recordings, settings
+        self._signed = RecordStore(store.transactions)
         # One statement after another: each names the one before.
         self._signing = asyncio.Lock()
         self._removing: asyncio.Task[None] | None = None
@@ -110,7 +112,7 @@ class RunRecords:
 
     async def use_key(self) -> None:
         """Store that its key signs from now on, and no other. Raises StoreFailed."""
-        await self._store.use_key(self._key.keyid, self._key.public_key, time.time())
+        await self._signed.use_key(self._key.keyid, self._key.public_key, time.time())
 
     @property
     def key(self) -> SigningKey:
@@ -202,7 +204,7 @@ class RunRecords:
 
     async def keys(self) -> list[PublicKey]:
         """REC-101: every key that signed, the newest first."""
-        return await self._store.keys()
+        return await self._signed.keys()
 
     async def key_names(self) -> dict[str, str]:
         """keyid → whose key it is: REC-117, those of others and every one of ours."""
@@ -238,7 +240,7 @@ class RunRecords:
         )
         try:
             files = await asyncio.to_thread(read)
-            statement = await self._store.find_statement(run.run_id)
+            statement = await self._signed.find_statement(run.run_id)
             if statement is None:
                 return await self._sign(run, episodes, score, files)
         except (OSError, UnusableRecord) as error:
@@ -260,7 +262,7 @@ class RunRecords:
         """
         async with self._signing:
             while True:
-                statement = await self._store.find_statement(run.run_id)
+                statement = await self._signed.find_statement(run.run_id)
                 if statement is not None:
                     reopen = partial(_reopened, run.run_id, files, statement)
                     return await asyncio.to_thread(reopen)
@@ -268,7 +270,7 @@ class RunRecords:
                 record = await asyncio.to_thread(files.sign, evaluation, self._key)
                 statement = b"".join(record.contents[STATEMENT].blocks())
                 try:
-                    await self._store.add_statement(
+                    await self._signed.add_statement(
                         run.run_id,
                         statement,
                         record.statement_sha256,
@@ -315,8 +317,8 @@ class RunRecords:
             host=host_of(self._settings.name, self._key),
             started_at=timestamp(int(run.created_at_wall * 1e9)),
             finished_at=timestamp(int(last * 1e9)),
-            attempts_by_submitter=await self._store.count_attempts(run),
-            previous_statement_sha256=await self._store.last_statement_sha256(),
+            attempts_by_submitter=await self._signed.count_attempts(run),
+            previous_statement_sha256=await self._signed.last_statement_sha256(),
             promise=self._settings.promise,
         )
 

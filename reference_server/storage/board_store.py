@@ -22,9 +22,12 @@ from reference_server.rules.board.entry_changes import (
     withdraw,
 )
 from reference_server.rules.capacity import Quota
+from reference_server.storage import account_statements
 from reference_server.storage.column_types import any_number
 from reference_server.storage.database_tables import entries as _entries
 from reference_server.storage.database_tables import history as _leaves
+from reference_server.storage.record_store import RecordStore
+from reference_server.storage.run_statements import is_deleted
 from reference_server.storage.store import RunIsKept, Store
 
 _NUMBERED = sa.select(_entries.c.number, _entries.c.entry)
@@ -51,7 +54,8 @@ class BoardStore:
     """
 
     def __init__(self, store: Store, leaf_hash: Callable[[bytes], bytes]) -> None:
-        self._store, self._leaf_hash = store, leaf_hash
+        self._transactions, self._leaf_hash = store.transactions, leaf_hash
+        self._records = RecordStore(store.transactions)
         store.before_delete(self._release_run)
 
     async def change(
@@ -70,8 +74,8 @@ class BoardStore:
         """
 
         def store(connection: sa.Connection) -> Changed:
-            self._store.lock_order(connection)
-            if needs_run and self._store.is_deleted(connection, run_id):
+            self._transactions.lock_order(connection)
+            if needs_run and is_deleted(connection, run_id):
                 raise RunDeleted(run_id)
             before = _entry_of_run(connection, run_id)
             change = decide(before)
@@ -82,15 +86,15 @@ class BoardStore:
             if change.leaf is not None:
                 if check is not None:
                     account = change.entry.account
-                    check(self._store.usage_in(connection, account))
+                    check(account_statements.usage_of(connection, account))
                 size = self._append(connection, change.leaf)
                 if is_of_account(change.leaf):
                     kept = size
-                    self._store.count_kept(connection, run_id, kept)
+                    account_statements.count_kept(connection, run_id, kept)
             entry = replace(change.entry, number=number)
             return Changed(entry, before is None, kept)
 
-        return await self._store.write_in_turn(store)
+        return await self._transactions.write_in_turn(store)
 
     def _append(self, connection: sa.Connection, members: Mapping[str, Any]) -> int:
         """Returns the bytes of the leaf."""
@@ -167,7 +171,7 @@ class BoardStore:
         """(account, benchmark) → how many of its runs were submitted until now."""
         accounts = {entry.account for entry in entries}
         benchmarks = {entry.benchmark_id for entry in entries}
-        return await self._store.attempts_of(accounts, benchmarks)
+        return await self._records.attempts_of(accounts, benchmarks)
 
     # --- history ---
 
@@ -175,19 +179,19 @@ class BoardStore:
         """Leaves by index, oldest first."""
         query = sa.select(_leaves.c.leaf).where(_leaves.c.index >= any_number(start))
         query = query.order_by(_leaves.c.index).limit(limit)
-        return await self._store.read(lambda c: list(c.scalars(query)))
+        return await self._transactions.read(lambda c: list(c.scalars(query)))
 
     async def leaf_hashes(self, start: int) -> list[bytes]:
         """The hashes of all leaves from an index on."""
         query = sa.select(_leaves.c.leaf_sha256).where(_leaves.c.index >= start)
         query = query.order_by(_leaves.c.index)
-        return await self._store.read(lambda c: list(c.scalars(query)))
+        return await self._transactions.read(lambda c: list(c.scalars(query)))
 
     async def _first(self, query: sa.Select[Any]) -> BoardEntry | None:
         return next(iter(await self._all(query)), None)
 
     async def _all(self, query: sa.Select[Any]) -> list[BoardEntry]:
-        return await self._store.read(
+        return await self._transactions.read(
             lambda connection: [_entry_of(*row) for row in connection.execute(query)]
         )
 

@@ -28,25 +28,25 @@ class ImportStore:
     """All imports. Raises StoreFailed, as the store does."""
 
     def __init__(self, store: Store) -> None:
-        self._store = store
+        self._transactions = store.transactions
 
     async def add(self, one: RecordImport) -> None:
         """Store a new one; it gets its number from the database."""
         row = _row_of(one)
         del row["number"]
-        async with self._store.write() as connection:
+        async with self._transactions.write() as connection:
             await connection.execute(_imports.insert().values(row))
 
     async def update(self, one: RecordImport) -> None:
         """Store what changes of one; nothing if it was deleted."""
         where = _imports.c.import_id == one.import_id
-        async with self._store.write() as connection:
+        async with self._transactions.write() as connection:
             await connection.execute(
                 _imports.update().where(where).values(_row_of(one))
             )
 
     async def delete(self, import_id: str) -> None:
-        async with self._store.write() as connection:
+        async with self._transactions.write() as connection:
             where = _imports.c.import_id == import_id
             await connection.execute(_imports.delete().where(where))
 
@@ -77,21 +77,22 @@ class ImportStore:
 
     async def ids(self) -> set[str]:
         query = sa.select(_imports.c.import_id)
-        return await self._store.read(lambda c: set(c.scalars(query)))
+        return await self._transactions.read(lambda c: set(c.scalars(query)))
 
     async def usage(self, account: str) -> ImportUsage:
         query = sa.select(
             sa.func.count().filter(_IS_UNFINISHED),
             sa.func.coalesce(sa.func.sum(_imports.c.size_bytes), 0),
         ).where(_imports.c.account == account)
-        waiting, size = await self._store.read(lambda c: c.execute(query).one())
+        waiting, size = await self._transactions.read(lambda c: c.execute(query).one())
         return ImportUsage(int(waiting), int(size))
 
     async def _first(self, query: sa.Select[Any]) -> RecordImport | None:
         return next(iter(await self._all(query.limit(1))), None)
 
     async def _all(self, query: sa.Select[Any]) -> list[RecordImport]:
-        rows = await self._store.read(lambda c: c.execute(query).mappings().all())
+        read = self._transactions.read
+        rows = await read(lambda c: c.execute(query).mappings().all())
         return [_import_of(dict(row)) for row in rows]
 
 

@@ -112,12 +112,12 @@ class NodeStore:
     """The list of nodes, and the owners of runs."""
 
     def __init__(self, store: Store, lease_s: float) -> None:
-        self._store, self.lease_s = store, lease_s
+        self._transactions, self.lease_s = store.transactions, lease_s
         self._lives = _silent_s <= lease_s
 
     async def facts(self) -> dict[str, str]:
         """What must be equal on all nodes, by name, as it is stored for the cluster."""
-        return await self._store.read(_read_facts)
+        return await self._transactions.read(_read_facts)
 
     async def agree_on(
         self, facts: Mapping[str, str], url: str, lasting: Collection[str]
@@ -134,7 +134,7 @@ class NodeStore:
         others = sa.select(_nodes.c.node_id).where(_nodes.c.url != url, self._lives)
 
         def store(connection: sa.Connection) -> dict[str, str]:
-            self._store.lock_order(connection)
+            self._transactions.lock_order(connection)
             known = _read_facts(connection)
             is_alone = connection.execute(others).first() is None
             if is_alone and any(
@@ -153,7 +153,7 @@ class NodeStore:
                 known[name] = value
             return known
 
-        return await self._store.write_in_turn(store)
+        return await self._transactions.write_in_turn(store)
 
     async def join(self, node: Node, *, is_new: bool = False) -> None:
         """Add a node. Raises StoreFailed if another one at its address lives.
@@ -163,7 +163,7 @@ class NodeStore:
         row = node._asdict() | {"renewed_at": _Now()}
         earlier = _nodes.c.url == node.url
         is_removed = earlier if is_new else earlier & ~self._lives
-        async with self._store.write_of_node() as connection:
+        async with self._transactions.write_of_node() as connection:
             await connection.execute(_nodes.delete().where(is_removed))
             if (await connection.execute(sa.select(_nodes).where(earlier))).first():
                 raise StoreFailed(
@@ -175,13 +175,13 @@ class NodeStore:
     async def renew(self, node_id: str) -> bool:
         """Renew the lease of a node; False if it was removed."""
         renewed = _nodes.update().where(_nodes.c.node_id == node_id)
-        async with self._store.write_of_node() as connection:
+        async with self._transactions.write_of_node() as connection:
             done = await connection.execute(renewed.values(renewed_at=_Now()))
             return done.rowcount == 1
 
     async def leave(self, node_id: str) -> None:
         """Remove a node: others may claim its runs at once."""
-        async with self._store.write_of_node() as connection:
+        async with self._transactions.write_of_node() as connection:
             await connection.execute(_nodes.delete().where(_nodes.c.node_id == node_id))
 
     async def listed(self) -> dict[str, ListedNode]:
@@ -193,7 +193,7 @@ class NodeStore:
             rows = connection.execute(query)
             return {row[0]: ListedNode(Node(*row[:-1]), row[-1]) for row in rows}
 
-        return await self._store.read_of_node(fetch)
+        return await self._transactions.read_of_node(fetch)
 
     async def owner_of(self, run_id: str) -> StoredOwner | None:
         """None if there is no such run."""
@@ -207,7 +207,7 @@ class NodeStore:
             row = connection.execute(query).first()
             return None if row is None else StoredOwner(*row)
 
-        return await self._store.read(fetch)
+        return await self._transactions.read(fetch)
 
     async def remove_silent(self, node_id: str) -> bool:
         """Remove a node whose lease is over; False if it was renewed meanwhile.
@@ -216,7 +216,7 @@ class NodeStore:
         the same row, and the second one sees what the first one did.
         """
         removed = _nodes.delete().where(_nodes.c.node_id == node_id, ~self._lives)
-        async with self._store.write_of_node() as connection:
+        async with self._transactions.write_of_node() as connection:
             return (await connection.execute(removed)).rowcount == 1
 
     async def claim(
@@ -246,7 +246,7 @@ class NodeStore:
                 reason=sa.case((is_in_play, reason), else_=_runs.c.reason),
             )
         )
-        async with self._store.write_of_node() as connection:
+        async with self._transactions.write_of_node() as connection:
             return (await connection.execute(claimed)).rowcount == 1
 
     async def queue(self, known: Sequence[str]) -> StoredQueue:
@@ -262,7 +262,7 @@ class NodeStore:
                 left += [_owned_run(*row) for row in connection.execute(_LEFT, some)]
             return StoredQueue(queued, left)
 
-        return await self._store.read(fetch)
+        return await self._transactions.read(fetch)
 
     async def take(
         self,
@@ -291,14 +291,14 @@ class NodeStore:
                 updated_at_wall=sa.case((before > now, before), else_=now),  # RUN-021
             )
         )
-        async with self._store.write_of_node() as connection:
+        async with self._transactions.write_of_node() as connection:
             return (await connection.execute(taken)).rowcount == 1
 
     async def let_go(self, run_ids: Sequence[str], node_id: str) -> None:
         """Runs of a node that wait, and are held no more: others may take them."""
         of_node = _runs.c.run_id.in_(run_ids) & (_runs.c.owner == node_id)
         change = _runs.update().where(of_node, _IS_QUEUED, _IS_HELD)
-        async with self._store.write_of_node() as connection:
+        async with self._transactions.write_of_node() as connection:
             await connection.execute(change.values(queue_until_wall=0.0))
 
     async def without_owner(self, states: list[State], limit: int) -> list[str]:
@@ -311,7 +311,7 @@ class NodeStore:
             .order_by(_runs.c.number)
             .limit(limit)
         )
-        return await self._store.read(lambda c: list(c.scalars(query)))
+        return await self._transactions.read(lambda c: list(c.scalars(query)))
 
 
 def _owned_run(*row: Any) -> OwnedRun:

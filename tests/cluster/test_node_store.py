@@ -66,7 +66,7 @@ class Nodes:
     async def let_lease_end(self, node: Node) -> None:
         """As if the node had not renewed it for long."""
         change = sa.text("UPDATE nodes SET renewed_at = renewed_at - 99 WHERE url = :u")
-        async with self.stores[0].write() as connection:
+        async with self.stores[0].transactions.write() as connection:
             await connection.execute(change, {"u": node.url})
 
     async def claim(self, run: Run, node: Node, store: int = 1) -> bool:
@@ -267,7 +267,7 @@ async def test_a_claim_that_was_stored_without_an_answer_is_found(
 async def move_to_dead_node(nodes: Nodes, run: Run) -> None:
     """Another one than those of the list took the run, and died."""
     change = sa.text("UPDATE runs SET owner = 'third', fence = 7 WHERE run_id = :r")
-    async with nodes.stores[0].write() as connection:
+    async with nodes.stores[0].transactions.write() as connection:
         await connection.execute(change, {"r": run.run_id})
 
 
@@ -455,7 +455,7 @@ async def test_a_node_that_is_paused_in_a_transaction_locks_nothing_for_long(
         renewed = node_rows.update().where(node_rows.c.node_id == "first")
 
         async def renew_and_pause() -> None:
-            async with nodes.stores[0].write() as connection:
+            async with nodes.stores[0].transactions.write() as connection:
                 await connection.execute(renewed.values(renewed_at=0.0))
                 async with asyncio.timeout(5):
                     assert await nodes.nodes[1].renew("first")
@@ -474,7 +474,7 @@ async def test_a_request_does_not_wait_long_for_a_lease(
         member = await member_of(nodes, store=nodes.nodes[0], lease_s=0.0)
         with monkeypatch.context() as patched:
             patched.setattr(membership_module, "LATE_LEASE_S", 0.05)
-            async with nodes.stores[0].write(), asyncio.timeout(5):
+            async with nodes.stores[0].transactions.write(), asyncio.timeout(5):
                 with pytest.raises(StoreFailed, match="could not be renewed"):
                     await member.ensure_lease()
         await member.ensure_lease()
@@ -563,7 +563,10 @@ async def test_a_claim_waits_for_no_node_that_is_paused_while_it_writes(
     async with opened(database) as nodes:
         run = await nodes.add_run(THIRD)
         lock = sa.text("SELECT number FROM runs FOR UPDATE")
-        async with nodes.stores[0].write() as connection, asyncio.timeout(5):
+        async with (
+            nodes.stores[0].transactions.write() as connection,
+            asyncio.timeout(5),
+        ):
             await connection.execute(lock)
             with pytest.raises(StoreFailed, match="lock timeout"):
                 await nodes.claim(run, SECOND)

@@ -29,7 +29,7 @@ from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService, RankedEntries
 from reference_server.storage import database_tables
 from reference_server.storage.board_store import BoardStore
-from reference_server.storage.store import Store
+from reference_server.storage.record_store import RecordStore
 from reference_server.views import board_views
 from tests.mutants import Json, instead_of, mutant, put
 

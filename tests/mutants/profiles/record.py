@@ -22,9 +22,9 @@ from reference_server.records import recordings, run_records
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import RunRecords
 from reference_server.runs import service
-from reference_server.storage import store
+from reference_server.storage import record_store, store
 from reference_server.storage.database_tables import signing_keys
-from reference_server.storage.store import Store
+from reference_server.storage.record_store import RecordStore
 from reference_server.views import run_views
 from tests.mutants import Json, instead_of, mutant, put
 
@@ -140,22 +140,23 @@ async def sends_records_to_every_account(
 @mutant("REC-109")
 def signs_a_record_anew_each_time() -> None:
     """Two people hold two records of one run, and each doubts the other's."""
-    right = Store.add_statement
+    right = RecordStore.add_statement
 
-    async def find(_self: Store, _run_id: str) -> None:
+    async def find(_self: RecordStore, _run_id: str) -> None:
         return None
 
-    async def add(self: Store, run_id: str, *statement: Any) -> None:
+    async def add(self: RecordStore, run_id: str, *statement: Any) -> None:
         await right(self, f"{run_id}-{secrets.token_hex(4)}", *statement)
 
-    put(Store, "find_statement", find)
-    put(Store, "add_statement", add)
+    put(RecordStore, "find_statement", find)
+    put(RecordStore, "add_statement", add)
 
 
 @mutant("REC-110")
 def counts_every_run_as_the_first() -> None:
     """The best of a hundred runs looks like the only one."""
-    put(store, "_last_attempt", lambda _run: sa.select(sa.literal(0)))
+    for module in (store, record_store):
+        put(module, "last_attempt", lambda _run: sa.select(sa.literal(0)))
 
 
 @mutant("REC-111")

@@ -119,7 +119,9 @@ async def test_a_run_is_deleted_or_published_and_never_both(tmp_path: Path) -> N
             return_exceptions=True,
         )
         is_there = "run_2" in await parts.store.heads(["run_2"])
-        assert is_there == bool(await parts.store.read(entries_of("run_2")))
+        assert is_there == bool(
+            await parts.store.transactions.read(entries_of("run_2"))
+        )
         deleted = await parts.registry.get("run_1")
         await board.withdraw("alice", "run_1")
         await parts.service.delete_run("alice", "run_1")

@@ -16,6 +16,7 @@ from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.run import Run
 from reference_server.runs.admission.account_usage import AccountUsage
+from reference_server.storage.record_store import RecordStore
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.store import StoreFailed
 from reference_server.system import hourly_work
@@ -128,14 +129,15 @@ async def test_all_that_is_stored_goes_and_the_run_stays_counted(
         turn = await parts.executor.attach(first, Attach("w", "key"))
         await parts.executor.predict(first, predict_command(turn, end=1))
         await parts.service.stop_run("alice", "run_1")
-        await parts.store.add_statement("run_1", b"statement", "0" * 64, None)
+        signed = RecordStore(parts.store.transactions)
+        await signed.add_statement("run_1", b"statement", "0" * 64, None)
         assert count_rows(parts.path, "episodes") == 1
         await parts.service.delete_run("alice", "run_1")
         assert not await is_there(parts, "run_1")
         assert count_rows(parts.path, "episodes") == 0
         assert recordings.run_ids() == []
-        assert await parts.store.find_statement("run_1") == b""
-        assert await parts.store.last_statement_sha256() == "0" * 64
+        assert await signed.find_statement("run_1") == b""
+        assert await signed.last_statement_sha256() == "0" * 64
         assert await parts.store.deleted_ids(["run_1", "run_2"]) == {"run_1"}
         second = await submit(parts, "run_2")
         await play_one_action(parts, second)

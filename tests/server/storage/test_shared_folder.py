@@ -30,7 +30,8 @@ from reference_server.records.shared_folder import (
 from reference_server.rules.run import Recording, Result
 from reference_server.settings import Settings
 from reference_server.storage.node_store import Node, NodeStore
-from reference_server.storage.store import NotTheNext, Store
+from reference_server.storage.record_store import NotTheNext, RecordStore
+from reference_server.storage.store import Store
 from tests.support.server.databases import UsedDatabase
 
 LEASE_S = 60.0
@@ -209,12 +210,12 @@ async def test_a_statement_names_the_last_one(database: UsedDatabase) -> None:
         await store.add_statement("run_1", b"1", "sha of 1", None)
         for late in (None, "sha of 2"):
             with pytest.raises(NotTheNext):
-                await store.add_statement("run_2", b"2", "sha of 2", late)
+                await records.add_statement("run_2", b"2", "sha of 2", late)
         with pytest.raises(NotTheNext):
-            await store.add_statement("run_1", b"again", "sha of it", "sha of 1")
-        await store.add_statement("run_2", b"2", "sha of 2", "sha of 1")
-        assert await store.last_statement_sha256() == "sha of 2"
-        assert await store.find_statement("run_1") == b"1"
+            await records.add_statement("run_1", b"again", "sha of it", "sha of 1")
+        await records.add_statement("run_2", b"2", "sha of 2", "sha of 1")
+        assert await records.last_statement_sha256() == "sha of 2"
+        assert await records.find_statement("run_1") == b"1"
 
 
 async def test_nodes_add_one_statement_after_another(database: UsedDatabase) -> None:
@@ -222,13 +223,14 @@ async def test_nodes_add_one_statement_after_another(database: UsedDatabase) -> 
 
     async def sign(node: int) -> None:
         async with opened(database) as (store, _):
+            records = RecordStore(store.transactions)
             for number in range(5):
                 name = f"{node} {number}"
                 while True:
-                    last = await store.last_statement_sha256()
+                    last = await records.last_statement_sha256()
                     said = (last or "").encode()
                     try:
-                        await store.add_statement(name, said, name, last)
+                        await records.add_statement(name, said, name, last)
                     except NotTheNext:
                         continue
                     break

@@ -22,6 +22,7 @@ from reference_server.storage import postgresql as postgresql_module
 from reference_server.storage import store as store_module
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.import_store import ImportStore
+from reference_server.storage.record_store import RecordStore
 from reference_server.storage.store import Store, StoreFailed
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer
@@ -236,7 +237,7 @@ async def test_a_read_is_of_one_moment(database: UsedDatabase) -> None:
             database.execute("DELETE FROM episodes")
             return [first, connection.execute(count).scalar_one()]
 
-        assert await parts.store.read(look) == [1, 1]
+        assert await parts.store.transactions.read(look) == [1, 1]
         assert database.count("episodes") == 0
 
 
@@ -268,7 +269,7 @@ async def test_reads_are_read_only(database: UsedDatabase) -> None:
     async with open_server_parts(database) as parts:
         await save_runs(parts, three_episode_run())
         with pytest.raises(StoreFailed, match=r"read-?only"):
-            await parts.store.read(
+            await parts.store.transactions.read(
                 lambda connection: connection.execute(sa.text("DELETE FROM episodes"))
             )
         assert database.count("episodes") == 1
@@ -338,16 +339,16 @@ async def test_a_full_disk_is_seen_until_there_is_room(tmp_path: Path) -> None:
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = three_episode_run()
         await save_runs(parts, run)
-        await parts.store.check_writable()
+        await parts.store.transactions.check_writable()
         run.changed = {0}
         with full_disk():
             with pytest.raises(StoreFailed):
                 await parts.store.save(run)
             for _ in range(2):
                 with pytest.raises(StoreFailed):
-                    await parts.store.check_writable()
+                    await parts.store.transactions.check_writable()
         for _ in range(2):
-            await parts.store.check_writable()
+            await parts.store.transactions.check_writable()
         assert parts.database.count("accounts") == 0
         await parts.store.save(run)
 
@@ -393,7 +394,9 @@ async def test_slow_reads_leave_connections_for_writes(
     )
     async with open_server_parts(database) as parts:
         reads = [
-            asyncio.create_task(parts.store.read(lambda c: c.execute(sleep)))
+            asyncio.create_task(
+                parts.store.transactions.read(lambda c: c.execute(sleep))
+            )
             for _ in range(2 * postgresql_module.CONNECTIONS_MAX)
         ]
         full = postgresql_module.READS_MAX
@@ -402,11 +405,12 @@ async def test_slow_reads_leave_connections_for_writes(
         )
         await save_runs(parts, three_episode_run())
         with pytest.raises(StoreFailed, match="does not answer in time"):
-            await parts.store.find_statement("run_1")
+            await RecordStore(parts.store.transactions).find_statement("run_1")
         for read in reads:
             read.cancel()
         await asyncio.gather(*reads, return_exceptions=True)
-        assert await parts.store.find_statement("run_1") is None
+        records = RecordStore(parts.store.transactions)
+        assert await records.find_statement("run_1") is None
 
 
 async def test_closing_waits_for_a_write_whose_caller_was_cancelled(
@@ -425,7 +429,7 @@ async def test_closing_waits_for_a_write_whose_caller_was_cancelled(
         store = Store(database.url)
         await store.open()
         await store.insert(calibration_run(), None, "")
-        leaving = asyncio.create_task(store._write_at_once(write))
+        leaving = asyncio.create_task(store.transactions.write_at_once(write))
         await asyncio.to_thread(begun.wait, TIMEOUT_S)
         leaving.cancel()
         await asyncio.wait([leaving])
@@ -446,7 +450,7 @@ async def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:
         half_done, go_on = asyncio.Event(), asyncio.Event()
 
         async def fail() -> None:
-            async with store._transaction() as connection:
+            async with store.transactions.transaction() as connection:
                 await connection.exec_driver_sql("UPDATE runs SET reason = 'half'")
                 half_done.set()
                 await go_on.wait()

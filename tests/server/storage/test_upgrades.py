@@ -17,6 +17,7 @@ from alembic.script import ScriptDirectory
 from reference_server.rules.run import RunHead
 from reference_server.storage.database import Database
 from reference_server.storage.database_tables import TABLES
+from reference_server.storage.record_store import RecordStore
 from reference_server.storage.schema_version import MIGRATIONS, VERSIONS, Upgrade
 from reference_server.storage.store import Store, StoreFailed
 from tests.support.server.databases import UsedDatabase
@@ -174,7 +175,8 @@ def test_the_runs_of_the_first_version_are_there(database: UsedDatabase) -> None
         assert await parts.store.find_key("alice", "key of run_1") == ("sha", "run_1")
         await use_new_columns(parts, heads["run_1"])
         await save_scored_run(parts, "run_3")
-        assert await parts.store.count_attempts(heads["run_0"]) == 4
+        records = RecordStore(parts.store.transactions)
+        assert await records.count_attempts(heads["run_0"]) == 4
 
     run_scenario(database, save_runs)
     make_first_version(database)

@@ -1,0 +1,68 @@
+"""What each account has of what its quota bounds, as statements of a transaction."""
+
+from __future__ import annotations
+
+import sqlalchemy as sa
+
+from reference_server.rules.capacity import Quota
+from reference_server.rules.lifecycle import OPEN_STATES
+from reference_server.storage.database_tables import idempotency_keys as _keys
+from reference_server.storage.database_tables import runs as _runs
+from reference_server.storage.run_statements import IS_THERE
+
+# Rows may be older than the column.
+STORED_BYTES = sa.func.coalesce(
+    _runs.c.stored_bytes, sa.func.length(_runs.c.submission)
+)
+_FIND_KEY = sa.select(_keys.c.body_sha256, _keys.c.run_id).where(
+    _keys.c.account == sa.bindparam("account"), _keys.c.key == sa.bindparam("key")
+)
+_NEW_KEY = _keys.insert()
+
+
+def usage_of(connection: sa.Connection, account: str) -> Quota:
+    """How many open runs, keys and bytes the account has."""
+    is_open = sa.and_(IS_THERE, _runs.c.state.in_(OPEN_STATES))
+    count = sa.func.count()
+    query = sa.select(count.filter(is_open), sa.func.sum(STORED_BYTES))
+    of_account = query.where(_runs.c.account == account)
+    open_runs, stored = connection.execute(of_account).one()
+    keys = sa.select(count).select_from(_keys).where(_keys.c.account == account)
+    return Quota(open_runs, connection.scalar(keys) or 0, int(stored or 0))
+
+
+def sizes_of_accounts(
+    connection: sa.Connection,
+) -> tuple[dict[str, int], dict[str, int]]:
+    """Of each account the number of its Idempotency-Keys, and its stored bytes."""
+    counted = ((_keys, sa.func.count()), (_runs, sa.func.sum(STORED_BYTES)))
+    keys, sizes = (
+        connection.execute(
+            sa.select(table.c.account, count).group_by(table.c.account)
+        ).all()
+        for table, count in counted
+    )
+    return {a: int(n) for a, n in keys}, {a: int(n) for a, n in sizes}
+
+
+def count_kept(connection: sa.Connection, run_id: str, size: int) -> None:
+    """Count bytes that are kept for good because of a run."""
+    row = _runs.update().where(_runs.c.run_id == run_id)
+    connection.execute(row.values(stored_bytes=STORED_BYTES + size))
+
+
+def find_key(
+    connection: sa.Connection, account: str, key: str
+) -> tuple[str, str] | None:
+    """(body_sha256, run_id) of an account's Idempotency-Key, if it was used."""
+    row = connection.execute(_FIND_KEY, {"account": account, "key": key}).first()
+    return None if row is None else (row[0], row[1])
+
+
+def add_key(
+    connection: sa.Connection, account: str, key: str, body_sha256: str, run_id: str
+) -> None:
+    """The key has made this run of that body."""
+    of_key = {"account": account, "key": key}
+    made = {"body_sha256": body_sha256, "run_id": run_id}
+    connection.execute(_NEW_KEY, of_key | made)

@@ -1,0 +1,144 @@
+"""Reading and writing the database: one write after another, each one transaction.
+
+It knows the tables only for what holds for every write: that it can be stored, and in
+which order nodes write what has one order.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import asynccontextmanager, contextmanager
+
+import sqlalchemy as sa
+from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy.ext.asyncio import AsyncConnection
+
+from reference_server.storage.database import Database, Found, StoreFailed
+from reference_server.storage.database_tables import accounts as _accounts
+from reference_server.storage.database_tables import runs as _runs
+from reference_server.storage.schema_version import Upgrade
+
+_OF_NO_ACCOUNT = {"account": "", "counted": 0}
+# The row to lock for what belongs to the host, and not to one account.
+_OF_ALL_ACCOUNTS = "*"
+
+
+class OwnershipLost(StoreFailed):
+    """Another node has claimed the run: nothing of it was stored, nor will be."""
+
+
+class Transactions:
+    """The database of one server. is_shared: other nodes write to it, too."""
+
+    def __init__(self, url: str, *, is_shared: bool = False) -> None:
+        self._is_shared = is_shared
+        self._database = Database(url, is_shared=is_shared)
+        self.write_lock = asyncio.Lock()
+        self._last_write_failed = False
+
+    async def open(self, *, upgrade: bool = True) -> Upgrade | None:
+        """Create or upgrade the tables, as Database.open does it."""
+        return await self._database.open(upgrade=upgrade)
+
+    async def close(self) -> None:
+        await self._database.close()
+
+    @asynccontextmanager
+    async def transaction(self) -> AsyncIterator[AsyncConnection]:
+        with self._note_failure():
+            async with self._database.transaction() as connection:
+                yield connection
+
+    async def write_at_once(self, store: Callable[[sa.Connection], Found]) -> Found:
+        """A transaction of a caller that has the lock of writes."""
+        with self._note_failure():
+            return await self._database.write(store)
+
+    @contextmanager
+    def _note_failure(self) -> Iterator[None]:
+        try:
+            yield
+        except StoreFailed as error:
+            self._last_write_failed |= not isinstance(error, OwnershipLost)
+            raise
+
+    @asynccontextmanager
+    async def write(self) -> AsyncIterator[AsyncConnection]:
+        """A transaction after all writes before it. Raises StoreFailed."""
+        async with self.write_lock, self.transaction() as connection:
+            yield connection
+
+    @asynccontextmanager
+    async def write_of_node(self) -> AsyncIterator[AsyncConnection]:
+        """A transaction about nodes and owners, which no other write delays.
+
+        But in an SQLite file, which has one writer at a time. Raises StoreFailed.
+        """
+        if not self._database.has_node_connections:
+            async with self.write() as connection:
+                yield connection
+            return
+        async with self._database.node_transaction() as connection:
+            yield connection
+
+    async def read_of_node(self, fetch: Callable[[sa.Connection], Found]) -> Found:
+        """What `fetch` finds, which no other read delays. Raises StoreFailed."""
+        if not self._database.has_node_connections:
+            return await self.read(fetch)
+        async with self._database.node_transaction() as connection:
+            return await connection.run_sync(fetch)
+
+    async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
+        """What `store` returns, once all that it wrote is stored; as `write` does it.
+
+        store: runs in another thread. What it raises ends the transaction.
+        """
+        async with self.write_lock:
+            return await self.write_at_once(store)
+
+    async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
+        """What `fetch` finds, all of it as it was at one moment."""
+        return await self._database.read(fetch)
+
+    @asynccontextmanager
+    async def reading(self) -> AsyncIterator[AsyncConnection]:
+        """A transaction that reads alone; as Database.transaction_that_reads."""
+        async with self._database.transaction_that_reads() as connection:
+            yield connection
+
+    async def check_writable(self) -> None:
+        """Raises StoreFailed if no write can begin, or none is stored after a failure.
+
+        On a full disk writes begin. So after one that failed a row is written, and
+        deleted again, until that works.
+        """
+        nothing = _runs.update().where(sa.false()).values(state=_runs.c.state)
+        is_tried = self._last_write_failed
+        async with self.write() as connection:
+            await connection.execute(nothing)
+            if is_tried:
+                of_none = _accounts.c.account == ""
+                await connection.execute(_accounts.insert().values(_OF_NO_ACCOUNT))
+                await connection.execute(_accounts.delete().where(of_none))
+        if is_tried:
+            self._last_write_failed = False
+
+    def lock_account(self, connection: sa.Connection, account: str) -> None:
+        """Until its end, no other transaction that does this counts the account."""
+        if not self._is_shared:  # the lock of writes is enough
+            return
+        is_sqlite = connection.dialect.name == "sqlite"
+        insert = (sqlite if is_sqlite else postgresql).insert(_accounts)
+        known = insert.values(account=account, counted=0).on_conflict_do_nothing()
+        connection.execute(known)
+        counted = _accounts.update().where(_accounts.c.account == account)
+        connection.execute(counted.values(counted=_accounts.c.counted + 1))
+
+    def lock_order(self, connection: sa.Connection) -> None:
+        """To be called first by a transaction that adds to what has one order.
+
+        What it then reads no other node changes before it ends: the last statement, the
+        leaves of the leaderboard, an entry.
+        """
+        self.lock_account(connection, _OF_ALL_ACCOUNTS)
