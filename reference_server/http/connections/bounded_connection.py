@@ -3,8 +3,8 @@
 uvicorn queues pipelined requests without bound, reads headers of any size and waits for
 them for ever. Here one request is read at a time: what follows it stays unread, but for
 one small buffer, until its answer is sent. What breaks a bound is refused (408, 414,
-431, 503) or closed. The limits are in `connection_limits.py`; this file knows no
-operation of the protocol.
+431, 503) or closed. The limits are in `connection_limits.py`, the names of uvicorn that
+this depends on in `uvicorn_protocol.py`; this file knows no operation of the protocol.
 """
 
 from __future__ import annotations
@@ -16,8 +16,6 @@ from typing import Any
 
 import httptools
 from uvicorn.config import Config
-from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
-from uvicorn.server import ServerState
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.connections.connection_limits import (
@@ -26,14 +24,19 @@ from reference_server.http.connections.connection_limits import (
     shared_address,
 )
 from reference_server.http.connections.joined_answer import JoinedAnswer
+from reference_server.http.connections.uvicorn_protocol import (
+    STATUS_LINE,
+    HttpToolsProtocol,
+    ServerState,
+)
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.system.counters import COUNTERS
 
 _HEAD_END = b"\r\n\r\n"
-# Of an end of a head, what may stand in the bytes before.
+# How many bytes of the end of a head may have come before the last of them.
 _HEAD_END_MISSING = len(_HEAD_END) - 1
-# Of a chunked body, what may stand around it: one byte for so many of its own.
+# The framing of a chunked body may have one byte for each four of the body.
 _BODY_PER_FRAMING = 4
 
 
