@@ -24,6 +24,7 @@ from pydantic_settings import CliSettingsSource, SettingsError
 from reference_record.broken import UnusableRecord
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -34,6 +35,7 @@ from reference_server.http.connections.draining_server import Drain, DrainingSer
 from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import TokenFile
+from reference_server.process import open_files
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.records.run_records import open_key
 from reference_server.records.shared_folder import NotShared, check_shared
@@ -41,9 +43,7 @@ from reference_server.settings import Settings
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed
-from reference_server.system import open_files
-from reference_server.system.log_output import log_config
-from reference_server.system.seed_secret import SeedSecret
+from reference_server.telemetry.log_output import log_config
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.process.ray.actor_process import CannotUseRay

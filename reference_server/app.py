@@ -35,13 +35,13 @@ from reference_server.monitoring.health import health_routes
 from reference_server.monitoring.metrics import ServerState, metrics_route
 from reference_server.monitoring.metrics_listener import MetricsListener
 from reference_server.monitoring.readiness import Readiness
+from reference_server.process.lifespan import CannotServe, end_server
 from reference_server.records.record_imports import RecordImports
 from reference_server.rules.run_owner import NodeRefused
 from reference_server.settings import Settings
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import StoreFailed
-from reference_server.system.counters import COUNTERS
-from reference_server.system.lifespan import CannotServe, end_server
+from reference_server.telemetry.counters import COUNTERS
 
 if typing.TYPE_CHECKING:
     from reference_server.monitoring.traces import Traces

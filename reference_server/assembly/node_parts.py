@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from reference_server.cluster.server_node import ServerNode
+from reference_server.process.lifespan import end_server
 from reference_server.records.run_records import RunRecords
 from reference_server.records.shared_folder import check_shared, show_node
 from reference_server.settings import Settings
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.store import Store, StoreFailed
-from reference_server.system.lifespan import end_server
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,8 @@ from functools import partial
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.assembly.stored_parts import StoredParts
 from reference_server.cluster.server_node import ServerNode
+from reference_server.files.seed_secret import SeedSecret
+from reference_server.process.hourly_work import HourlyWork
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
@@ -28,8 +30,6 @@ from reference_server.runs.service import (
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.storage.import_store import ImportStore
-from reference_server.system.hourly_work import HourlyWork
-from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
 

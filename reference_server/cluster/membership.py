@@ -34,7 +34,7 @@ from reference_server.rules.run_owner import (
 )
 from reference_server.storage.node_store import Node, NodeStore
 from reference_server.storage.store import StoreFailed
-from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.cluster")
 

@@ -14,8 +14,8 @@ from starlette.types import Scope
 from reference_server.cluster.membership import Membership
 from reference_server.rules.refusal import Refused
 from reference_server.storage.node_store import Node
-from reference_server.system.log_output import REQUEST_ID
-from reference_server.system.spans import traceparent
+from reference_server.telemetry.log_output import REQUEST_ID
+from reference_server.telemetry.spans import traceparent
 
 Headers: TypeAlias = list[tuple[bytes, bytes]]
 

@@ -26,7 +26,7 @@ from reference_server.cluster.node_requests import NodeRequests
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.storage.node_store import Node, NodeStore, StoredQueue
 from reference_server.storage.store import StoreFailed
-from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.cluster")
 

@@ -26,10 +26,10 @@ from reference_server.http.dispatch import (
 )
 from reference_server.http.pages.page_sessions import PATH as PAGES_PATH
 from reference_server.http.problems import problem_response
+from reference_server.process.lifespan import run_lifespan
 from reference_server.rules.refusal import Refused
-from reference_server.system.counters import COUNTERS
-from reference_server.system.lifespan import run_lifespan
-from reference_server.system.log_output import (
+from reference_server.telemetry.counters import COUNTERS
+from reference_server.telemetry.log_output import (
     ACCESS_LOG,
     REQUEST_ID,
     log_event,

@@ -33,7 +33,7 @@ from reference_server.http.auth import NO_ACCOUNT, SCOPES, Caller, Tokens, is_lo
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.storage.store import StoreFailed
-from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 _failures = RepeatedFailures(logging.getLogger("proctor.http"))
 

@@ -1,6 +1,6 @@
 """The metrics of a server as Prometheus reads them: the one user of its library.
 
-What happened is counted where it happens (`system/counters.py`); what is now is read
+What happened is counted where it happens (`telemetry/counters.py`); what is now is read
 when the page is asked for. Names follow the semantic conventions of OpenTelemetry where
 these have one, with the unit last. Labels have few values, all of them from the code:
 never an account, a run, a benchmark, a path or an address.
@@ -25,7 +25,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
-from reference_server.system.counters import BOUNDS_S, Counters, Durations
+from reference_server.telemetry.counters import BOUNDS_S, Counters, Durations
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ import logging
 import time
 from collections.abc import Awaitable, Callable, Mapping
 
-from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.app")
 

@@ -15,8 +15,8 @@ from typing import NamedTuple, Protocol
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_server.http.dispatch import OPERATION, PATH_PATTERNS
-from reference_server.system.log_output import REQUEST_ID
-from reference_server.system.spans import Span
+from reference_server.telemetry.log_output import REQUEST_ID
+from reference_server.telemetry.spans import Span
 
 _TRACEPARENT = re.compile(rb"00-([0-9a-f]{32})-([0-9a-f]{16})-([0-9a-f]{2})")
 # Balancers ask every second.

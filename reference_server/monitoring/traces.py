@@ -32,8 +32,8 @@ from opentelemetry.sdk.trace.export import (
 from opentelemetry.sdk.trace.sampling import ALWAYS_ON
 
 from reference_server.monitoring.request_spans import TraceParent
-from reference_server.system import spans
-from reference_server.system.spans import NOT_RECORDED, Span, Value
+from reference_server.telemetry import spans
+from reference_server.telemetry.spans import NOT_RECORDED, Span, Value
 
 log = logging.getLogger("proctor.traces")
 

@@ -44,8 +44,8 @@ from reference_server.runs.run_events import RunFollower
 from reference_server.runs.run_writer import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
-from reference_server.system.repeated_failures import RepeatedFailures
-from reference_server.system.spans import root_span
+from reference_server.telemetry.repeated_failures import RepeatedFailures
+from reference_server.telemetry.spans import root_span
 
 log = logging.getLogger("proctor.push")
 

@@ -33,8 +33,8 @@ from reference_server.push.egress import (
     HostNotResolved,
 )
 from reference_server.rules.refusal import Refused
-from reference_server.system.counters import COUNTERS, timed
-from reference_server.system.spans import span, traceparent
+from reference_server.telemetry.counters import COUNTERS, timed
+from reference_server.telemetry.spans import span, traceparent
 
 _PROBLEM_TEXT_MAX = 200
 # Of an answer; policy.yaml has it as what a server reads at least. Only actions may be

@@ -18,10 +18,10 @@ from reference_record.formats.opened_seeds import (
     OpenedSeeds,
     write_opened_seeds,
 )
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.admin_areas import AdminFiles, CannotDo, opened_store
 from reference_server.rules.manifest import Manifest, is_sealed, salt_of, seal
 from reference_server.rules.run import RunHead
-from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 

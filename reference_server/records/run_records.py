@@ -40,6 +40,7 @@ from reference_record.statement import (
     Statement,
     digests_by_name,
 )
+from reference_server.files.private_files import restrict
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import ENDED_STATES
@@ -47,7 +48,6 @@ from reference_server.rules.manifest import without_sealed_seeds
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.storage.record_store import NotTheNext, RecordStore
 from reference_server.storage.store import Store, StoreFailed
-from reference_server.system.private_files import restrict
 from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")

@@ -15,6 +15,7 @@ from typing import Any, cast
 
 import msgspec
 
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules import submission as submission_rules
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import (
@@ -26,7 +27,6 @@ from reference_server.rules.manifest import (
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import Selection
-from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 
 CACHED_CONFIGS_MAX = 256

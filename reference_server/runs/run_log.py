@@ -12,8 +12,8 @@ from weakref import WeakKeyDictionary
 
 from reference_server.rules.run import Episode, Run, Session, State
 from reference_server.runs.run_events import Departure, RunFollower
-from reference_server.system.counters import COUNTERS
-from reference_server.system.log_output import log_event
+from reference_server.telemetry.counters import COUNTERS
+from reference_server.telemetry.log_output import log_event
 
 log = logging.getLogger("proctor.runs")
 

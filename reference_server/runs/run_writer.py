@@ -33,9 +33,9 @@ from reference_server.storage.store import (
     Store,
     StoreFailed,
 )
-from reference_server.system.counters import COUNTERS, timed
-from reference_server.system.repeated_failures import RepeatedFailures
-from reference_server.system.spans import span
+from reference_server.telemetry.counters import COUNTERS, timed
+from reference_server.telemetry.repeated_failures import RepeatedFailures
+from reference_server.telemetry.spans import span
 
 log = logging.getLogger("proctor.runs")
 

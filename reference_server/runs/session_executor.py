@@ -19,6 +19,7 @@ import time
 from collections.abc import Awaitable
 from typing import Any
 
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import (
@@ -39,9 +40,8 @@ from reference_server.runs.run_events import Departure, RunFollower
 from reference_server.runs.run_log import log_attached
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_server.storage.store import StoreFailed
-from reference_server.system.counters import COUNTERS
-from reference_server.system.seed_secret import SeedSecret
-from reference_server.system.spans import Span, session_name, span
+from reference_server.telemetry.counters import COUNTERS
+from reference_server.telemetry.spans import Span, session_name, span
 from reference_server.views import turn_view
 from reference_sim.process.pool import (
     ChunkReply,

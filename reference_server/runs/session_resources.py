@@ -16,6 +16,7 @@ from typing import Any
 
 import msgspec
 
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
 from reference_server.rules.capacity import LentSimulator, session_to_end
 from reference_server.rules.lifecycle import lease_over
@@ -23,8 +24,7 @@ from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.run_log import log_left
-from reference_server.system.seed_secret import SeedSecret
-from reference_server.system.spans import span
+from reference_server.telemetry.spans import span
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 

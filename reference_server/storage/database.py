@@ -18,9 +18,9 @@ from typing import Any, TypeVar
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
+from reference_server.files import private_files
 from reference_server.storage import postgresql, schema_version
-from reference_server.system import private_files
-from reference_server.system.spans import span
+from reference_server.telemetry.spans import span
 
 Found = TypeVar("Found")
 

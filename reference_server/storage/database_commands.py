@@ -18,11 +18,11 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from reference_server.files import private_files
 from reference_server.storage import postgresql, schema_version
 from reference_server.storage.database import Database, StoreFailed
 from reference_server.storage.database_tables import episodes, manifests, runs
 from reference_server.storage.server_lock import lock_of
-from reference_server.system import private_files
 
 _OF_MANIFEST = runs.c.manifest_sha256 == manifests.c.manifest_sha256
 _OF_RUN = episodes.c.number == runs.c.number

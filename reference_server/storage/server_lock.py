@@ -21,9 +21,9 @@ from typing import Protocol
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection
 
+from reference_server.files import private_files
 from reference_server.storage import postgresql
 from reference_server.storage.database import StoreFailed, database_file, url_of
-from reference_server.system import private_files
 
 log = logging.getLogger("proctor.storage")
 

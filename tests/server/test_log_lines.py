@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from reference_server.system.log_output import (
+from reference_server.telemetry.log_output import (
     REQUEST_ID,
     JsonFormatter,
     TextFormatter,
@@ -175,7 +175,7 @@ def test_a_line_names_its_request_and_keeps_its_traceback() -> None:
 def test_lines_of_other_loggers_are_objects_too() -> None:
     program = (
         "import logging, logging.config\n"
-        "from reference_server.system.log_output import log_config\n"
+        "from reference_server.telemetry.log_output import log_config\n"
         "logging.config.dictConfig(log_config('info', 'json', access=False))\n"
         "for name in ('asyncio', 'reference_sim.process.pool', 'proctor.runs'):\n"
         "    logging.getLogger(name).error('broken')\n"

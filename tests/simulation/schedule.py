@@ -10,12 +10,12 @@ import random
 from dataclasses import dataclass
 from typing import cast
 
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules.refusal import Refused
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store, StoreFailed
-from reference_server.system.seed_secret import SeedSecret
 from reference_sim.process.pool import SimulatorPool
 from tests.simulation.chances import Chances
 from tests.simulation.history import History

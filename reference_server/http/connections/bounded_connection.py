@@ -31,7 +31,7 @@ from reference_server.http.connections.uvicorn_protocol import (
 )
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
-from reference_server.system.counters import COUNTERS
+from reference_server.telemetry.counters import COUNTERS
 
 _HEAD_END = b"\r\n\r\n"
 # How many bytes of the end of a head may have come before the last of them.

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from ipaddress import IPv6Address, ip_address
 from typing import Protocol
 
-from reference_server.system.freed_memory import FreedMemory
+from reference_server.process.freed_memory import FreedMemory
 
 # Of a request line and headers (LIM-001); browsers and proxies send a quarter.
 HEADER_BYTES = 2**15

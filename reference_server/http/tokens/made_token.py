@@ -13,8 +13,8 @@ import re
 import tempfile
 from pathlib import Path
 
+from reference_server.files.private_files import read_or_create, restrict
 from reference_server.http.auth import new_secret
-from reference_server.system.private_files import read_or_create, restrict
 
 
 class BadTokenFile(Exception):

@@ -18,8 +18,8 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
+from reference_server.files.private_files import create_empty, restrict
 from reference_server.http.auth import BadTokens, Caller, Tokens, parse_entry
-from reference_server.system.private_files import create_empty, restrict
 
 log = logging.getLogger("proctor.tokens")
 

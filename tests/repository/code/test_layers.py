@@ -76,31 +76,26 @@ PURE = sorted(
 # folder of reference_server → the other parts that it may import. A part is a folder or
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
-    "assembly": {
-        "cluster",
-        "http",
-        "monitoring",
-        "profiles",
-        "push",
-        "records",
-        "rules",
-    }
-    | {"reference_record", "reference_sim", "runs", "settings", "storage", "system"},
+    "assembly": {"cluster", "files", "http", "monitoring", "process", "profiles"}
+    | {"push", "records", "reference_record", "reference_sim", "rules", "runs"}
+    | {"settings", "storage"},
     "generated": set(),
     "rules": {"generated"},
-    "storage": {"rules", "system"},
-    "records": {"generated", "reference_record", "reference_sim", "rules", "storage"}
-    | {"system"},
-    "system": set(),
+    "storage": {"files", "rules", "telemetry"},
+    "records": {"files", "generated", "reference_record", "reference_sim", "rules"}
+    | {"storage", "telemetry"},
+    "files": set(),
+    "process": set(),
+    "telemetry": set(),
     "views": {"generated", "reference_record", "reference_sim", "rules"},
-    "runs": {"generated", "records", "reference_record", "reference_sim", "rules"}
-    | {"storage", "system", "views"},
-    "push": {"allowed_networks", "generated", "http", "rules", "runs"}
-    | {"storage", "system"},
-    "cluster": {"http", "rules", "runs", "storage", "system"},
-    "http": {"generated", "records", "reference_record", "rules", "runs", "settings"}
-    | {"storage", "system", "views"},
-    "monitoring": {"http", "system"},
+    "runs": {"files", "generated", "records", "reference_record", "reference_sim"}
+    | {"rules", "storage", "telemetry", "views"},
+    "push": {"allowed_networks", "files", "generated", "http", "rules", "runs"}
+    | {"storage", "telemetry"},
+    "cluster": {"http", "rules", "runs", "storage", "telemetry"},
+    "http": {"files", "generated", "process", "records", "reference_record", "rules"}
+    | {"runs", "settings", "storage", "telemetry", "views"},
+    "monitoring": {"http", "telemetry"},
     "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
 }
 # Of these two, a folder above them may know only what is named here.

@@ -15,7 +15,7 @@ import pytest
 from prometheus_client import Metric
 
 from reference_server.__main__ import main
-from reference_server.system.counters import BOUNDS_S, Durations, Outcomes, timed
+from reference_server.telemetry.counters import BOUNDS_S, Durations, Outcomes, timed
 from tests.support.metrics_page import METRICS, metrics_url, read_page
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TOKENS, ReferenceServer

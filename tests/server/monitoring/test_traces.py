@@ -18,7 +18,7 @@ from conformance.policy.scripted_policy import ScriptedPolicy
 from reference_server.__main__ import main
 from reference_server.monitoring.request_spans import TraceParent, read_traceparent
 from reference_server.monitoring.traces import Traces, endpoint_of
-from reference_server.system import spans
+from reference_server.telemetry import spans
 from tests.support.push_runs import ALLOW_LOOPBACK, play_push_run
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.server.otlp_collector import Collector, ReceivedSpan, collecting

@@ -5,9 +5,9 @@ from typing import Any
 
 import pytest
 
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks, SimulatorConfigs
-from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from tests.support.server.server_parts import calibration_run
 

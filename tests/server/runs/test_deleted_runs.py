@@ -10,6 +10,8 @@ from typing import Any
 
 import pytest
 
+from reference_server.process import hourly_work
+from reference_server.process.hourly_work import HourlyWork
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.capacity import Quota
@@ -19,8 +21,6 @@ from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.store import StoreFailed
-from reference_server.system import hourly_work
-from reference_server.system.hourly_work import HourlyWork
 from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (

@@ -16,7 +16,7 @@ from reference_server.rules.run import Run
 from reference_server.runs import run_writer
 from reference_server.runs.memory import recent_runs
 from reference_server.storage.store import StoreFailed
-from reference_server.system.log_output import REQUEST_ID
+from reference_server.telemetry.log_output import REQUEST_ID
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,

@@ -9,7 +9,7 @@ from reference_server.rules.lifecycle import Attach, Resume
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
 from reference_server.storage.store import StoreFailed
-from reference_server.system.counters import COUNTERS
+from reference_server.telemetry.counters import COUNTERS
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
 from reference_server.rules import effects
@@ -24,7 +25,6 @@ from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import Store
-from reference_server.system.seed_secret import SeedSecret
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
 from tests.support.server.databases import UsedDatabase

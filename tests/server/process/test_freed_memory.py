@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from reference_server.system import freed_memory
-from reference_server.system.freed_memory import LARGE_BYTES, FreedMemory
+from reference_server.process import freed_memory
+from reference_server.process.freed_memory import LARGE_BYTES, FreedMemory
 
 
 @pytest.mark.parametrize(

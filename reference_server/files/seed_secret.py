@@ -10,7 +10,7 @@ from __future__ import annotations
 import secrets
 from pathlib import Path
 
-from reference_server.system.private_files import read_or_create, restrict
+from reference_server.files.private_files import read_or_create, restrict
 
 _BYTES = 32
 

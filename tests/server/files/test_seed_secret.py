@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from reference_server.system.seed_secret import SeedSecret
+from reference_server.files.seed_secret import SeedSecret
 
 
 def test_the_secret_outlives_the_process_and_is_the_owners(tmp_path: Path) -> None:

@@ -4,7 +4,7 @@ import logging
 
 import pytest
 
-from reference_server.system.repeated_failures import RepeatedFailures
+from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 
 def test_each_cause_is_one_line_a_minute(caplog: pytest.LogCaptureFixture) -> None:

@@ -1,0 +1,1 @@
+"""The process of the server: start and end, memory, limits, work of each hour."""
