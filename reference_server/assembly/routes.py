@@ -9,7 +9,6 @@ from starlette.types import ASGIApp, Scope
 
 from reference_server.cluster.node_routes import NodeRoutes
 from reference_server.cluster.server_node import ServerNode
-from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.application import Endpoint, not_found
 from reference_server.http.auth import Tokens
 from reference_server.http.handlers import Handlers
@@ -19,6 +18,7 @@ from reference_server.monitoring.readiness import Readiness
 from reference_server.monitoring.request_spans import RequestSpans
 from reference_server.profiles.operation_tables import profile_tables
 from reference_server.settings import Settings
+from reference_server.settings.allowed_hosts import AllowedHosts
 
 if typing.TYPE_CHECKING:
     from reference_server.monitoring.traces import Traces

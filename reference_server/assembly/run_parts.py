@@ -29,6 +29,9 @@ from reference_server.runs.service import (
 )
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.settings import Settings
+from reference_server.settings.database_settings import DatabaseSettings
+from reference_server.settings.imported_record_settings import ImportedRecordSettings
+from reference_server.settings.run_limit_settings import RunSettings
 from reference_server.storage.import_store import ImportStore
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
@@ -64,7 +67,7 @@ class Secrets:
     policy_keys: KeyEncryption
 
     @classmethod
-    def of(cls, settings: Settings) -> Secrets:
+    def of(cls, settings: DatabaseSettings) -> Secrets:
         return cls(
             SeedSecret(settings.seed_secret_path),
             KeyEncryption(settings.sealing_key_path),
@@ -129,13 +132,13 @@ class RunParts:
         return cls(registry, executor, service, driver, retention)
 
 
-def _quota_of(settings: Settings) -> Quota:
+def _quota_of(settings: RunSettings) -> Quota:
     return Quota(
         settings.max_open_runs, settings.max_idempotency_keys, settings.max_stored_bytes
     )
 
 
-def _retention_of(settings: Settings, service: RunService) -> HourlyWork:
+def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
     """DEL-007."""
     keep_days = settings.runs_keep_days
     work = partial(service.delete_old, keep_days) if keep_days else None
@@ -151,7 +154,7 @@ def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
 
 
 def make_imports(
-    settings: Settings, stored: StoredParts, pool: SimulatorPool
+    settings: ImportedRecordSettings, stored: StoredParts, pool: SimulatorPool
 ) -> RecordImports | None:
     """None where no records are taken in. pool: of the replays of records."""
     if stored.records is None or not settings.takes_records:

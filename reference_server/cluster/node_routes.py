@@ -11,8 +11,9 @@ from typing import Any
 
 from starlette.types import ASGIApp
 
-from reference_server.cluster import owner_commands, shared_queue, views_elsewhere
+from reference_server.cluster import shared_queue
 from reference_server.cluster.forwarding import PageForwarding, RunForwarding
+from reference_server.cluster.requests import owner_commands, views_elsewhere
 from reference_server.cluster.server_node import ServerNode
 from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.runs.service import RunService

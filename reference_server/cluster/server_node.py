@@ -15,8 +15,8 @@ from starlette.types import Scope
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_headers import has_secret_of
-from reference_server.cluster.owner_commands import OwnerCommands
-from reference_server.cluster.views_elsewhere import ViewsElsewhere
+from reference_server.cluster.requests.owner_commands import OwnerCommands
+from reference_server.cluster.requests.views_elsewhere import ViewsElsewhere
 from reference_server.rules.run_owner import NodeRefused
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.store import StoreFailed

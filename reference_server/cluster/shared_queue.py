@@ -22,7 +22,7 @@ import msgspec
 from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
-from reference_server.cluster.node_requests import NodeRequests
+from reference_server.cluster.requests.node_requests import NodeRequests
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.storage.node_store import Node, NodeStore, StoredQueue
 from reference_server.storage.store import StoreFailed

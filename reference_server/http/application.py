@@ -15,7 +15,6 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
-from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import (
     ACCOUNT,
@@ -28,6 +27,7 @@ from reference_server.http.pages.page_sessions import PATH as PAGES_PATH
 from reference_server.http.problems import problem_response
 from reference_server.process.lifespan import run_lifespan
 from reference_server.rules.refusal import Refused
+from reference_server.settings.allowed_hosts import AllowedHosts
 from reference_server.telemetry.counters import COUNTERS
 from reference_server.telemetry.log_output import (
     ACCESS_LOG,

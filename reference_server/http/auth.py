@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 from starlette.requests import Request
 
-from reference_server.http.allowed_hosts import is_loopback
 from reference_server.rules.refusal import Refused
+from reference_server.settings.allowed_hosts import is_loopback
 
 SCOPES = frozenset({"read", "run"})
 HOST = "host"  # flags entries of the leaderboard (BRD-012)

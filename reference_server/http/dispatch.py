@@ -28,10 +28,10 @@ from reference_server.generated.parameters import (
 from reference_server.generated.parameters import PATH_PATTERNS as DESCRIBED_PATHS
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec, large_bodies
-from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.auth import NO_ACCOUNT, SCOPES, Caller, Tokens, is_local
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
+from reference_server.settings.allowed_hosts import AllowedHosts
 from reference_server.storage.store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 

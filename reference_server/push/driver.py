@@ -40,7 +40,7 @@ from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
-from reference_server.runs.run_events import RunFollower
+from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.run_writer import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed

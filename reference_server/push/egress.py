@@ -16,8 +16,8 @@ from ipaddress import IPv4Address, IPv6Network, ip_address, ip_network
 
 import httpcore
 
-from reference_server.allowed_networks import Address, AllowedNetworks, Network
 from reference_server.push.account_threads import AccountThreads
+from reference_server.settings.allowed_networks import Address, AllowedNetworks, Network
 
 # Look-ups at once, of all accounts and of one. The system's resolver blocks a thread,
 # for half a minute if a name server does not answer, and cannot be cancelled.

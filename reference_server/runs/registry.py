@@ -1,9 +1,9 @@
 """All runs of this server, for those who act on them: one face of four parts.
 
-`run_cache.py` has the runs in memory, `run_writer.py` stores them, `run_reader.py`
+`memory/run_cache.py` has those in memory, `run_writer.py` stores them, `run_reader.py`
 shows them, and `admission/` says which may be played. What follows from a change is
-published to whoever follows runs (`run_events.py`). Here is what needs several of them
-at once: a new run, a resumed one, the start and the end of the server.
+published to the parts that follow runs (`memory/run_events.py`). Here is what needs
+several of them at once: a new run, a resumed one, the start and the end of the server.
 
 It decides no rule, and knows no HTTP and no SQL. In a cluster it has the runs of its
 node alone; of others it shows what is stored.
@@ -15,6 +15,7 @@ import asyncio
 from collections import Counter
 from functools import partial
 
+from reference_server.process.background_work import BackgroundWork
 from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import (
     ACTIVE_STATES,
@@ -31,12 +32,11 @@ from reference_server.runs import steady_clock
 from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.runs.admission.places import Places
 from reference_server.runs.admission.run_admission import RunAdmission
-from reference_server.runs.background_work import BackgroundWork
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.memory.remote_runs import Ownership
+from reference_server.runs.memory.run_cache import RunCache
 from reference_server.runs.memory.run_changes import RunChange, RunChanges
-from reference_server.runs.run_cache import RunCache
-from reference_server.runs.run_events import RunEvents, RunFollower
+from reference_server.runs.memory.run_events import RunEvents, RunFollower
 from reference_server.runs.run_log import RunLog
 from reference_server.runs.run_reader import RunReader
 from reference_server.runs.run_writer import QuotaCheck, RunWriter

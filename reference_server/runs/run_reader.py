@@ -15,7 +15,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.rules.submission import may_see_run
 from reference_server.runs.admission.run_admission import RunAdmission
-from reference_server.runs.run_cache import RunCache
+from reference_server.runs.memory.run_cache import RunCache
 from reference_server.runs.run_writer import RunWriter
 from reference_server.storage.store import Store
 

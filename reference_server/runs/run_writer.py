@@ -19,14 +19,14 @@ import time
 from collections.abc import Callable
 from weakref import WeakKeyDictionary
 
+from reference_server.process.background_work import BackgroundWork
 from reference_server.rules.capacity import Quota
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.run_owner import OwnedElsewhere
-from reference_server.runs.background_work import BackgroundWork
 from reference_server.runs.memory.remote_runs import MovedRuns
-from reference_server.runs.run_cache import RunCache
-from reference_server.runs.run_events import Departure, RunEvents
+from reference_server.runs.memory.run_cache import RunCache
+from reference_server.runs.memory.run_events import Departure, RunEvents
 from reference_server.storage.store import (
     OwnershipLost,
     RunIsKept,

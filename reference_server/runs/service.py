@@ -51,8 +51,8 @@ from reference_server.rules.submission import (
     key_conflict,
 )
 from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.memory.score_cache import ScoreCache
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.score_cache import ScoreCache
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.store import RunIsKept
 from reference_server.views import run_views, turn_view

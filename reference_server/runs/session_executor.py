@@ -35,8 +35,8 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
+from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.run_events import Departure, RunFollower
 from reference_server.runs.run_log import log_attached
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_server.storage.store import StoreFailed

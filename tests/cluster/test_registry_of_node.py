@@ -18,8 +18,8 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs import run_writer, steady_clock
+from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.run_events import RunFollower
 from reference_server.storage.node_store import NodeStore, OwnedRun, StoredQueue
 from reference_server.storage.store import Store, StoreFailed
 from reference_server.telemetry.counters import COUNTERS

@@ -26,7 +26,7 @@ HEAD = """# Settings of the reference server
 
 Each is a flag of `python -m reference_server` and a variable of its environment; where
 both are given, the flag wins. Written by `python -m tests.server.test_settings` from
-`reference_server/settings.py`.
+`reference_server/settings/`.
 
 | name | flag | environment | default | values | meaning |
 |---|---|---|---|---|---|

@@ -28,7 +28,6 @@ from reference_record.pages.page_templates import (
     read_asset,
     render_page,
 )
-from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.codec import read_body
 from reference_server.http.pages import board_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
@@ -50,6 +49,7 @@ from reference_server.http.pages.page_sessions import (
     set_cookie,
 )
 from reference_server.rules.refusal import Refused
+from reference_server.settings.allowed_hosts import AllowedHosts
 
 log = logging.getLogger("proctor.pages")
 

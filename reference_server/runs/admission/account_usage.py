@@ -16,7 +16,7 @@ from reference_server.rules.capacity import (
 from reference_server.rules.lifecycle import OPEN_STATES, Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
-from reference_server.runs.run_events import Departure, RunFollower
+from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
 
 

@@ -15,6 +15,7 @@ import time
 from collections import deque
 from collections.abc import Mapping, Sequence
 
+from reference_server.process.background_work import BackgroundWork
 from reference_server.rules import effects
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.lifecycle import WAITING_STATES
@@ -27,16 +28,15 @@ from reference_server.runs import steady_clock
 from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.runs.admission.admission import Admission
 from reference_server.runs.admission.places import Places
-from reference_server.runs.background_work import BackgroundWork
 from reference_server.runs.memory.remote_runs import (
     OfferedRuns,
     OtherQueues,
     Ownership,
     has_newer_owner,
 )
+from reference_server.runs.memory.run_cache import RunCache
 from reference_server.runs.memory.run_changes import RunChanges
-from reference_server.runs.run_cache import RunCache
-from reference_server.runs.run_events import Departure, RunFollower
+from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.run_log import RunLog
 from reference_server.runs.run_writer import RunWriter
 from reference_server.storage.node_store import OwnedRun, StoredQueue

@@ -1,1 +1,1 @@
-"""Facts that are kept in memory beside the runs: nothing here awaits or stores."""
+"""The runs in memory, and facts that are kept there beside them."""

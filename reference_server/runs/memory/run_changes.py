@@ -6,7 +6,7 @@ import asyncio
 from weakref import WeakValueDictionary
 
 from reference_server.rules.run import Run
-from reference_server.runs.run_events import Departure, RunFollower
+from reference_server.runs.memory.run_events import Departure, RunFollower
 
 
 class RunChange(asyncio.Event):

@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 from reference_server.cluster.node_connections import NodeConnections
-from reference_server.cluster.node_requests import NodeRequests
+from reference_server.cluster.requests.node_requests import NodeRequests
 from reference_server.rules.refusal import Refused
 from reference_server.storage.node_store import Node
 

@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 from reference_server.cluster.node_connections import NodeConnections
-from reference_server.cluster.owner_commands import MOVES_MAX, OwnerCommands
+from reference_server.cluster.requests.owner_commands import MOVES_MAX, OwnerCommands
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs.service import CarryOut, RunCommand

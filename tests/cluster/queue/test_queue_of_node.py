@@ -9,8 +9,9 @@ from typing import Any, cast
 import msgspec
 import pytest
 
-from reference_server.cluster import node_requests, shared_queue
+from reference_server.cluster import shared_queue
 from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.requests import node_requests
 from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.rules.capacity import WaitingRun
 from reference_server.runs.admission.run_admission import RunAdmission

@@ -12,7 +12,7 @@ from reference_server.rules.lifecycle import Delete, Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.runs import service
-from reference_server.runs.run_events import Departure
+from reference_server.runs.memory.run_events import Departure
 from reference_server.runs.run_writer import RunWriter
 from reference_server.runs.service import RunService
 from reference_server.storage import database_tables, rows, store

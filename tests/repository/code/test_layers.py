@@ -81,6 +81,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"settings", "storage"},
     "generated": set(),
     "rules": {"generated"},
+    "settings": {"profiles", "reference_sim", "rules"},
     "storage": {"files", "rules", "telemetry"},
     "records": {"files", "generated", "reference_record", "reference_sim", "rules"}
     | {"storage", "telemetry"},
@@ -88,9 +89,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "process": set(),
     "telemetry": set(),
     "views": {"generated", "reference_record", "reference_sim", "rules"},
-    "runs": {"files", "generated", "records", "reference_record", "reference_sim"}
-    | {"rules", "storage", "telemetry", "views"},
-    "push": {"allowed_networks", "files", "generated", "http", "rules", "runs"}
+    "runs": {"files", "generated", "process", "records", "reference_record"}
+    | {"reference_sim", "rules", "storage", "telemetry", "views"},
+    "push": {"files", "generated", "http", "rules", "runs", "settings"}
     | {"storage", "telemetry"},
     "cluster": {"http", "rules", "runs", "storage", "telemetry"},
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}

@@ -231,7 +231,7 @@ async def test_a_publish_whose_caller_is_cancelled_is_counted_as_it_is_stored(
 
     async with board_of_two(tmp_path) as (parts, board):
         if not is_stored:
-            monkeypatch.setattr(parts.store, "_write_at_once", fail)
+            monkeypatch.setattr(parts.store.transactions, "write_at_once", fail)
         usage = parts.registry.usage
         before = usage._bytes.get("alice", 0)
         blocked = BlockedCall(monkeypatch, board._store, "change", after=is_stored)

@@ -15,7 +15,6 @@ import httpx
 import pytest
 
 from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
-from reference_server.allowed_networks import Address
 from reference_server.push import egress
 from reference_server.push.egress import (
     AddressNotAllowed,
@@ -23,6 +22,7 @@ from reference_server.push.egress import (
     HostNotResolved,
 )
 from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
+from reference_server.settings.allowed_networks import Address
 from tests.support.push_runs import ALLOW_LOOPBACK, play_push_run, push_submission
 from tests.support.server.certificates import create_certificate
 from tests.support.servers import ReferenceServer

@@ -9,8 +9,8 @@ import pytest
 
 from reference_server.rules import effects
 from reference_server.rules.run import Run
-from reference_server.runs import score_cache
-from reference_server.runs.score_cache import ScoreCache
+from reference_server.runs.memory import score_cache
+from reference_server.runs.memory.score_cache import ScoreCache
 from reference_server.storage.store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (

@@ -17,9 +17,9 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.types import Receive, Scope, Send
 
-from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.pages.page_routes import Pages
 from reference_server.rules.run import Result, Run
+from reference_server.settings.allowed_hosts import AllowedHosts
 from reference_server.views.run_views import episode_view, run_view, score_view
 from tests.support.pages.page_reader import fields_of
 from tests.support.server.server_parts import calibration_run

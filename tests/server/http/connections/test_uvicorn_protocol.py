@@ -48,7 +48,7 @@ def test_another_constructor_is_refused(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 def test_every_name_that_is_used_is_in_the_list() -> None:
-    """Of the cycle and the flow; of itself only a reader can tell them apart."""
+    """The names of the cycle and of the flow can be read in the source."""
     folder = Path(uvicorn_protocol.__file__).parent
     source = (folder / "bounded_connection.py").read_text()
     for part, of in (("cycle", "RequestResponseCycle"), ("flow", "FlowControl")):

@@ -12,9 +12,9 @@ from starlette.applications import Starlette
 from starlette.types import Message
 
 from reference_record.pages import page_templates
-from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.http.application import not_found
 from reference_server.http.pages.page_routes import Pages
+from reference_server.settings.allowed_hosts import AllowedHosts
 from tests.support.pages.page_api import RESULT, PageApi, client_of, sign_in
 
 

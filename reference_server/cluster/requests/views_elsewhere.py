@@ -16,7 +16,7 @@ import msgspec
 from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
-from reference_server.cluster.node_requests import NodeRequests
+from reference_server.cluster.requests.node_requests import NodeRequests
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
 from reference_server.storage.store import StoreFailed

@@ -12,7 +12,7 @@ Result = TypeVar("Result")
 class BackgroundWork:
     """All of it ends before the server does.
 
-    is_closed: the server ends. Whoever begins work by itself begins no more of it.
+    is_closed: the server ends. A part that begins work by itself begins no more of it.
     """
 
     def __init__(self) -> None:

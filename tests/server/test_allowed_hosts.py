@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from reference_server.http.allowed_hosts import AllowedHosts
 from reference_server.rules.refusal import Refused
+from reference_server.settings.allowed_hosts import AllowedHosts
 from tests.support.servers import ReferenceServer
 
 HOSTS = AllowedHosts.parse("Eval.example.org, *.example.net, [::1]")

@@ -15,7 +15,7 @@ import msgspec
 from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
-from reference_server.cluster.node_requests import NodeRequests
+from reference_server.cluster.requests.node_requests import NodeRequests
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs.service import CarryOut, RunCommand

@@ -21,7 +21,7 @@ from reference_server.runs import steady_clock
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.memory.recent_runs import RecentRuns
 from reference_server.runs.memory.remote_runs import Ownership
-from reference_server.runs.run_events import RunEvents
+from reference_server.runs.memory.run_events import RunEvents
 from reference_server.storage.store import Store, StoreFailed
 
 
@@ -117,7 +117,7 @@ class RunCache:
         self._events.loaded(loaded, stored)
 
     def add(self, run: Run) -> None:
-        """Whoever requests the run from now on gets this object of it."""
+        """Each request for the run gets this object of it from now on."""
         self._in_memory[run.run_id] = run
 
     def keep(self, run: Run) -> None:
@@ -127,11 +127,11 @@ class RunCache:
             self._recent.keep(run)
 
     def remove(self, run: Run) -> None:
-        """Whoever requests the run from now on reads it again."""
+        """The next request for the run reads it again."""
         self._in_memory.pop(run.run_id, None)
         self._recent.drop(run.run_id)
 
     def hold_until(self, run_id: str, leaving: asyncio.Task[None]) -> None:
-        """Whoever requests the run meanwhile waits for the end of its deletion."""
+        """A request for the run waits for the end of its deletion meanwhile."""
         self._leaving[run_id] = leaving
         leaving.add_done_callback(lambda _: self._leaving.pop(run_id))

@@ -1,0 +1,1 @@
+"""What nodes ask each other for themselves, and not for a client."""

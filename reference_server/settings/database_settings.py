@@ -1,0 +1,92 @@
+"""The database, and the files with secrets that are kept beside it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pydantic import BaseModel, Field
+
+
+class DatabaseSettings(BaseModel):
+    """The database, and the files with secrets that are kept beside it."""
+
+    database: str = Field(
+        "var/proctor.sqlite",
+        description="Path of an SQLite file, or the URL of a PostgreSQL database, "
+        "postgresql://USER:PASSWORD@HOST/NAME. One server at a time uses it, or the "
+        "nodes of one cluster.",
+    )
+    tokens: str = Field(
+        "",
+        description="Bearer tokens, comma-separated, each account:scopes:token. scopes "
+        "is read, run or read+run, with +read_all a reader of the runs of all "
+        "accounts, and with +host one who flags entries of the leaderboard; token is "
+        "the secret or sha256=<its hex digest>. If empty, one is made and printed. It "
+        "is kept in a file next to the SQLite file, and stays the same; with "
+        "PostgreSQL in var/postgresql.token.",
+    )
+    tokens_file: str = Field(
+        "",
+        description="File with more tokens, one on a line, each "
+        "account:scopes:sha256=HEX; `proctor admin token` writes it. It is read again "
+        "when it changes. If empty, a file next to the SQLite file; with PostgreSQL "
+        "var/postgresql.tokens.",
+    )
+    sealing_key: str = Field(
+        "",
+        description="File with the key that encrypts API keys of policy servers in the "
+        "database; created if missing. If empty, a file next to the SQLite file; with "
+        "PostgreSQL var/postgresql.key.",
+    )
+    seed_secret: str = Field(
+        "",
+        description="File with the secret that the seeds of sealed splits are drawn "
+        "with; created if missing. Servers that share a database share it. If empty, a "
+        "file next to the SQLite file; with PostgreSQL var/postgresql.seeds. With a "
+        "database in memory it is lost when the server stops.",
+    )
+
+    @property
+    def database_url(self) -> str:
+        """`database` as a SQLAlchemy URL."""
+        if "://" in self.database:
+            return self.database
+        return f"sqlite+aiosqlite:///{self.database}"
+
+    @property
+    def token_path(self) -> Path | None:
+        """The file of the token that is made if none is set; None: it is not kept."""
+        return self._beside_database("token")
+
+    @property
+    def tokens_file_path(self) -> Path | None:
+        """The file of tokens that may change while the server runs."""
+        return (
+            Path(self.tokens_file)
+            if self.tokens_file
+            else self._beside_database("tokens")
+        )
+
+    @property
+    def sealing_key_path(self) -> Path | None:
+        """The file of the key that encrypts API keys; None for a key in memory."""
+        return (
+            Path(self.sealing_key) if self.sealing_key else self._beside_database("key")
+        )
+
+    @property
+    def seed_secret_path(self) -> Path | None:
+        """The file of the secret of sealed seeds; None for a secret in memory."""
+        return (
+            Path(self.seed_secret)
+            if self.seed_secret
+            else self._beside_database("seeds")
+        )
+
+    def _beside_database(self, ending: str) -> Path | None:
+        """A file that is kept with the database; None for one that lasts no longer."""
+        if self.database.startswith("postgres"):
+            return Path(f"var/postgresql.{ending}")
+        if "://" in self.database or ":memory:" in self.database:
+            return None
+        return Path(f"{self.database}.{ending}")

@@ -1,0 +1,77 @@
+"""Where the server listens, who may call it, and how much one caller may send."""
+
+from __future__ import annotations
+
+from pydantic import BaseModel, Field, field_validator
+
+from reference_server.settings.allowed_hosts import AllowedHosts
+
+
+class NetworkSettings(BaseModel):
+    """Where the server listens, who may call it, and how much one caller may send."""
+
+    host: str = Field("127.0.0.1", description="Address to listen on.")
+    port: int = Field(
+        8460, ge=0, le=65535, description="Port to listen on; 0 chooses a free port."
+    )
+    public_url: str = Field(
+        "",
+        pattern=r"^(https?://\S+)?$",
+        description="Base URL at which clients reach this server, used in "
+        "run.endpoint. If empty, it is taken from each request.",
+    )
+    allowed_hosts: str = Field(
+        "",
+        description="Names that a request may have in its header Host, "
+        "comma-separated and without ports, for example eval.example.org or "
+        "*.example.org. If empty, any.",
+    )
+    wait_s_max: int = Field(
+        30, ge=0, le=600, description="Maximum wait of a long-poll, in seconds."
+    )
+    max_body_bytes: int = Field(
+        8 * 2**20, ge=2**16, description="Maximum size of a request body."
+    )
+    max_control_body_bytes: int = Field(
+        2**16,
+        ge=2**16,
+        description="Maximum size of the body of a request of this protocol that is no "
+        "predict.",
+    )
+    max_connections: int = Field(
+        2000,
+        ge=16,
+        description="Maximum open connections of clients; fewer if the limit of open "
+        "files is too low.",
+    )
+    max_connections_per_address: int = Field(
+        1500,
+        ge=1,
+        description="Maximum open connections of one client address (of IPv6, a /64 "
+        "network), at most three quarters of all. Behind a proxy all clients have its "
+        "address.",
+    )
+    max_event_streams: int = Field(
+        100,
+        ge=1,
+        description="Maximum open streams of events of one run; one account may have "
+        "four times as many.",
+    )
+    request_timeout_s: float = Field(
+        10.0,
+        ge=0.1,
+        le=600,
+        description="Maximum time for the headers of a request; its body, and an "
+        "answer that is slowly read, may take as long and 1 s more per 16 KiB.",
+    )
+
+    @field_validator("allowed_hosts")
+    @classmethod
+    def _check_hosts(cls, text: str) -> str:
+        AllowedHosts.parse(text)  # raises ValueError
+        return text
+
+    @property
+    def host_name(self) -> str:
+        """What records call this host."""
+        return self.public_url or self.host

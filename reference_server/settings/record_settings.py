@@ -1,0 +1,71 @@
+"""What is recorded of episodes, who signs it, and what the public reads of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal
+
+from pydantic import Field
+
+from reference_server.settings.database_settings import DatabaseSettings
+
+
+class RecordSettings(DatabaseSettings):
+    """What is recorded of episodes, who signs it, and what the public reads of it."""
+
+    recordings: Literal["off", "actions", "pictures"] = Field(
+        "actions",
+        description="What is recorded of episodes. actions: what was executed, with "
+        "rewards, digests of the simulator's state, faults and attempts. pictures: the "
+        "images, too, as JPEG; without, they can be rendered again from the actions.",
+    )
+    records_dir: str = Field(
+        "",
+        description="Folder of the recordings; created if missing. If empty, a folder "
+        "next to the SQLite file; with PostgreSQL, var/records; with a database in "
+        "memory, a folder that is removed when the server stops.",
+    )
+    record_promise: Literal["exact", "outcome"] = Field(
+        "outcome",
+        description="What records promise of a replay with the same software on the "
+        "same kind of machine: equal states after each turn, or equal results.",
+    )
+    signing_key: str = Field(
+        "",
+        description="File with the key that signs records; created if missing. If "
+        "empty, a file next to the SQLite file; with PostgreSQL "
+        "var/postgresql.signing-key.",
+    )
+    records_keep_days: float = Field(
+        0,
+        ge=0,
+        allow_inf_nan=False,
+        description="Days after which the recordings of a run that has ended are "
+        "removed; 0 keeps them.",
+    )
+    public_board: Literal["off", "on"] = Field(
+        "off",
+        description="Whether the leaderboard can be read without a token: public "
+        "entries, rankings and the history.",
+    )
+
+    @property
+    def records_path(self) -> Path | None:
+        """The folder of the recordings; None for one that lasts as long as the server.
+
+        `recordings` says whether there are any.
+        """
+        if self.records_dir:
+            return Path(self.records_dir)
+        if ":memory:" in self.database:
+            return None
+        if "://" in self.database:
+            return Path("var/records")
+        return Path(f"{self.database}.records")
+
+    @property
+    def signing_key_path(self) -> Path | None:
+        """The file of the key that signs records; None for a key in memory."""
+        if self.signing_key:
+            return Path(self.signing_key)
+        return self._beside_database("signing-key")

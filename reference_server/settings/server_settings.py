@@ -1,0 +1,98 @@
+"""All settings of the server, from flags and environment variables; flags win.
+
+Every field is a flag (`--max-workers`) and a variable (`PROCTOR_MAX_WORKERS`), whatever
+its subject: a nested model would put the name of the subject before it. So the subjects
+are classes that this one inherits, and a part that needs one of them asks for that one.
+Here is only what holds between subjects.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Self
+
+from pydantic import model_validator
+from pydantic_settings import BaseSettings, SettingsConfigDict
+
+from reference_server.settings.allowed_hosts import is_loopback
+from reference_server.settings.cluster_settings import ClusterSettings
+from reference_server.settings.database_settings import DatabaseSettings
+from reference_server.settings.imported_record_settings import ImportedRecordSettings
+from reference_server.settings.network_settings import NetworkSettings
+from reference_server.settings.operation_settings import OperationSettings
+from reference_server.settings.profile_settings import ProfileSettings
+from reference_server.settings.run_limit_settings import RunSettings
+from reference_server.settings.simulation_settings import SimulationSettings
+
+
+class Settings(
+    # The last one comes first in --help and on the page of settings.
+    OperationSettings,
+    ProfileSettings,
+    ImportedRecordSettings,
+    RunSettings,
+    SimulationSettings,
+    ClusterSettings,
+    DatabaseSettings,
+    NetworkSettings,
+    BaseSettings,
+):
+    """Evaluate robot policies over HTTP: the Proctor reference server."""
+
+    model_config = SettingsConfigDict(
+        env_prefix="PROCTOR_",
+        cli_prog_name="python -m reference_server",
+        cli_kebab_case=True,
+        cli_hide_none_type=True,
+        cli_avoid_json=True,
+        extra="ignore",
+    )
+
+    @model_validator(mode="after")
+    def _check_account(self) -> Self:
+        """FLE-024: no other machine uses the account without a token."""
+        if self.flageval_account and (self.public_url or not is_loopback(self.host)):
+            raise ValueError(
+                "flageval_account needs a loopback host and no public_url: requests "
+                "without a token are of that account"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _check_cluster(self) -> Self:
+        """What is kept by each server alone cannot be shared by nodes."""
+        if self.cluster == "off":
+            return self
+        if ":memory:" in self.database:
+            raise ValueError("cluster needs a database that other servers can open")
+        if self.record_imports != "off":
+            raise ValueError("cluster needs record_imports off")
+        if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104
+            raise ValueError(
+                f"cluster with host {self.host!r} needs node_url: set it to the URL at "
+                "which the other nodes reach this one, such as http://10.0.0.1:8460"
+            )
+        is_file = "://" not in self.database
+        if not (is_file or (self.tokens and self.sealing_key and self.seed_secret)):
+            raise ValueError(
+                "cluster needs tokens, sealing_key and seed_secret, equal on all nodes"
+            )
+        is_shared = is_file or (self.records_dir and self.signing_key)
+        if self.recordings != "off" and not is_shared:
+            raise ValueError(
+                "cluster needs records_dir, a folder that all nodes share, and "
+                "signing_key, equal on all nodes; or recordings off"
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _check_simulators(self) -> Self:
+        """Simulators write recordings where they are executed."""
+        if self.simulators == "local" or self.recordings == "off":
+            return self
+        if not Path(self.records_dir).is_absolute():
+            raise ValueError(
+                f"simulators {self.simulators} needs records_dir: the absolute path of "
+                "a folder that all machines of the Ray cluster share; or recordings off"
+            )
+        return self

@@ -1,0 +1,60 @@
+"""Benchmarks, and where their simulators are executed."""
+
+from __future__ import annotations
+
+from pydantic import BaseModel, Field, field_validator
+
+from reference_sim.ray_resources import parse_resources
+
+
+class SimulationSettings(BaseModel):
+    """Benchmarks, and where their simulators are executed."""
+
+    benchmarks: str = Field(
+        "",
+        description="Additional benchmarks, comma-separated: gymnasium:ID, a TOML "
+        "file, a folder of TOML files, FILE.py:CLASS, a question file FILE.jsonl, or "
+        "metaworld_mt50.",
+    )
+    simulators: str = Field(
+        "local",
+        pattern=r"^(local|ray|ray://[^\s/:]+:\d{1,5})$",
+        description="Where simulators are executed. local: in processes of this "
+        "machine. ray: on the Ray cluster that this machine is in. ray://HOST:PORT: on "
+        "another one, by its server for Ray clients, usually port 10001. Ray needs "
+        "the same software on all machines and, for recordings, a folder records_dir "
+        "that they share.",
+    )
+    ray_resources: str = Field(
+        "CPU=1",
+        description="Ray: what one simulator takes of a machine, comma-separated, each "
+        "NAME=AMOUNT with Ray's names, for example CPU=0.5,GPU=0.25. For benchmarks "
+        "that declare none themselves.",
+    )
+    max_simulators: int = Field(
+        64, ge=1, description="Maximum simulator processes, over all runs."
+    )
+    spare_simulators: int = Field(
+        2,
+        ge=0,
+        description="Idle simulator processes that are kept started. On Ray none "
+        "unless this is set: each holds its share of the cluster.",
+    )
+    turn_timeout_s: float = Field(
+        60.0,
+        gt=0,
+        allow_inf_nan=False,
+        description="Maximum time of a simulator for one turn; then it is killed.",
+    )
+
+    @field_validator("ray_resources")
+    @classmethod
+    def _check_resources(cls, text: str) -> str:
+        parse_resources(text)  # raises ValueError
+        return text
+
+    @property
+    def spares(self) -> int:
+        """`spare_simulators`, where they cost no other server its place."""
+        is_set = "spare_simulators" in self.model_fields_set
+        return self.spare_simulators if is_set or self.simulators == "local" else 0
