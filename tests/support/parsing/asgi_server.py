@@ -14,7 +14,8 @@ from typing import Any
 
 from starlette.types import Message, Scope
 
-from reference_server.app import Application, build
+from reference_server.app import build
+from reference_server.http.application import Application
 from reference_server.http.auth import Tokens
 from reference_server.http.connections.connection_limits import (
     ConnectionLimiter,
