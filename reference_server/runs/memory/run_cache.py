@@ -66,7 +66,8 @@ class RunCache:
         """The run, read if it is not in memory; None if there is none."""
         if (leaving := self._leaving.get(run_id)) is not None:
             await asyncio.wait([leaving])
-        run = await self.load(run_id)
+        # Each request comes here: most find the run in memory.
+        run = self._in_memory.get(run_id) or await self.load(run_id)
         if run is not None and run.lost:  # a write that its loading began has failed
             if self._in_memory.get(run_id) is run:
                 del self._in_memory[run_id]
