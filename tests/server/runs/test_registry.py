@@ -425,7 +425,7 @@ async def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
 
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         if not is_stored:
-            monkeypatch.setattr(parts.store, "_write_at_once", fail)
+            monkeypatch.setattr(parts.store.transactions, "write_at_once", fail)
         blocked = BlockedCall(monkeypatch, parts.store, "insert", after=is_stored)
         adding = parts.registry.add(calibration_run(), "key", "body")
         leaving = asyncio.create_task(adding)
