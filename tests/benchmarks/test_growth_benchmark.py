@@ -8,7 +8,7 @@ import pytest
 
 from benchmarks.filled_databases import READY_RUNS, DatabaseCase, fill
 from benchmarks.storage_growth import DATABASE_CASES
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store
 from reference_server.views import run_views
@@ -28,19 +28,16 @@ async def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
         score = run_views.score_view(run, episodes)
         return run.state, run.scored, bool(score["complete"])
 
-    def ignore(_run: Run) -> None:
-        pass
-
     store = Store(f"sqlite+aiosqlite:///{path}")
     await store.open()
-    registry = RunRegistry(store, 1000, ignore, ignore)
+    registry = RunRegistry(store, 1000)
     for number in range(3):
         run_id = f"completed_{number}"
-        found = await registry.read_view(run_id, "bench", view, end=None)
+        found = await registry.reader.read_view(run_id, "bench", view, end=None)
         assert found == ("completed", 8, True)
-    waiting = await registry.read_view("ready_0", "bench", view, end=None)
+    waiting = await registry.reader.read_view("ready_0", "bench", view, end=None)
     assert waiting == ("ready", 0, False)
-    newest = await registry.page("bench", 13, 9, lambda run: run.run_id)
+    newest = await registry.reader.page("bench", 13, 9, lambda run: run.run_id)
     assert newest == ["completed_2", "completed_1", "completed_0"]
     await store.close()
 

@@ -414,13 +414,11 @@ async def test_a_node_that_is_refused_when_it_joins_again_ends_the_server_once(
         NodeStore(nodes.stores[0], 0.0),
         "http://member",
         0.0,
-        lambda: cast("RunService", None),
         announce=lambda _node_id: None,
         on_joined=refuse,
         end_server=lambda: ends.append("end"),
     )
     member = server.membership
-    member._on_lost = lambda: None
     await member.open()
     await nodes.nodes[1].leave(member.node_id)
     for _again in range(3):
@@ -515,7 +513,7 @@ async def test_a_node_that_stays_silent_loses_its_runs(
     member = await member_of(nodes)
     waiting = member.gone(FIRST)
     set_back = sa.text("UPDATE nodes SET renewed_at = renewed_at + 9999")
-    async with nodes.stores[0].write() as connection:
+    async with nodes.stores[0].transactions.write() as connection:
         await connection.execute(set_back)
     await member._look_for_others()
     clock.now += LEASE_S / 5
@@ -548,7 +546,11 @@ async def test_a_write_that_takes_long_ends_no_lease(
 ) -> None:
     """A renewal behind it would be too late, and others would claim all runs."""
     database = UsedDatabase(postgresql.create(), server=postgresql)
-    async with opened(database) as nodes, nodes.stores[0].write(), asyncio.timeout(5):
+    async with (
+        opened(database) as nodes,
+        nodes.stores[0].transactions.write(),
+        asyncio.timeout(5),
+    ):
         assert await nodes.nodes[0].renew("first")
         assert "second" in await nodes.nodes[0].listed()
 

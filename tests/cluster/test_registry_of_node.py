@@ -107,8 +107,8 @@ async def test_what_was_claimed_is_loaded_though_the_database_fails_first(
             return await right(run_id)
 
         monkeypatch.setattr(runs.store, "load", load)
-        monkeypatch.setattr(registry_module, "RELOAD_S", 0.01)
-        runs.registry.load_in_background(run.run_id)
+        monkeypatch.setattr(run_writer, "RELOAD_S", 0.01)
+        runs.registry.writer.load_in_background(run.run_id)
         async with asyncio.timeout(10):  # a push run is driven from then on
             assert (await runs.changed.get()).run_id == run.run_id
         assert calls == 2
@@ -124,7 +124,7 @@ async def test_a_run_that_the_node_loses_while_it_is_stored_is_not_kept(
         adding = asyncio.ensure_future(runs.registry.add(run, "key", "sha"))
         await blocked.wait_until_reached()
         runs.ownership.node_id = "again"
-        runs.registry.drop_all()
+        runs.registry.admission.drop_all()
         blocked.open()
         with pytest.raises(Refused) as refused:
             await adding
@@ -132,7 +132,7 @@ async def test_a_run_that_the_node_loses_while_it_is_stored_is_not_kept(
         assert not runs.registry.has(run.run_id)
         assert runs.registry.count_open()["ready"] == 0
         change = "UPDATE runs SET owner = 'again', fence = 2"
-        async with runs.store.write() as connection:
+        async with runs.store.transactions.write() as connection:
             await connection.execute(sa.text(change))
         loaded = await runs.registry.get(run.run_id)
         assert (loaded.owner, loaded.lost) == ("again", False)
@@ -201,16 +201,16 @@ async def test_a_run_that_another_node_has_taken_is_forgotten(tmp_path: Path) ->
     async with opened(tmp_path) as runs:
         run = await add_full(runs)
         change = runs.registry.change_event(run.run_id)
-        runs.registry.note_queue(taken(run))
+        runs.registry.admission.note_queue(taken(run))
         with pytest.raises(OwnedElsewhere):
             await runs.registry.wait_for_change(change, 5)
-        view = await runs.registry.render_when_stored(run, lambda run: run.state)
+        view = await runs.registry.reader.render_when_stored(run, lambda run: run.state)
         assert view == "queued"
         assert run.lost
-        assert runs.registry.queued_ids() == []
+        assert runs.registry.admission.queued_ids() == []
         run.reason = "too late"
         with pytest.raises(OwnedElsewhere):
-            await runs.registry.commit(run)
+            await runs.registry.writer.commit(run)
 
 
 async def test_a_run_that_is_not_in_memory_is_forgotten_when_it_is_taken(
@@ -222,11 +222,11 @@ async def test_a_run_that_is_not_in_memory_is_forgotten_when_it_is_taken(
         change = runs.registry.change_event(run_id)
         del run
         await forget_what_waits(runs, run_id)
-        assert runs.registry.queued_ids() == [run_id]
-        runs.registry.note_queue(seen)
+        assert runs.registry.admission.queued_ids() == [run_id]
+        runs.registry.admission.note_queue(seen)
         with pytest.raises(OwnedElsewhere):
             await runs.registry.wait_for_change(change, 5)
-        assert runs.registry.queued_ids() == []
+        assert runs.registry.admission.queued_ids() == []
         assert runs.registry.count_open()["queued"] == 0
 
 
@@ -236,9 +236,9 @@ async def test_what_was_read_before_a_run_came_does_not_remove_it(
     async with opened(tmp_path) as runs:
         run = await add_full(runs)
         old = OwnedRun(waiting(run), "other", run.fence - 1)
-        runs.registry.note_queue(StoredQueue([old], []))
+        runs.registry.admission.note_queue(StoredQueue([old], []))
         assert not run.lost
-        assert runs.registry.queue_position(run) == 1
+        assert runs.registry.admission.queue_position(run) == 1
 
 
 async def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
@@ -250,7 +250,7 @@ async def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
         run.owner, run.fence = runs.ownership.node_id, 1
         assert await runs.store.insert(run, None, "")
         seen = OwnedRun(waiting(run), run.owner, run.fence)
-        runs.registry.note_queue(StoredQueue([seen], []))
+        runs.registry.admission.note_queue(StoredQueue([seen], []))
         async with asyncio.timeout(10):
             assert (await runs.changed.get()).state == "ready"
 
@@ -274,18 +274,18 @@ async def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
                 "UPDATE runs SET owner = 'first', fence = 2, state = 'ready' "
                 "WHERE number = 2"
             )
-            async with runs.store.write() as connection:
+            async with runs.store.transactions.write() as connection:
                 await connection.execute(sa.text(change))
             return True
 
         others.take_now = take
         both = [waiting(gone), waiting(next_one)]
-        runs.registry.note_waiting_elsewhere(both, {})
+        runs.registry.admission.note_waiting_elsewhere(both, {})
         async with asyncio.timeout(10):
             run = await runs.changed.get()
-            assert await runs.registry.is_stored(run)
+            assert await runs.registry.writer.is_stored(run)
         assert (run.run_id, run.state, run.fence) == ("run_2", "ready", 2)
-        assert runs.registry.places_of_accounts() == {"alice": 1}
+        assert runs.registry.admission.places_of_accounts() == {"alice": 1}
         assert others.announced == 1
 
 
@@ -301,18 +301,18 @@ async def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
             await runs.registry.add(calibration_run(run_id=run_id), None, "")
         await forget_what_waits(runs, "run_4")
         change = "UPDATE runs SET owner = 'other', fence = 2 WHERE run_id = 'run_4'"
-        async with runs.store.write() as connection:
+        async with runs.store.transactions.write() as connection:
             await connection.execute(sa.text(change))
         first = await runs.registry.get("run_0")
         effects.stop(first, "abort", 0.0)
-        await runs.registry.commit(first)
+        await runs.registry.writer.commit(first)
         async with asyncio.timeout(10):
             await others.looked.wait()
-            assert runs.registry.places_of_accounts() == {"alice": 3}
-            runs.registry.note_waiting_elsewhere([], {})
+            assert runs.registry.admission.places_of_accounts() == {"alice": 3}
+            runs.registry.admission.note_waiting_elsewhere([], {})
             others.looked.clear()
             await others.looked.wait()  # the run was another node's by then
-            runs.registry.note_waiting_elsewhere([], {})
+            runs.registry.admission.note_waiting_elsewhere([], {})
             while (changed := await runs.changed.get()).run_id != "run_5" or (
                 changed.state != "ready"
             ):
@@ -324,16 +324,16 @@ async def test_only_what_is_not_held_may_be_taken_by_other_nodes(
 ) -> None:
     async with opened(tmp_path, OtherQueues()) as runs:
         submission = calibration_run().submission
-        assert runs.registry.queue_until(submission) == 0
+        assert runs.registry.admission.queue_until(submission) == 0
         submission["options"] = {"queue_s": 9}
-        later = runs.registry.queue_until(submission)
+        later = runs.registry.admission.queue_until(submission)
         assert later > steady_clock.now_wall()
         for number in range(4):
             await runs.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
         for name, until in (("past", 1.0), ("free", 0.0), ("held", later)):
             run = calibration_run(run_id=name, queue_until_wall=until)
             await runs.registry.add(run, None, "")
-        assert runs.registry.held_no_more() == ["past"]
+        assert runs.registry.admission.held_no_more() == ["past"]
 
 
 async def test_a_resumed_run_is_known_though_the_clock_was_set_back(
@@ -352,7 +352,7 @@ async def test_a_resumed_run_is_known_though_the_clock_was_set_back(
             assert (await runs.registry.add(run, None, "")).state == "queued"
         monkeypatch.setattr("time.time", lambda: 4000.0)
         effects.stop(resumed, "abort", 4000.0)
-        await runs.registry.commit(resumed)
+        await runs.registry.writer.commit(resumed)
         effects.resume(resumed, 0.0)
         await runs.registry.commit_opened(resumed)
         queue = await NodeStore(runs.store, 60.0).queue([])
@@ -367,11 +367,11 @@ async def test_a_write_after_another_node_has_claimed_the_run_is_counted(
     async with opened(tmp_path) as runs:
         run = calibration_run()
         await runs.registry.add(run, None, "")
-        await runs.registry.commit(run)
+        await runs.registry.writer.commit(run)
         before = COUNTERS.fenced_writes
-        async with runs.store.write() as connection:
+        async with runs.store.transactions.write() as connection:
             await connection.execute(sa.text("UPDATE runs SET fence = 7"))
         with pytest.raises((Refused, StoreFailed)):
-            await getattr(runs.registry, write)(run)
+            await getattr(runs.registry.writer, write)(run)
         assert COUNTERS.fenced_writes == before + 1
         assert not runs.registry.has(run.run_id)

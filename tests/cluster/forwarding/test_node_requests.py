@@ -117,7 +117,7 @@ async def test_a_node_that_ends_while_it_asks_is_not_answered() -> None:
 
     headers = [(b"proctor-node-secret", SECRET.encode())]
     scope = {"type": "http", "method": "POST", "headers": headers, "path": "/"}
-    await requests_of(FakeConnections())(scope, receive, send)
+    await requests_of(FakeConnections()).answered_by(answer)(scope, receive, send)
     assert not messages
 
 

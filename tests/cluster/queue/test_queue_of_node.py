@@ -158,7 +158,7 @@ async def test_a_look_is_due_when_another_node_says_so(
     node = FakeNode()
     node.queued = [waiting(1), waiting(2, "me"), waiting(3, until=9e9)]
     queue = node.queue_of()
-    queue.open()
+    await queue.open()
     try:
         answer = await said_to(queue, has_changed=True)
         assert answer == {"places": {"bob": 1}}
@@ -196,7 +196,7 @@ async def test_other_nodes_hear_of_a_change_once(
     monkeypatch.setattr(shared_queue, "LOOK_S", 1e6)
     node = FakeNode()
     queue = node.queue_of()
-    queue.open()
+    await queue.open()
     for _ in range(5):
         queue.announce()
     await wait_in_loop(lambda: node.posted)
@@ -212,7 +212,7 @@ async def test_what_is_held_no_more_is_let_go_once(
     node = FakeNode()
     node.held = ["run_1"]
     queue = node.queue_of()
-    queue.open()
+    await queue.open()
     async with asyncio.timeout(LIMIT_S):
         for _ in range(3):
             await node.noted.get()
@@ -228,7 +228,7 @@ async def test_a_node_that_ends_looks_no_more(monkeypatch: pytest.MonkeyPatch) -
     node = FakeNode()
     node.claims = False
     queue = node.queue_of()
-    queue.open()
+    await queue.open()
     await asyncio.sleep(0.05)  # what is tested is that nothing happens
     await queue.close()
     assert node.reads == 0

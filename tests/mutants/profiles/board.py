@@ -282,9 +282,9 @@ def reads_the_board_with_any_token(
         raise
 
 
-@mutant("BRD-019", through=instead_of(Store, "attempts_of"))
+@mutant("BRD-019", through=instead_of(RecordStore, "attempts_of"))
 async def counts_no_attempt_that_was_deleted(
-    _right: Any, self: Store, accounts: Any, benchmarks: Any
+    _right: Any, self: RecordStore, accounts: Any, benchmarks: Any
 ) -> Any:
     """An account that deletes nineteen of twenty runs seems to have tried once."""
     runs = database_tables.runs.c
@@ -292,7 +292,7 @@ async def counts_no_attempt_that_was_deleted(
     query = sa.select(*of, sa.func.max(runs.attempts_by_submitter))
     there = runs.deleted_at_wall.is_(None), runs.account.in_(accounts)
     query = query.where(*there, runs.benchmark_id.in_(benchmarks)).group_by(*of)
-    async with self._transaction() as connection:
+    async with self._transactions.reading() as connection:
         rows = await connection.execute(query)
     return {(account, benchmark): n for account, benchmark, n in rows}
 

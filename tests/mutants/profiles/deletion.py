@@ -64,12 +64,12 @@ def says_a_published_run_has_another_state() -> None:
     replace_guard(lifecycle._is_deletable, no_guard)
 
 
-@mutant("DEL-004", "DEL-005", through=instead_of(RunRegistry, "_forget"))
+@mutant("DEL-004", "DEL-005", through=instead_of(RunWriter, "_drop"))
 def shows_a_deleted_run_while_it_is_in_memory(
-    _right: Any, self: RunRegistry, run: Run
+    _right: Any, self: RunWriter, run: Run, why: Departure
 ) -> None:
     """A run that its user deleted can be read until the server is restarted."""
-    self._index_by_state(run, None)
+    self._events.left(run, why)
 
 
 @mutant(
@@ -91,12 +91,12 @@ async def uses_the_key_of_a_deleted_run_again(
 ) -> None:
     """A repeat that comes late makes a run that no user wants any more."""
     await right(self, run, now_wall, **how)
-    async with self._write_lock, self._transaction() as connection:
+    async with self.transactions.write() as connection:
         keys = database_tables.idempotency_keys
         await connection.execute(keys.delete().where(keys.c.run_id == run.run_id))
 
 
-@mutant("DEL-006", through=instead_of(store, "_last_played"))
+@mutant("DEL-006", through=instead_of(store, "last_played"))
 def counts_what_every_account_has_played(_right: Any, run: RunHead) -> Any:
     """The first run of an account seems to be one of many tries."""
     runs = database_tables.runs.c

@@ -13,7 +13,6 @@ from reference_server.http.event_streams import EventStream
 from reference_server.rules import events
 from reference_server.rules.events import Cursor
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs.registry import RunRegistry
 from reference_server.runs.run_writer import RunWriter
 from reference_server.storage.store import Store
 from tests.mutants import instead_of, mutant, put
@@ -130,7 +129,7 @@ def forgets_in_a_restart_in_which_order_episodes_were_scored(
 def sends_results_before_they_are_stored() -> None:
     """A result that was published does not exist after a power cut."""
     put(event_streams, "KEEPALIVE_S", 1.0)
-    right, save = RunRegistry.commit, Store.save
+    right, save = RunWriter.commit, Store.save
 
     async def commit_after_notify(self: RunWriter, run: Run, *checks: Any) -> None:
         self._events.changed(run)

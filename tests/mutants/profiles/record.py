@@ -58,16 +58,17 @@ def names_keys_without_their_digest(right: Any, key: Any) -> Any:
     return right(key) | {"keyid": "SHA256:key"}
 
 
-@mutant("REC-101", through=instead_of(Store, "use_key"))
+@mutant("REC-101", through=instead_of(RecordStore, "use_key"))
 async def retires_its_key_at_a_restart(
-    right: Any, self: Store, keyid: str, public_key: bytes, now_wall: float
+    right: Any, self: RecordStore, keyid: str, public_key: bytes, now_wall: float
 ) -> None:
     """After an update of the server every record looks as if signed by an old key."""
     keyids = {key.keyid for key in await self.keys()}
     await right(self, keyid, public_key, now_wall)
     if keyid in keyids:
         retire = sa.update(signing_keys).values(retired_at_wall=now_wall)
-        await self.write_in_turn(lambda connection: connection.execute(retire))
+        write = self._transactions.write_in_turn
+        await write(lambda connection: connection.execute(retire))
 
 
 @mutant("REC-103")

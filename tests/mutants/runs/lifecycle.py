@@ -14,7 +14,7 @@ import yaml
 from reference_server.rules import effects
 from reference_server.rules import lifecycle as protocol
 from reference_server.rules.run import Run
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.admission.run_admission import RunAdmission
 from tests.mutants import Json, Row, mutants, put
 
 SPEC = Path(__file__).parents[3] / "spec" / "openapi.yaml"
@@ -63,7 +63,7 @@ def break_cell(row: Json) -> None:
         protocol.TRANSITIONS[cell] = row["from"]
         if row["event"] == "attach_worker":
             # Such a run has no place to be played, either.
-            put(RunRegistry, "take_place", lambda _self, _run: None)
+            put(RunAdmission, "take_place", lambda _self, _run: None)
     else:
         del protocol.TRANSITIONS[cell]
 

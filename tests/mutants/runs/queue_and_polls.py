@@ -15,6 +15,8 @@ from reference_server.rules import (
     effects,
 )
 from reference_server.rules.run import Run
+from reference_server.runs.admission.run_admission import RunAdmission
+from reference_server.runs.memory.run_changes import RunChanges
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from tests.mutants import instead_of, mutant, put
@@ -23,7 +25,7 @@ from tests.mutants import instead_of, mutant, put
 @mutant("RUN-008")
 def omits_the_queue_position() -> None:
     """A user cannot estimate the time in the queue."""
-    put(RunRegistry, "queue_position", lambda _self, _run: None)
+    put(RunAdmission, "queue_position", lambda _self, _run: None)
 
 
 @mutant("LIFE-801", through=instead_of(effects, "admit"))
@@ -56,7 +58,7 @@ async def forgets_to_end_the_queue_of_before_a_resume(
     def start() -> None:
         if run.state == "stopped":
             run.state = "ready"
-            self.registry.commit_later(run)
+            self.registry.writer.commit_later(run)
 
     if run.state == "queued":
         wait_s = max(0.0, run.queue_until_wall - time.time())
@@ -104,11 +106,11 @@ async def answers_long_polls_only_at_their_end(
 def waits_anew_when_another_run_changes() -> None:
     """On a busy server a wait that was to be short never ends."""
     right, changes = RunRegistry.wait_for_change, [0]
-    notify = RunRegistry.notify
+    changed = RunChanges.changed
 
-    def wrong_notify(self: RunRegistry, run: Run) -> None:
+    def wrong_changed(self: RunChanges, run: Run) -> None:
         changes[0] += 1
-        notify(self, run)
+        changed(self, run)
 
     async def wrong(self: RunRegistry, change: Any, timeout_s: float) -> bool:
         seen = -1
@@ -118,5 +120,5 @@ def waits_anew_when_another_run_changes() -> None:
                 return True
         return False
 
-    put(RunRegistry, "notify", wrong_notify)
+    put(RunChanges, "changed", wrong_changed)
     put(RunRegistry, "wait_for_change", wrong)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from typing import Any
 
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules import (
     effects,
 )
@@ -16,28 +17,28 @@ from reference_server.runs import (
     registry,
 )
 from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_writer import RunWriter
 from reference_server.storage import database_tables, rows
-from reference_server.system.seed_secret import SeedSecret
 from tests.mutants import instead_of, mutant, put
 
 
 @mutant("CRASH-001", "CRASH-003", "CRASH-004")
 def stores_results_after_sending_them() -> None:
     """A crash loses results that the client has received."""
-    right = RunRegistry.commit
+    right = RunWriter.commit
 
-    async def later(self: RunRegistry, run: Run) -> None:
+    async def later(self: RunWriter, run: Run, *checks: Any) -> None:
         await asyncio.sleep(3)
-        await right(self, run)
+        await right(self, run, *checks)
 
-    async def wrong(self: RunRegistry, run: Run) -> None:
+    async def wrong(self: RunWriter, run: Run, *checks: Any) -> None:
         if not run.changed:
-            await right(self, run)
+            await right(self, run, *checks)
             return
-        self.run_in_background(later(self, run))
-        self.notify(run)
+        self._work.start(later(self, run, *checks))
+        self._events.changed(run)
 
-    put(RunRegistry, "commit", wrong)
+    put(RunWriter, "commit", wrong)
 
 
 @mutant("CRASH-002")
@@ -81,7 +82,7 @@ def stores_no_attempt_that_a_lease_has_ended(
 @mutant("CRASH-003", through=instead_of(RunRegistry, "open"))
 async def forgets_idempotency_keys_on_restart(right: Any, self: RunRegistry) -> None:
     """A submit that is repeated after a crash evaluates everything twice."""
-    async with self._store._transaction() as connection:
+    async with self._store.transactions.transaction() as connection:
         await connection.execute(database_tables.idempotency_keys.delete())
     await right(self)
 

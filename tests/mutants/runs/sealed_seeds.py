@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode
 from reference_server.runs.benchmarks import Benchmarks

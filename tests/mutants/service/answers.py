@@ -13,6 +13,7 @@ from reference_server.http import (
     dispatch,
     problems,
 )
+from reference_server.http.application import Application
 from reference_server.http.handlers import Handlers
 from reference_server.rules.refusal import Refused
 from tests.mutants import Row, instead_of, mutant, mutants, put
@@ -90,13 +91,13 @@ def omit_header(name: str) -> None:
 @mutant("SVC-002", "VER-001")
 def does_not_name_its_version() -> None:
     """A client cannot know which protocol version an answer follows."""
-    right = app.Application.__call__
+    right = Application.__call__
 
     # uvicorn calls it without arguments, and expects a TypeError.
-    async def wrong(self: app.Application, scope: Any, receive: Any, send: Any) -> None:
+    async def wrong(self: Application, scope: Any, receive: Any, send: Any) -> None:
         if scope["type"] == "http":
             await self._app(scope, receive, send)
         else:
             await right(self, scope, receive, send)
 
-    put(app.Application, "__call__", wrong)
+    put(Application, "__call__", wrong)

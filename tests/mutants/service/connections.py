@@ -9,7 +9,7 @@ from starlette.requests import Request
 
 from reference_server import __main__ as server_main
 from reference_server import app
-from reference_server.app import Application
+from reference_server.http import application
 from reference_server.http.connections.bounded_connection import BoundedConnection
 from reference_server.http.connections.connection_limits import ConnectionLimits
 from reference_server.http.dispatch import Operation
@@ -18,9 +18,7 @@ from reference_server.rules import (
 )
 from reference_server.rules.capacity import Quota
 from reference_server.rules.run import Session
-from reference_server.runs import (
-    account_usage,
-)
+from reference_server.runs.admission import account_usage
 from reference_server.settings import Settings
 from tests.mutants import Json, Row, instead_of, mutant, mutants, put
 
@@ -62,7 +60,7 @@ def waits_as_long_as_headers_come_byte_by_byte(
     return end
 
 
-@mutant("LIM-008", through=instead_of(app, "perform"))
+@mutant("LIM-008", through=instead_of(application, "perform"))
 def reads_long_bodies_of_every_operation(
     right: Any, request: Request, operation: Operation, *rest: Any
 ) -> Any:

@@ -9,12 +9,13 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
-from reference_server import app
 from reference_server.http import (
+    application,
     codec,
     dispatch,
     problems,
 )
+from reference_server.http.application import Application
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from tests.mutants import instead_of, mutant, put
@@ -44,7 +45,7 @@ def checks_the_version_after_the_work() -> None:
     put(application, "perform", wrong)
 
 
-@mutant("ERR-009", through=instead_of(app, "_not_found"))
+@mutant("ERR-009", through=instead_of(application, "not_found"))
 async def calls_an_unknown_path_a_bad_request(
     _right: Any, scope: Scope, receive: Receive, send: Send
 ) -> None:
@@ -53,7 +54,7 @@ async def calls_an_unknown_path_a_bad_request(
     await problems.problem_response(refused)(scope, receive, send)
 
 
-@mutant("ERR-010", through=instead_of(app._Endpoint, "_not_allowed"))
+@mutant("ERR-010", through=instead_of(application.Endpoint, "_not_allowed"))
 def does_not_say_which_methods_are_allowed(
     _right: Any, _self: object, _method: str
 ) -> Any:
@@ -142,7 +143,7 @@ async def reads_no_body_without_a_length(
 @mutant("SVC-004")
 def answers_the_body_of_a_refused_request() -> None:
     """An attacker who chooses a body chooses the answer that another client gets."""
-    right = app.Application.__call__
+    right = Application.__call__
     poisoned: set[Any] = set()
 
     async def wrong(self: Application, scope: Any, receive: Any, send: Any) -> None:
@@ -159,4 +160,4 @@ def answers_the_body_of_a_refused_request() -> None:
 
         await right(self, scope, receive_and_look, send)
 
-    put(app.Application, "__call__", wrong)
+    put(Application, "__call__", wrong)

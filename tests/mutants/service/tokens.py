@@ -11,7 +11,7 @@ from reference_server.http import (
 from reference_server.http.handlers import Handlers
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
-from reference_server.runs.registry import RunRegistry
+from reference_server.runs.run_reader import RunReader
 from reference_server.storage.store import Store
 from tests.mutants import instead_of, mutant, put
 
@@ -46,9 +46,9 @@ def lets_readers_write(right: Any, text: str) -> Any:
     return tokens
 
 
-@mutant("AUTH-003", "CMP-010", through=instead_of(RunRegistry, "get"))
+@mutant("AUTH-003", "CMP-010", through=instead_of(RunReader, "get"))
 async def shows_runs_to_every_account(
-    right: Any, self: RunRegistry, run_id: str, _account: str | None = None
+    right: Any, self: RunReader, run_id: str, _account: str | None = None
 ) -> Any:
     """Every account can read and stop the runs of all accounts."""
     return await right(self, run_id)
@@ -68,36 +68,36 @@ def lists_the_runs_of_every_account() -> None:
     """Every account sees the evaluations of all accounts."""
     import sqlalchemy as sa
 
-    from reference_server.storage import store
+    from reference_server.storage import run_statements
     from reference_server.storage.database_tables import runs
 
     async def wrong(
         self: Store, _account: str, before: int | None, limit: int
     ) -> list[tuple[int, str]]:
         query = sa.select(runs.c.number, runs.c.run_id)
-        query = query.where(store._IS_THERE)
+        query = query.where(run_statements.IS_THERE)
         if before is not None:
             query = query.where(runs.c.number < before)
         query = query.order_by(runs.c.number.desc()).limit(limit)
-        return await self.read(
+        return await self.transactions.read(
             lambda session: [(n, r) for n, r in session.execute(query)]
         )
 
     put(Store, "page", wrong)
-    right = RunRegistry.page
+    right = RunReader.page
 
-    async def wrong_page(self: RunRegistry, *arguments: Any) -> list[Any]:
-        get = RunRegistry.get
+    async def wrong_page(self: RunReader, *arguments: Any) -> list[Any]:
+        get = RunReader.get
 
         async def get_of_any_account(
-            self: RunRegistry, run_id: str, _account: str | None = None
+            self: RunReader, run_id: str, _account: str | None = None
         ) -> Run:
             return await get(self, run_id)
 
-        put(RunRegistry, "get", get_of_any_account)
+        put(RunReader, "get", get_of_any_account)
         try:
             return await right(self, *arguments)
         finally:
-            put(RunRegistry, "get", get)
+            put(RunReader, "get", get)
 
-    put(RunRegistry, "page", wrong_page)
+    put(RunReader, "page", wrong_page)

@@ -131,7 +131,7 @@ async def test_unstored_results_are_not_sent(
     assert kinds(await stream.events()) == ["run"]
     blocked = BlockedCall(monkeypatch, parts.store, "save")
     record_score(run, 0)
-    parts.registry.commit_later(run)
+    parts.registry.writer.commit_later(run)
     await blocked.wait_until_reached()
     parts.registry.notify(run)  # whatever wakes the stream
     batch = asyncio.ensure_future(stream.events())
@@ -229,7 +229,7 @@ async def test_a_finished_run_is_sent_in_batches_and_not_cached(tmp_path: Path) 
         for first in range(0, MANY, 250):
             await score_episodes(parts, run, *order[first : first + 250])
         run.state = "completed"
-        await parts.registry.commit(run)
+        await parts.registry.writer.commit(run)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         stream = await StreamClient.open(make_event_stream(parts))
         events = await stream.events()
@@ -316,7 +316,7 @@ async def test_a_stream_ends_when_the_store_fails(
     async def fail(*_: object, **__: object) -> None:
         raise StoreFailed("gone")
 
-    monkeypatch.setattr(parts.registry, "read_view", fail)
+    monkeypatch.setattr(parts.registry.reader, "read_view", fail)
     parts.registry.notify(run)
     assert await stream.rest() == []
 

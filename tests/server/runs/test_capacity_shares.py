@@ -86,7 +86,7 @@ async def test_unplayed_runs_give_their_places_to_later_ones(tmp_path: Path) -> 
 
 
 async def test_a_timer_ends_the_wait_for_an_unplayed_place(parts: ServerParts) -> None:
-    parts.registry._admission.places = places.Places(1, 0.05)
+    parts.registry.admission._admission.places = places.Places(1, 0.05)
     await submit(parts, "run_1")
     await submit(parts, "run_2")
     await until(parts, "run_2", "ready")
@@ -165,7 +165,7 @@ async def test_a_queued_run_that_cannot_be_loaded_is_admitted_later(
             return await load(store, run_id)
 
         monkeypatch.setattr(Store, "load", load_at_last)
-        monkeypatch.setattr(registry, "RELOAD_S", 0.001)
+        monkeypatch.setattr(run_writer, "RELOAD_S", 0.001)
     async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         await until(parts, "run_2", "ready")
         await until(parts, "run_1", "ready")
@@ -402,7 +402,7 @@ async def test_a_long_page_of_runs_leaves_the_loop_to_others(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A thousand runs in memory are shown without a wait."""
-    monkeypatch.setattr(registry, "VIEWS_AT_ONCE", 2)
+    monkeypatch.setattr(run_reader, "VIEWS_AT_ONCE", 2)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for number in range(9):
             await submit(parts, f"run_{number}")

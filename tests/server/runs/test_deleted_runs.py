@@ -184,7 +184,7 @@ async def test_a_page_is_not_short_of_a_run_that_is_deleted_meanwhile(
         return await right(run_ids)
 
     monkeypatch.setattr(parts.store, "heads", delete_first)
-    page = await parts.registry.page("alice", None, 2, lambda run: run.run_id)
+    page = await parts.registry.reader.page("alice", None, 2, lambda run: run.run_id)
     assert page == ["run_3", "run_1"]
 
 

@@ -147,7 +147,7 @@ async def test_an_unreadable_database_is_reported(parts: ServerParts) -> None:
     with pytest.raises(StoreFailed):
         await parts.registry.get("run_1")
     with pytest.raises(StoreFailed):
-        await parts.registry.page("alice", None, 10, lambda run: run)
+        await parts.registry.reader.page("alice", None, 10, lambda run: run)
     with contextlib.closing(sqlite3.connect(parts.path)) as database:
         database.execute("ALTER TABLE elsewhere RENAME TO runs")
     assert (await parts.registry.get("run_1")).run_id == "run_1"
@@ -195,7 +195,7 @@ async def test_a_clock_that_is_set_back_does_not_set_a_run_back(
     seen = []
     for now in (5000.0, 4000.0, 6000.0):
         monkeypatch.setattr("time.time", lambda now=now: now)
-        await parts.registry.commit(run)
+        await parts.registry.writer.commit(run)
         seen.append(run.updated_at_wall)
     assert 5000.0 == seen[0] < seen[1] < 5000.0001
     assert seen[2] == 6000.0
@@ -229,7 +229,7 @@ async def test_any_failed_write_reloads_the_run(
     fail_writes(monkeypatch, parts, {run.run_id}, error)
     record_score(run, 0)
     with expect_refusal("unavailable"):
-        await parts.registry.commit(run)
+        await parts.registry.writer.commit(run)
     found = await parts.registry.get(run.run_id)
     assert (found is run, found.scored) == (False, 0)
 
@@ -317,18 +317,18 @@ async def test_two_failed_writes_of_a_run_reload_it_once(
     loop = asyncio.get_running_loop()
     loop.set_exception_handler(lambda _, context: failed.append(context))
     run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     broken = {run.run_id}
     fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
-    monkeypatch.setattr(registry, "RELOAD_S", 0.05)
+    monkeypatch.setattr(run_writer, "RELOAD_S", 0.05)
     for _ in range(2):
         run = await parts.registry.get(run.run_id)
         record_score(run, 0)
         with expect_refusal("unavailable"):
-            await parts.registry.commit(run)
+            await parts.registry.writer.commit(run)
     broken.clear()
     await asyncio.sleep(0.15)
-    assert parts.registry._reload_timers == {}
+    assert parts.registry.writer._reload_timers == {}
     assert failed == []
 
 
@@ -343,7 +343,7 @@ async def test_a_failing_database_is_one_line_in_the_log(
             run = await parts.registry.get(run.run_id)
             record_score(run, 0)
             with expect_refusal("unavailable"):
-                await parts.registry.commit(run)
+                await parts.registry.writer.commit(run)
     assert [(r.getMessage(), r.exc_info) for r in caplog.records] == [
         ("a run could not be stored: the disk is full", None)
     ]
@@ -396,10 +396,10 @@ async def test_a_cancelled_caller_does_not_cancel_the_write(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     blocked = BlockedCall(monkeypatch, parts.store, "save")
     record_score(run, 0)
-    leaving = asyncio.create_task(parts.registry.commit(run))
+    leaving = asyncio.create_task(parts.registry.writer.commit(run))
     await blocked.wait_until_reached()
     leaving.cancel()
     await asyncio.wait([leaving])
@@ -438,7 +438,7 @@ async def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
         assert (await parts.store.find_key("alice", "key") is not None) is is_stored
         assert parts.registry.usage.count_open() == int(is_stored)
         assert parts.registry.has("run_1") is is_stored
-        assert ("run_1" in parts.registry._admission.places) is is_stored
+        assert ("run_1" in parts.registry.admission.places) is is_stored
     gc.collect()
     assert_no_error_logged(caplog)
 
@@ -479,8 +479,8 @@ async def test_a_timer_that_fires_early_is_set_again(parts: ServerParts) -> None
     until = time.time() + 5.0
     held = calibration_run(run_id="run_3", queue_until_wall=until)
     await parts.registry.add(held, None, "")
-    parts.registry._admission._admit_in_time()
-    timer = parts.registry._admission._timer
+    parts.registry.admission._admission._admit_in_time()
+    timer = parts.registry.admission._admission._timer
     assert timer is not None
     assert not timer.cancelled()
     while held.state == "queued":
@@ -510,7 +510,7 @@ async def test_a_new_run_is_one_object(
     blocked = BlockedCall(monkeypatch, parts.store, "insert", after=True)
     adding = asyncio.create_task(parts.registry.add(calibration_run(), None, ""))
     await blocked.wait_until_reached()
-    (found,) = await parts.registry.page("alice", None, 9, lambda run: run)
+    (found,) = await parts.registry.reader.page("alice", None, 9, lambda run: run)
     blocked.open()
     assert found is await adding
 
@@ -563,7 +563,7 @@ async def test_waiters_are_notified_when_their_queue_position_changes(
     second = calibration_run(run_id="run_2", queue_until_wall=1e11)
     for run in (first, second):
         await parts.registry.add(run, None, "")
-    assert parts.registry.queue_position(second) == 2
+    assert parts.registry.admission.queue_position(second) == 2
     waiting = asyncio.create_task(
         parts.registry.wait_for_change(
             parts.registry.change_event(second.run_id), TIMEOUT_S
@@ -574,9 +574,9 @@ async def test_waiters_are_notified_when_their_queue_position_changes(
         first.state = "stopped"
     else:
         first.queue_until_wall = 0.0
-    await parts.registry.commit(first)
+    await parts.registry.writer.commit(first)
     assert await waiting
-    assert parts.registry.queue_position(second) == 1
+    assert parts.registry.admission.queue_position(second) == 1
 
 
 # --- timers ---
@@ -588,8 +588,9 @@ async def test_what_a_timer_does_belongs_to_no_request(
     monkeypatch.setattr(run_writer, "RELOAD_S", 0.001)
     seen: list[tuple[str, str | None]] = []
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        runs, leases = parts.registry, parts.executor._resources
-        run = await runs.add(calibration_run("count"), None, "")
+        admission = parts.registry.admission._admission
+        writer, leases = parts.registry.writer, parts.executor._resources
+        run = await parts.registry.add(calibration_run("count"), None, "")
         await parts.executor.attach(run, Attach("w", "key"))
         resources = leases.find(run.workers["w"])
         assert resources is not None

@@ -74,14 +74,16 @@ async def test_reading_a_stable_run_does_not_load_it(
     state: str, parts: ServerParts
 ) -> None:
     await insert_runs(parts, finished_run(state=state))
-    look = parts.registry.read_view
+    look = parts.registry.reader.read_view
     assert await look("run_1", "alice", run_summary) == (state, 3, [])
     page = await look("run_1", "alice", run_summary, 1, 2)
     assert page == (state, 3, ["e0001"])
     assert await look("run_1", "alice", run_summary, 2, 9) == (state, 3, ["e0002"])
     assert await look("run_1", "alice", run_summary, 3, 9) == (state, 3, [])
     everything = await look("run_1", "alice", run_views.score_view, end=None)
-    assert await parts.registry.page("alice", None, 9, lambda run: run.scored) == [3]
+    assert await parts.registry.reader.page(
+        "alice", None, 9, lambda run: run.scored
+    ) == [3]
     assert runs_in_memory(parts) == []
     run = await parts.registry.get("run_1")
     assert run_views.score_view(run, run.episodes) == everything
@@ -112,7 +114,7 @@ async def test_foreign_runs_are_not_found(parts: ServerParts) -> None:
     details = []
     for run_id in ("run_1", "run_2"):
         with expect_refusal("not_found") as refused:
-            await parts.registry.read_view(run_id, "bob", run_summary)
+            await parts.registry.reader.read_view(run_id, "bob", run_summary)
         details.append(refused.value.detail.replace(run_id, ""))
     assert details[0] == details[1]
 
@@ -125,7 +127,7 @@ async def test_an_unstable_row_is_loaded_first(
 ) -> None:
     """Its sessions were lost with a write, or it waits to be admitted."""
     await insert_runs(parts, calibration_run(state=row))
-    found = await parts.registry.read_view("run_1", "alice", run_summary)
+    found = await parts.registry.reader.read_view("run_1", "alice", run_summary)
     assert found == (shown_state, 0, [])
 
 
@@ -139,16 +141,18 @@ async def test_a_run_loaded_meanwhile_is_shown_in_its_new_state(
     read_window = BlockedCall(monkeypatch, parts.store, "read_window", after=True)
     heads = BlockedCall(monkeypatch, parts.store, "heads", after=True)
     looking = start_task(
-        parts.registry.read_view("run_1", "alice", run_summary, end=None)
+        parts.registry.reader.read_view("run_1", "alice", run_summary, end=None)
     )
-    paging = start_task(parts.registry.page("alice", None, 9, lambda run: run.state))
+    paging = start_task(
+        parts.registry.reader.page("alice", None, 9, lambda run: run.state)
+    )
     await read_window.wait_until_reached()
     await heads.wait_until_reached()
     run = await parts.registry.get("run_1")
     effects.resume(run, 0.0)
-    await parts.registry.commit(run)
+    await parts.registry.writer.commit(run)
     record_score(run, 1)
-    await parts.registry.commit(run)
+    await parts.registry.writer.commit(run)
     read_window.open()
     heads.open()
     assert await looking == ("ready", 1, ["e0001"])
@@ -159,13 +163,17 @@ async def test_a_read_never_shows_unstored_results(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     run = await parts.registry.add(calibration_run(state="ready"), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
     record_score(run, 0)
-    parts.registry.commit_later(run)
-    looked = await parts.registry.read_view("run_1", "alice", run_summary, end=None)
+    parts.registry.writer.commit_later(run)
+    looked = await parts.registry.reader.read_view(
+        "run_1", "alice", run_summary, end=None
+    )
     assert looked == ("ready", 0, [])
-    shown_state = await parts.registry.page("alice", None, 9, lambda run: run.scored)
+    shown_state = await parts.registry.reader.page(
+        "alice", None, 9, lambda run: run.scored
+    )
     assert shown_state == [0]
 
 
@@ -247,7 +255,7 @@ async def test_cached_runs_have_so_many_episodes_together(
 async def test_waiting_keeps_no_run_in_memory(parts: ServerParts) -> None:
     await insert_runs(parts, calibration_run(state="ready"))
     change = parts.registry.change_event("run_1")
-    await parts.registry.read_view("run_1", "alice", run_summary)
+    await parts.registry.reader.read_view("run_1", "alice", run_summary)
     waiting = start_task(parts.registry.wait_for_change(change, TIMEOUT_S))
     await asyncio.sleep(0)
     assert runs_in_memory(parts) == []
@@ -466,19 +474,19 @@ async def test_only_later_queue_positions_change(parts: ServerParts) -> None:
     runs = [calibration_run(run_id=f"run_{n}", queue_until_wall=1e11) for n in range(4)]
     for run in runs:
         await parts.registry.add(run, None, "")
-    positions = [parts.registry.queue_position(run) for run in runs]
+    positions = [parts.registry.admission.queue_position(run) for run in runs]
     assert positions == [1, 2, 3, 4]
     changes = [parts.registry.change_event(run.run_id) for run in runs]
     effects.stop(runs[1], "abort", 0.0)
-    await parts.registry.commit(runs[1])
+    await parts.registry.writer.commit(runs[1])
     assert [event.is_set() for event in changes] == [False, True, True, True]
-    positions = [parts.registry.queue_position(run) for run in runs]
+    positions = [parts.registry.admission.queue_position(run) for run in runs]
     assert positions == [1, None, 2, 3]
     changes = [parts.registry.change_event(run.run_id) for run in runs]
     effects.resume(runs[1], 1e11)  # an old number: it comes before newer runs
-    await parts.registry.commit(runs[1])
+    await parts.registry.writer.commit(runs[1])
     assert [event.is_set() for event in changes] == [False, True, True, True]
-    positions = [parts.registry.queue_position(run) for run in runs]
+    positions = [parts.registry.admission.queue_position(run) for run in runs]
     assert positions == [1, 2, 3, 4]
 
 

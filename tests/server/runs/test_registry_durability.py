@@ -9,7 +9,6 @@ from reference_server.rules.lifecycle import Attach, Resume
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
 from reference_server.storage.store import StoreFailed
-from reference_server.telemetry.counters import COUNTERS
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -32,8 +31,8 @@ async def test_shown_results_are_stored(parts: ServerParts) -> None:
     """A write that was only just begun counts as well; no caller waits for it here."""
     run = await parts.registry.add(calibration_run(), None, "")
     record_score(run, 0)
-    parts.registry.commit_later(run)
-    assert await parts.registry.render_when_stored(run, shown_score) == 1
+    parts.registry.writer.commit_later(run)
+    assert await parts.registry.reader.render_when_stored(run, shown_score) == 1
     stored = await parts.store.load(run.run_id)
     assert stored is not None
     assert stored.scored == 1
@@ -43,11 +42,11 @@ async def test_unstored_results_are_not_shown(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
     record_score(run, 0)
-    parts.registry.commit_later(run)
-    assert await parts.registry.render_when_stored(run, shown_score) == 0
+    parts.registry.writer.commit_later(run)
+    assert await parts.registry.reader.render_when_stored(run, shown_score) == 0
 
 
 async def test_a_run_shows_its_number_once_it_is_stored_as_played(
@@ -55,10 +54,10 @@ async def test_a_run_shows_its_number_once_it_is_stored_as_played(
 ) -> None:
     """The write gives the number that a reader waits for (DEL-006)."""
     run = await parts.registry.add(calibration_run(played_number=None), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     run.is_played = True
-    parts.registry.commit_later(run)
-    shown = await parts.registry.render_when_stored(
+    parts.registry.writer.commit_later(run)
+    shown = await parts.registry.reader.render_when_stored(
         run, lambda head: (head.is_played, head.played_number)
     )
     assert shown == (True, 1)
@@ -69,18 +68,20 @@ async def test_a_read_does_not_wait_for_later_writes(
 ) -> None:
     """A run whose workers never pause can be looked at, and shows no more than then."""
     run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     record_score(run, 0)
-    parts.registry.commit_later(run)
-    looking = asyncio.create_task(parts.registry.render_when_stored(run, shown_score))
+    parts.registry.writer.commit_later(run)
+    looking = asyncio.create_task(
+        parts.registry.reader.render_when_stored(run, shown_score)
+    )
     await asyncio.sleep(0)
     blocked = BlockedCall(monkeypatch, parts.store, "save")
     record_score(run, 1)
-    parts.registry.commit_later(run)
+    parts.registry.writer.commit_later(run)
     await blocked.wait_until_reached()
     assert await looking == 1
     blocked.open()
-    assert await parts.registry.render_when_stored(run, shown_score) == 2
+    assert await parts.registry.reader.render_when_stored(run, shown_score) == 2
 
 
 async def test_a_page_shows_each_run_as_it_was_stored(
@@ -92,14 +93,16 @@ async def test_a_page_shows_each_run_as_it_was_stored(
         for number in (1, 2)
     ]
     for run in runs:
-        await parts.registry.is_stored(run)
+        await parts.registry.writer.is_stored(run)
     blocked = BlockedCall(monkeypatch, parts.store, "save")
-    parts.registry.commit_later(runs[0])
-    looking = asyncio.create_task(parts.registry.page("alice", None, 9, shown_score))
-    seen = BlockedCall(monkeypatch, parts.registry, "is_stored")
+    parts.registry.writer.commit_later(runs[0])
+    looking = asyncio.create_task(
+        parts.registry.reader.page("alice", None, 9, shown_score)
+    )
+    seen = BlockedCall(monkeypatch, parts.registry.writer, "is_stored")
     await seen.wait_until_reached()  # the newest, run_2, has been looked at
     record_score(runs[1], 0)
-    parts.registry.commit_later(runs[1])
+    parts.registry.writer.commit_later(runs[1])
     seen.open()
     blocked.open()
     assert await looking == [0, 0]
@@ -138,7 +141,7 @@ async def test_a_refusal_states_only_stored_states(
 
 async def test_no_change_between_read_and_wait_is_missed(parts: ServerParts) -> None:
     run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     change = parts.registry.change_event(run.run_id)
     parts.registry.notify(run)
     assert await parts.registry.wait_for_change(change, TIMEOUT_S)
@@ -154,7 +157,7 @@ async def test_no_change_between_read_and_wait_is_missed(parts: ServerParts) -> 
 
 async def test_waiting_is_refused_during_shutdown(parts: ServerParts) -> None:
     run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.is_stored(run)
+    await parts.registry.writer.is_stored(run)
     waiting = asyncio.create_task(
         parts.registry.wait_for_change(
             parts.registry.change_event(run.run_id), TIMEOUT_S

@@ -139,9 +139,9 @@ async def test_a_cached_score_is_private_to_its_account(parts: ServerParts) -> N
     gc.collect()
     score_cache = ScoreCache()
     for _ in range(2):
-        await score_cache.get(parts.registry, "run_1", "alice")
+        await score_cache.get(parts.registry.reader, "run_1", "alice")
         with expect_refusal("not_found"):
-            await score_cache.get(parts.registry, "run_1", "bob")
+            await score_cache.get(parts.registry.reader, "run_1", "bob")
 
 
 async def test_the_score_cache_is_bounded(

@@ -152,7 +152,7 @@ async def test_a_stop_after_the_last_action_and_before_the_result_is_stored(
     blocked.open()
     with expect_refusal("session_ended", ended_by="run_stopped"):
         await last
-    await parts.registry.commit(run)
+    await parts.registry.writer.commit(run)
     stored = await parts.store.load(run.run_id)
     assert stored is not None
     assert (stored.state, stored.scored) == ("stopped", 1)

@@ -10,7 +10,7 @@ import pytest
 
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run
+from reference_server.rules.run import Run
 from reference_server.runs import session_executor
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle
 from tests.support.server.server_parts import (

@@ -207,7 +207,8 @@ async def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
 async def test_a_statement_names_the_last_one(database: UsedDatabase) -> None:
     """Expect no second one behind the same, and none of a run that has one."""
     async with opened(database) as (store, _):
-        await store.add_statement("run_1", b"1", "sha of 1", None)
+        records = RecordStore(store.transactions)
+        await records.add_statement("run_1", b"1", "sha of 1", None)
         for late in (None, "sha of 2"):
             with pytest.raises(NotTheNext):
                 await records.add_statement("run_2", b"2", "sha of 2", late)

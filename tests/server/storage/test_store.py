@@ -256,13 +256,13 @@ async def test_a_read_and_a_write_do_not_wait_for_each_other(
         assert written.wait(TIMEOUT_S)
         return [first, connection.execute(count).scalar_one()]
 
-    reading = asyncio.create_task(parts.store.read(look))
+    reading = asyncio.create_task(parts.store.transactions.read(look))
     assert await asyncio.to_thread(looking.wait, TIMEOUT_S)
     record_score(run, 2)
     await parts.store.save(run)
     written.set()
     assert await reading == [1, 1]
-    assert await parts.store.read(look) == [2, 2]
+    assert await parts.store.transactions.read(look) == [2, 2]
 
 
 async def test_reads_are_read_only(database: UsedDatabase) -> None:

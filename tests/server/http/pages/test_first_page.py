@@ -70,7 +70,7 @@ async def test_the_first_page_after_the_sign_in_compiles_nothing(
 async def test_the_sign_in_itself_does_not_wait(compiled: Compiled) -> None:
     """Expect the page sent before, and turns of others played meanwhile."""
     sent: list[set[str]] = []
-    pages = Pages(AllowedHosts(), "")
+    pages = Pages(not_found, AllowedHosts(), "")
     app = Starlette(routes=pages.routes())
     scope = {
         "type": "http",
