@@ -155,5 +155,5 @@ async def test_the_score_cache_is_bounded(
         gc.collect()
         cache = ScoreCache()
         for number in (0, 1, 2, 2, 1, 0):
-            await cache.get(parts.registry, f"run_{number}", "alice")
+            await cache.get(parts.registry.reader, f"run_{number}", "alice")
         assert computed == ["run_0", "run_1", "run_2", "run_0"]
