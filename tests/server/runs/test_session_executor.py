@@ -10,7 +10,7 @@ import pytest
 
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.run import Episode, Run
 from reference_server.runs import session_executor
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle
 from tests.support.server.server_parts import (
@@ -186,10 +186,10 @@ async def test_the_last_turn_is_answered_despite_a_takeover(
     turn = await parts.executor.attach(run, Attach("w", "key"))
     saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
 
-    async def slow_save(run: Run) -> None:
+    async def slow_save(run: Run) -> list[Episode]:
         saving.set()
         await release.wait()
-        await save(run)
+        return await save(run)
 
     monkeypatch.setattr(parts.store, "save", slow_save)
     last = asyncio.create_task(
