@@ -13,7 +13,9 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter
+from collections.abc import Coroutine
 from functools import partial
+from typing import Any
 
 from reference_server.process.background_work import BackgroundWork
 from reference_server.rules.capacity import Quota
@@ -136,9 +138,10 @@ class RunRegistry:
         self.writer.close()
         await self.work.wait()
 
-    async def get(self, run_id: str, account: str | None = None) -> Run:
+    def get(self, run_id: str, account: str | None = None) -> Coroutine[Any, Any, Run]:
         """The run in memory, if the account may see it (AUTH-003, RUN-010)."""
-        return await self.reader.get(run_id, account)
+        # Each turn comes here: a coroutine around the reader's would only cost time.
+        return self.reader.get(run_id, account)
 
     # --- a new run ---
 

@@ -40,7 +40,7 @@ class RunReader:
 
     async def get(self, run_id: str, account: str | None = None) -> Run:
         """The run in memory, if the account may see it (AUTH-003, RUN-010)."""
-        run = await self._cache.get(run_id)
+        run = self._cache.find_settled(run_id) or await self._cache.get(run_id)
         if run is None or not may_see_run(account, run.account):
             raise no_run(run_id)
         self._cache.keep(run)

@@ -54,6 +54,11 @@ class RunCache:
         """The run, if it is in memory."""
         return self._in_memory.get(run_id)
 
+    def find_settled(self, run_id: str) -> Run | None:
+        """The run, if it is in memory and neither lost nor being deleted."""
+        run = self._in_memory.get(run_id)
+        return None if run is None or run.lost or run_id in self._leaving else run
+
     def is_loading(self, run_id: str) -> bool:
         return run_id in self._loading
 
@@ -66,7 +71,6 @@ class RunCache:
         """The run, read if it is not in memory; None if there is none."""
         if (leaving := self._leaving.get(run_id)) is not None:
             await asyncio.wait([leaving])
-        # Each request comes here: most find the run in memory.
         run = self._in_memory.get(run_id) or await self.load(run_id)
         if run is not None and run.lost:  # a write that its loading began has failed
             if self._in_memory.get(run_id) is run:
