@@ -1,4 +1,4 @@
-"""Bytes to messages and back: bounds, media types, validation.
+"""Bytes to messages and back: media types, validation.
 
 Nothing is parsed before its size is known; nothing is decoded that could hold code.
 Every fault of a body becomes a refusal with JSON pointers, never a failure (ERR-012).
@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 import re
 import secrets
-from collections.abc import AsyncIterator, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
 from functools import lru_cache
@@ -26,9 +26,6 @@ from reference_server.rules.refusal import Refused
 
 JSON = "application/json"
 MSGPACK = "application/msgpack"
-# So much of an oversized body is read beyond the limit, so that the refusal reaches a
-# client that is still sending.
-DRAIN_BYTES = 2**28
 # Longer ones are not split: that would cost more than the operation. Browsers send 150.
 ACCEPT_CHARS_MAX = 512
 # Copying less costs less than sending one part more.
@@ -43,52 +40,6 @@ _LONG_INTEGER = b"0" * 309
 _BIN_32 = b"\xc6"  # MessagePack: a length of four bytes and that much follow
 
 Model = TypeVar("Model", bound=BaseModel)
-
-
-async def read_body(
-    request: Request, max_bytes: int, *, is_control: bool = False
-) -> bytes:
-    """The request's body; refused when it is larger than `max_bytes` (ERR-005).
-
-    is_control: the bound is that of every operation but `predict` (LIM-008).
-    """
-    whole = bytearray()  # a list of parts would hold 40 bytes more for each
-    size, more = 0, True
-    while more and size <= max_bytes + DRAIN_BYTES:
-        message = await request.receive()
-        if message["type"] == "http.disconnect":
-            raise Refused("malformed_body", "The body ended before its Content-Length.")
-        more = message.get("more_body", False)
-        part: bytes = message.get("body", b"")
-        if not more and not size and len(part) <= max_bytes:
-            return part  # uncopied: most bodies arrive at once
-        size += len(part)
-        if size <= max_bytes:
-            whole += part
-        else:
-            whole = bytearray()
-    if size > max_bytes:
-        raise Refused(
-            "body_too_large",
-            f"The body exceeds {max_bytes} bytes"
-            + (", see limits.max_control_body_bytes." if is_control else "."),
-            requirement="LIM-008" if is_control else "ERR-005",
-        )
-    return bytes(whole)
-
-
-async def stream_body(request: Request) -> AsyncIterator[bytes]:
-    """A long body part by part; refused when it ends too early.
-
-    Its reader stops when it is too long: the connection is drained then.
-    """
-    more = True
-    while more:
-        message = await request.receive()
-        if message["type"] == "http.disconnect":
-            raise Refused("malformed_body", "The body ended before its Content-Length.")
-        more = message.get("more_body", False)
-        yield message.get("body", b"")
 
 
 def decode(body: bytes, media_type: str) -> Any:

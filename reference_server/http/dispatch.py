@@ -27,8 +27,9 @@ from reference_server.generated.parameters import (
 )
 from reference_server.generated.parameters import PATH_PATTERNS as DESCRIBED_PATHS
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
-from reference_server.http import codec, large_bodies
+from reference_server.http import codec
 from reference_server.http.auth import NO_ACCOUNT, SCOPES, Caller, Tokens, is_local
+from reference_server.http.bodies import bounded_parsing, request_bodies
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import AllowedHosts
@@ -177,8 +178,10 @@ async def _check_request(
         # LIM-008: what is longer is not parsed.
         allowed = min(max_body_bytes, operation.max_body_bytes)
         is_control = allowed < max_body_bytes
-        call.raw = await codec.read_body(request, allowed, is_control=is_control)
-        call.body = await large_bodies.read_message(
+        call.raw = await request_bodies.read_body(
+            request, allowed, is_control=is_control
+        )
+        call.body = await bounded_parsing.read_message(
             operation.body, call.raw, media_type
         )
     return call

@@ -19,8 +19,8 @@ from starlette.responses import Response, StreamingResponse
 
 from reference_record.export import blocks_of
 from reference_server.generated import models
-from reference_server.http import codec
 from reference_server.http.board_handlers import BoardHandlers
+from reference_server.http.bodies import request_bodies
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.connections.connection_limits import HEADER_BYTES
 from reference_server.http.dispatch import (
@@ -342,7 +342,7 @@ class Handlers:
     async def import_record(self, call: OperationCall) -> Response:
         """REC-112."""
         declared = call.request.headers.get("content-length", "0")
-        parts = codec.stream_body(call.request)
+        parts = request_bodies.stream_body(call.request)
         one = await self._imports().receive(call.account, int(declared), parts)
         response = call.answer(await self._import_view(one), 202)
         response.headers["Location"] = f"/v1/records/{one.import_id}"

@@ -6,7 +6,7 @@ follows from the same rules. One decision is made here: how long a policy may fa
 fault ends the attempt; a policy server that does not answer `describe` after a fault,
 or has faulted `max_faults` times without an executed turn in between, fails the run,
 which can be resumed (PUSH-012). It must not know HTTP or a policy protocol: those are
-in `http_calls` and behind `PolicyAdapter`.
+in `calls_with_retries` and behind `PolicyAdapter`.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_server.push.backoff import Backoff
+from reference_server.push.calls_with_retries import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
 from reference_server.push.egress import EgressPolicy
-from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 from reference_server.push.policy_calls import (
     Description,

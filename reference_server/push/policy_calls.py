@@ -18,9 +18,9 @@ from pydantic import BaseModel, ValidationError
 
 from reference_server.generated import models
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
+from reference_server.http.bodies.bounded_parsing import read_structure
 from reference_server.http.codec import JSON, pointer, validate
-from reference_server.http.large_bodies import read_structure
-from reference_server.push.http_calls import (
+from reference_server.push.calls_with_retries import (
     HttpCalls,
     PolicyFault,
     ReadAnswer,

@@ -28,7 +28,7 @@ from reference_record.pages.page_templates import (
     read_asset,
     render_page,
 )
-from reference_server.http.codec import read_body
+from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.pages import board_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import LINKS, PageCall

@@ -21,6 +21,7 @@ from starlette.responses import HTMLResponse, Response
 
 from reference_server.generated import models
 from reference_server.http import codec
+from reference_server.http.bodies import request_bodies
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.ebench import (
@@ -429,7 +430,7 @@ class EbenchHandlers:
         """The value in the pickle of the body (EBE-015)."""
         codec.media_type_of(call.request, (PICKLE,))
         limit = self.handlers.settings.max_body_bytes
-        body = await codec.read_body(call.request, limit)
+        body = await request_bodies.read_body(call.request, limit)
         try:
             if len(body) <= PICKLE_INLINE_BYTES:
                 return pickle_reader.read(body)

@@ -18,10 +18,11 @@ from pydantic import BaseModel
 from starlette.responses import Response
 
 from reference_server.http import codec
+from reference_server.http.bodies import request_bodies
+from reference_server.http.bodies.bounded_parsing import read_message
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.http.large_bodies import read_message
 from reference_server.profiles.flageval.evaluation_requests import (
     DiffsRequest,
     EvaluationRequest,
@@ -264,5 +265,5 @@ class FlagevalHandlers:
             return codec.validate(model, {name: read(call.query[name])})
         codec.media_type_of(call.request, (JSON,))
         limit = self.handlers.settings.max_body_bytes
-        body = await codec.read_body(call.request, limit)
+        body = await request_bodies.read_body(call.request, limit)
         return await read_message(model, body, JSON)

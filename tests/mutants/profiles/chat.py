@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from reference_server.push import chat_calls
+from reference_server.push.calls_with_retries import PolicyFault
 from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
-from reference_server.push.http_calls import PolicyFault
 from tests.mutants import instead_of, mutant, put
 
 

@@ -10,8 +10,8 @@ from typing import Any
 import httpcore
 
 from reference_server.push import policy_calls, policy_server_validator
+from reference_server.push.calls_with_retries import Call, HttpCalls, PolicyFault
 from reference_server.push.driver import Driver
-from reference_server.push.http_calls import Call, HttpCalls, PolicyFault
 from reference_server.push.policy_calls import ProctorPolicy
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.policy_server import PolicyServerConfig

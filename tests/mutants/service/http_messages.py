@@ -9,13 +9,9 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
-from reference_server.http import (
-    application,
-    codec,
-    dispatch,
-    problems,
-)
+from reference_server.http import application, codec, dispatch, problems
 from reference_server.http.application import Application
+from reference_server.http.bodies import request_bodies
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from tests.mutants import instead_of, mutant, put
@@ -131,7 +127,7 @@ def reads_any_media_type_as_json(right: Any, request: Request, readable: Any) ->
         return codec.JSON
 
 
-@mutant("SVC-005", through=instead_of(codec, "read_body"))
+@mutant("SVC-005", through=instead_of(request_bodies, "read_body"))
 async def reads_no_body_without_a_length(
     right: Any, request: Request, max_bytes: int, **kind: bool
 ) -> Any:

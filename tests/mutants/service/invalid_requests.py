@@ -11,10 +11,8 @@ from typing import Any
 from pydantic import ValidationError
 from starlette.requests import Request
 
-from reference_server.http import (
-    codec,
-    large_bodies,
-)
+from reference_server.http import codec
+from reference_server.http.bodies import bounded_parsing, request_bodies
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import RunService
 from tests.mutants import Json, instead_of, mutant, put
@@ -60,7 +58,7 @@ def reads_text_as_numbers(right: Any, model: Any, data: Any) -> Any:
         return right(model, data)
 
 
-@mutant("ERR-005", through=instead_of(codec, "read_body"))
+@mutant("ERR-005", through=instead_of(request_bodies, "read_body"))
 async def reads_bodies_of_any_size(
     right: Any, request: Request, _max_bytes: int, **kind: bool
 ) -> Any:
@@ -68,7 +66,7 @@ async def reads_bodies_of_any_size(
     return await right(request, 2**30, **kind)
 
 
-@mutant("ERR-006", through=instead_of(large_bodies, "read_structure"))
+@mutant("ERR-006", through=instead_of(bounded_parsing, "read_structure"))
 def fails_on_deep_nesting(
     right: Any, model: Any, body: bytes, media_type: str, **how: Any
 ) -> Any:

@@ -107,7 +107,7 @@ ONLY: dict[tuple[str, str], set[str]] = {
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
     | {"codec", "decode", "pointer", "validate"}
-    | {"large_bodies", "read_structure", "INLINE_BYTES_MAX", "WHOLE_BYTES_MAX"},
+    | {"bounded_parsing", "read_structure", "INLINE_BYTES_MAX", "WHOLE_BYTES_MAX"},
 }
 
 

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from starlette.requests import Request
 
 from reference_server.generated import models
+from reference_server.http.bodies.request_bodies import DRAIN_BYTES, read_body
 from reference_server.http.codec import (
-    DRAIN_BYTES,
     JSON,
     MSGPACK,
     decode,
@@ -24,7 +24,6 @@ from reference_server.http.codec import (
     media_type_of,
     negotiate_media_type,
     pointer,
-    read_body,
     validate,
 )
 from reference_server.rules.refusal import Refused

@@ -32,8 +32,8 @@ from reference_server.http.connections.connection_limits import (
 )
 from reference_server.http.pages.page_routes import FORM, FORM_BYTES_MAX
 from reference_server.profiles.ebench import pickle_reader
+from reference_server.push.calls_with_retries import ANSWER_BYTES_MAX
 from reference_server.push.chat_calls import read_answer
-from reference_server.push.http_calls import ANSWER_BYTES_MAX
 from tests.support.parsing.asgi_server import TOKEN, AsgiServer, asgi_server
 from tests.support.parsing.parsing_work import (
     FREE_S,

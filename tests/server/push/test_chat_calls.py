@@ -15,8 +15,8 @@ from PIL import Image
 from conformance.policy.scripted_chat import ScriptedChat
 from conformance.profiles.flageval import ANSWERS_IN_TEXT
 from reference_server.push import chat_calls
+from reference_server.push.calls_with_retries import PolicyFault
 from reference_server.push.chat_calls import NO_ANSWER, ChatPolicy, read_answer
-from reference_server.push.http_calls import PolicyFault
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering.questions import action, draw
 from reference_sim.benchmarks.tabletop.scene import TabletopScene

@@ -14,14 +14,14 @@ from reference_server.generated import models
 from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push import driver
 from reference_server.push.backoff import Backoff
-from reference_server.push.driver import PROTOCOLS, Driver
-from reference_server.push.egress import EgressPolicy
-from reference_server.push.http_calls import (
+from reference_server.push.calls_with_retries import (
     ANSWER_BYTES_MAX,
     CallLimits,
     HttpCalls,
     PolicyFault,
 )
+from reference_server.push.driver import PROTOCOLS, Driver
+from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
 from reference_server.rules.lifecycle import Attach

@@ -16,12 +16,12 @@ import pytest
 
 from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.push import egress
+from reference_server.push.calls_with_retries import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.egress import (
     AddressNotAllowed,
     EgressPolicy,
     HostNotResolved,
 )
-from reference_server.push.http_calls import CallLimits, HttpCalls, PolicyFault
 from reference_server.settings.allowed_networks import Address
 from tests.support.push_runs import ALLOW_LOOPBACK, play_push_run, push_submission
 from tests.support.server.certificates import create_certificate

@@ -18,12 +18,12 @@ import httpcore
 import msgspec
 from pydantic import BaseModel
 
-from reference_server.http.codec import JSON, decode, pointer
-from reference_server.http.large_bodies import (
+from reference_server.http.bodies.bounded_parsing import (
     INLINE_BYTES_MAX,
     WHOLE_BYTES_MAX,
     read_structure,
 )
+from reference_server.http.codec import JSON, decode, pointer
 from reference_server.http.problems import PROBLEM_JSON
 from reference_server.push.backoff import CALL_PAUSE_MAX_S, Backoff
 from reference_server.push.egress import (

@@ -14,10 +14,9 @@ from hypothesis import strategies as st
 from pydantic import BaseModel
 
 from reference_server.generated import models
-from reference_server.http import codec, large_bodies
-from reference_server.http.codec import JSON, MSGPACK
-from reference_server.http.handlers import Handlers
-from reference_server.http.large_bodies import (
+from reference_server.http import codec
+from reference_server.http.bodies import bounded_parsing
+from reference_server.http.bodies.bounded_parsing import (
     ENTRIES_MAX,
     INLINE_BYTES_MAX,
     VALUES_MAX,
@@ -25,6 +24,8 @@ from reference_server.http.large_bodies import (
     read_message,
     read_structure,
 )
+from reference_server.http.codec import JSON, MSGPACK
+from reference_server.http.handlers import Handlers
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.profiles.ebench.task_requests import Workers
 from reference_server.profiles.flageval.evaluation_handlers import FlagevalHandlers
@@ -421,7 +422,7 @@ def test_a_large_body_passes_if_it_would_as_a_small_one(
         return
     small = read(model, body, media_type)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(large_bodies, "WHOLE_BYTES_MAX", 0)
+        patch.setattr(bounded_parsing, "WHOLE_BYTES_MAX", 0)
         large = read(model, body, media_type)
     assert (small and small.code) == (large and large.code)
     if small is None:
