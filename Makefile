@@ -102,8 +102,8 @@ attack: setup ## Attack the reference server while others use it, judge it
 	@$(python) -m tests.campaigns attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
 chaos: setup; @$(python) -m tests.campaigns chaos $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; as attack, and ARGS='--simulators ray'
 experts: setup; @$(python) tools/experts.py --write $(ARGS) ## Measure the scripted experts, rewrite their page
-bench: setup .venv-bench/ready ## Measure beside the alternatives
-	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth && $(python) -m benchmarks.page_speed && $(python) -m benchmarks.recording_cost
+bench: setup .venv-bench/ready ## Measure beside the alternatives; ARGS='round_trips --try'
+	@$(python) -m benchmarks $(ARGS)
 
 clean: ## Remove environments, caches, reports; not data in var/
 	rm -rf .venv .venv-* .cache .hypothesis .*_cache .coverage* build dist report *.egg-info
