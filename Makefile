@@ -56,7 +56,7 @@ add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d]
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
-metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools.measurements.metaworld_table ## Play its experts directly and through the protocol
+metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools.measurements.both_ways metaworld ## Play its experts directly and through the protocol
 aloha: .venv-aloha/ready ## Install gym-aloha apart
 aloha-check: aloha; @.venv-aloha/bin/python -m pytest tests/sim/benchmarks/aloha_checks.py ## Run the tests that need gym-aloha
 robosuite: .venv-robosuite/ready ## Install robosuite apart
