@@ -14,18 +14,18 @@ import sys
 from typing import Protocol
 
 from benchmarks import measuring
-from benchmarks.round_trips import comparison
+from benchmarks.round_trips import compared_turns
 
 MODULES = {
-    "round_trips": "round_trips.comparison",
+    "round_trips": "round_trips.compared_turns",
     "throughput": "round_trips.throughput",
-    "libraries": "libraries.comparison",
-    "growth": "growth.requests",
-    "pages": "growth.pages",
+    "libraries": "libraries.compared_libraries",
+    "growth": "growth.storage_growth",
+    "pages": "growth.page_speed",
     "recording_cost": "round_trips.recording_cost",
     "turn_parts": "round_trips.turn_parts",
-    "postgresql": "growth.postgresql",
-    "records": "growth.records",
+    "postgresql": "growth.postgresql_growth",
+    "records": "growth.record_speed",
     "forwarded_turns": "cluster.forwarded_turns",
     "many_workers": "cluster.many_workers",
     "ray_turns": "cluster.ray_turns",
@@ -34,7 +34,7 @@ OF_MAKE_BENCH = list(MODULES)[:6]
 NEEDS_PEERS = {"round_trips", "libraries"}
 
 
-class Part(Protocol):
+class MeasuredPart(Protocol):
     """A module that measures. TITLE: of its section of the page."""
 
     TITLE: str
@@ -48,13 +48,13 @@ def main() -> int:
     options = _options()
     if options.only and options.parts == ["round_trips"]:
         plan = dict.fromkeys(options.scenarios, options.only)
-        measuring.say(comparison.compare(plan, options.rounds))
+        measuring.say(compared_turns.compare(plan, options.rounds))
         return 0
-    if NEEDS_PEERS & set(options.parts) and not comparison.PEERS_PYTHON.exists():
+    if NEEDS_PEERS & set(options.parts) and not compared_turns.PEERS_PYTHON.exists():
         print("the peers are not installed: make .venv-bench/ready", file=sys.stderr)
         return 2
     for name in options.parts:
-        part: Part = importlib.import_module(f"benchmarks.{MODULES[name]}")
+        part: MeasuredPart = importlib.import_module(f"benchmarks.{MODULES[name]}")
         text = part.measure(trying=options.is_tried)
         measuring.say(text)
         if not options.is_tried:
@@ -72,16 +72,16 @@ def _options() -> argparse.Namespace:
         "--try", action="store_true", dest="is_tried", help="short, and only printed"
     )
     chosen = parser.add_argument_group("for round_trips alone, only printed")
-    names = list(comparison.NAMES)
+    names = list(compared_turns.NAMES)
     chosen.add_argument("--only", nargs="+", choices=names, metavar="NAME")
-    every_scenario = list(comparison.TITLES)
+    every_scenario = list(compared_turns.TITLES)
     chosen.add_argument(
         *("--scenarios", "--scenario"),
         nargs="+",
         choices=every_scenario,
         default=every_scenario,
     )
-    chosen.add_argument("--rounds", type=int, default=comparison.ROUNDS)
+    chosen.add_argument("--rounds", type=int, default=compared_turns.ROUNDS)
     options = parser.parse_args()
     if strange := set(options.parts) - MODULES.keys():
         parser.error(f"there is no part {', '.join(strange)}; there are {every}")

@@ -48,9 +48,9 @@ def with_pictures(turn: dict[str, Any], become: Callable[[Any], Any]) -> dict[st
 def capture(folder: Path) -> None:
     """Write both samples, from a server that is started for it."""
     # The environment of the libraries reads samples, and has no such modules.
+    from benchmarks.measured_server import running_server
     from benchmarks.round_trips.contenders import small_client
     from benchmarks.round_trips.observations import action, by_name
-    from benchmarks.server_process import running_server
 
     module = "benchmarks.round_trips.still_life.still_life_server"
     with running_server(folder / "bench.sqlite", module) as server:

@@ -31,7 +31,7 @@ Turn = Callable[[list[float]], ObservationParts]
 
 
 class Player(Protocol):
-    """A client that is told how often to play."""
+    """A client that plays on command."""
 
     def play(self, turns: int, *, whole: bool = False) -> tuple[list[int], int]:
         """Nanoseconds of each turn, and of CPU of all together."""

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from benchmarks import measuring
-from benchmarks.server_process import PlayedRun, ServerProcess, running_server, submit
+from benchmarks.measured_server import ServerProcess, TimedRun, running_server, submit
 from tests.support.sim.calibration_action import calibration_action
 
 TITLE = "Recording"
@@ -70,17 +70,17 @@ def _play(benchmark_id: str, blocks: int, scratch: Path) -> dict[str, list[Spent
     return {mode: seconds[NOT_COUNTED:] for mode, seconds in spent.items()}
 
 
-def _run(server: ServerProcess, benchmark_id: str, episodes: int) -> PlayedRun:
+def _run(server: ServerProcess, benchmark_id: str, episodes: int) -> TimedRun:
     if benchmark_id == "calibration":
         options = {"tasks": ["count"] * episodes, "max_steps": TURNS_AN_EPISODE}
         run_id = submit(server, benchmark_id, options=options)
-        return PlayedRun(server, run_id, calibration_action())
+        return TimedRun(server, run_id, calibration_action())
     spaces = server.ask("GET", f"/v1/benchmarks/{benchmark_id}")["action_space"]
     middle = {
         name: [sum(ends) / 2 for ends in zip(of["minimum"], of["maximum"], strict=True)]
         for name, of in spaces.items()
     }
-    return PlayedRun(server, submit(server, benchmark_id), middle)
+    return TimedRun(server, submit(server, benchmark_id), middle)
 
 
 def _spent(server: ServerProcess) -> Spent:

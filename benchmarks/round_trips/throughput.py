@@ -25,13 +25,13 @@ from typing import NamedTuple
 from proctor_client import ApiException, AttachWorker, PolicyInfo, StopRun, SubmitRun
 
 from benchmarks import measuring
+from benchmarks.measured_server import TOKEN, running_server
 from benchmarks.round_trips.direct_simulation import (
     ACTIONS,
     Case,
     measure_bare,
     measure_over_tcp,
 )
-from benchmarks.server_process import TOKEN, running_server
 from reference_client.protocol.connection import Connection
 
 TITLE = "Throughput"

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from benchmarks import measuring
-from benchmarks.server_process import PlayedRun, ServerProcess, running_server, submit
+from benchmarks.measured_server import ServerProcess, TimedRun, running_server, submit
 from tests.support.sim.calibration_action import calibration_action
 
 TITLE = "Parts of a turn"
@@ -52,7 +52,7 @@ def measure(*, trying: bool) -> str:
         running_server(Path(directory, "bench.sqlite"), **SETTINGS) as server,
     ):
         run_id = submit(server, "calibration", options=options)
-        played = PlayedRun(server, run_id, calibration_action())
+        played = TimedRun(server, run_id, calibration_action())
         played.play()
         does: dict[str, Callable[[], object]] = {
             "`GET /livez`": lambda: server.ask("GET", "/livez"),

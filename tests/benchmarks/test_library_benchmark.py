@@ -15,10 +15,14 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from benchmarks.libraries import comparison, samples
+from benchmarks.libraries import compared_libraries, samples
 from benchmarks.libraries.timed_pieces import Piece, WrongResult, rows
 from benchmarks.measuring import ROOT
-from benchmarks.round_trips.rounds import Contender, ContenderFailed, started
+from benchmarks.round_trips.interleaved_rounds import (
+    Contender,
+    ContenderFailed,
+    started,
+)
 
 pytestmark = pytest.mark.slow("starts servers")
 
@@ -73,10 +77,10 @@ def with_this_python(contender: Contender) -> Contender:
     )
 
 
-@pytest.mark.parametrize("client", [comparison.OURS, "http.client", "urllib3"])
+@pytest.mark.parametrize("client", [compared_libraries.OURS, "http.client", "urllib3"])
 def test_a_client_receives_the_sample(client: str, folder: Path) -> None:
-    server = comparison.CHOSEN_SERVER
-    contender = comparison.contender(client, server, client, folder)
+    server = compared_libraries.CHOSEN_SERVER
+    contender = compared_libraries.contender(client, server, client, folder)
     with started([with_this_python(contender)]) as (pair,):
         times = pair.play(3)
     assert len(times.ns) == 3
@@ -87,8 +91,10 @@ def test_a_wrong_answer_ends_the_measurement(folder: Path, tmp_path: Path) -> No
     sample = samples.read(folder, samples.STATE)
     sample.answer += b"!"
     (tmp_path / samples.STATE).write_bytes(msgspec.msgpack.encode(sample))
-    name = comparison.OURS
-    right = comparison.contender(name, comparison.CHOSEN_SERVER, name, folder)
+    name = compared_libraries.OURS
+    right = compared_libraries.contender(
+        name, compared_libraries.CHOSEN_SERVER, name, folder
+    )
     wrong = dataclasses.replace(
         with_this_python(right), environment={samples.FOLDER: str(tmp_path)}
     )

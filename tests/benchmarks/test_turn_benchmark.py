@@ -15,9 +15,13 @@ import numpy as np
 import pytest
 
 from benchmarks import measuring
-from benchmarks.round_trips import comparison, observations
+from benchmarks.round_trips import compared_turns, observations
 from benchmarks.round_trips.contender_process import TurnClient
-from benchmarks.round_trips.rounds import ContenderFailed, ContenderPair, TurnTimes
+from benchmarks.round_trips.interleaved_rounds import (
+    ContenderFailed,
+    ContenderPair,
+    TurnTimes,
+)
 
 pytestmark = pytest.mark.slow("measures every contender")
 
@@ -25,21 +29,21 @@ NAMES = ("tcp", "ours msgpack", "ours json")
 
 
 def test_each_contender_plays_its_turns_and_has_a_row() -> None:
-    played = comparison.play_scenario("state", NAMES, 3)
+    played = compared_turns.play_scenario("state", NAMES, 3)
     assert set(played) == set(NAMES)
     for times in played.values():
         assert len(times.ns) >= 3
         assert len(times.ns) % 3 == 0  # as many in each round
         assert 0 < times.percentile_ms(50) <= times.percentile_ms(99)
         assert min(times.server_cpu_s, times.client_cpu_s) > 0
-    text = comparison.table_of(played)
-    assert [name for name in NAMES if comparison.NAMES[name] not in text] == []
+    text = compared_turns.table_of(played)
+    assert [name for name in NAMES if compared_turns.NAMES[name] not in text] == []
 
 
 def test_targets_are_computed_from_the_measurements() -> None:
     medians = {"tcp": 1, "ours msgpack": 3, "dm_env_rpc": 6, "ebench": 5}
     cameras = {name: TurnTimes([10**6 * ms] * 2) for name, ms in medians.items()}
-    judged = comparison.targets({"cameras": cameras})
+    judged = compared_turns.targets({"cameras": cameras})
     assert [(target.measured, target.is_met) for target in judged] == [
         (3.0, False),  # at most twice raw TCP
         (2.0, True),  # gRPC takes at least twice as long
@@ -97,7 +101,7 @@ def test_an_ended_process_has_no_cpu_time() -> None:
 
 def test_a_contender_that_breaks_is_named(tmp_path: Path) -> None:
     """And nothing waits for it, nor is left behind."""
-    sound = comparison.contender("tcp", "state", tmp_path)
+    sound = compared_turns.contender("tcp", "state", tmp_path)
     broken = dataclasses.replace(sound, client=[sys.executable, "-c", ""])
     with pytest.raises(ContenderFailed, match="tcp: "), ContenderPair(broken):
         raise AssertionError("it cannot have begun")

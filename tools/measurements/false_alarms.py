@@ -57,7 +57,7 @@ HEAD = """# False alarms
 How often the kit called a right server wrong, or could not decide. Written by `make
 false-alarms`; kit and servers as they are since commit {commit} of {date}, on
 {processors} processors, another seed in each run. `whole`: the kit without options;
-otherwise those that it had. `quiet`: beside whatever the machine ran; `busy`: beside one
+otherwise those that it had. `quiet`: beside whatever the machine ran; `busy`: beside a
 process more per processor that computes without end; `halted`: kit and servers stopped
 together, every {between_s:g} s or so, for up to {longest_s:g} s.
 """

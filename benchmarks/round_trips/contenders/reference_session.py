@@ -11,9 +11,9 @@ import threading
 
 from proctor_client import SubmitRun
 
+from benchmarks.measured_server import TOKEN
 from benchmarks.round_trips.contender_process import ObservationParts, Turn
 from benchmarks.round_trips.observations import by_name
-from benchmarks.server_process import TOKEN
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import chunk_of
 from reference_client.protocol.connection import Connection

@@ -17,9 +17,9 @@ import numpy as np
 import simplejpeg
 from numpy.typing import NDArray
 
+from benchmarks.measured_server import TOKEN
 from benchmarks.round_trips.contender_process import ObservationParts, Turn
 from benchmarks.round_trips.observations import SCENARIOS, by_name
-from benchmarks.server_process import TOKEN
 
 
 class Image(msgspec.Struct):

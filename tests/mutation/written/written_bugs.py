@@ -59,7 +59,7 @@ def read_bugs(target: Target, folder: Path = FOLDER) -> list[WrittenBug]:
 
 
 def are_noticed(target: Target) -> bool:
-    """Tell whether the kit noticed each bug that it was given, the last time."""
+    """Whether the kit noticed each bug that it has judged, the last time."""
     results = read_results(results_of_written(target))
     judged = [bug for bug in read_bugs(target) if bug.mutant.id in results]
     return all(results[bug.mutant.id].outcome in NOTICED for bug in judged)

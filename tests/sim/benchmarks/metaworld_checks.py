@@ -92,6 +92,7 @@ def test_a_seed_gives_the_same_episode_after_other_episodes(task: str) -> None:
 # --- through the protocol ---
 
 
+@pytest.mark.slow("starts a server")
 def test_experts_score_the_same_directly_and_through_the_protocol(
     tmp_path: Path,
 ) -> None:

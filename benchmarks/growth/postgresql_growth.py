@@ -1,4 +1,4 @@
-"""The growth of requests.py, stored in PostgreSQL.
+"""The growth of storage_growth.py, stored in PostgreSQL.
 
 Databases of one PostgreSQL are filled with finished runs, a real server is started on
 each, and the same requests are sent to them in turn. Nothing is forced to disk, as in
@@ -18,14 +18,14 @@ from benchmarks.growth.filled_databases import (
     filling_statements,
     store_templates,
 )
-from benchmarks.growth.requests import (
+from benchmarks.growth.storage_growth import (
     DATABASE_CASES,
     ROUNDS,
     ROUNDS_TRIED,
     TimedRequests,
     compare_requests,
 )
-from benchmarks.server_process import ServerProcess, running_server
+from benchmarks.measured_server import ServerProcess, running_server
 from tests.support.server.postgresql_server import PostgresqlServer
 
 TITLE = "Growth on PostgreSQL"

@@ -22,10 +22,10 @@ from pathlib import Path
 
 from benchmarks import measuring
 from benchmarks.growth.filled_databases import DatabaseCase, build_run, fill
-from benchmarks.server_process import (
+from benchmarks.measured_server import (
     TOKEN,
-    PlayedRun,
     ServerProcess,
+    TimedRun,
     running_server,
 )
 from reference_record.formats.merkle_tree import leaf_hash
@@ -162,7 +162,7 @@ def signed_in(server: ServerProcess) -> PageReader:
 
 def live_row(server: ServerProcess, seconds: float) -> list[str]:
     """Share of a core while a run is played, without pages and with them."""
-    played = PlayedRun(server, "ready_0", calibration_action())
+    played = TimedRun(server, "ready_0", calibration_action())
     alone = share_while(server, played, seconds)
     with live_pages(signed_in(server), server, "ready_0") as received:
         watched = share_while(server, played, seconds)
@@ -177,14 +177,14 @@ def live_row(server: ServerProcess, seconds: float) -> list[str]:
     ]
 
 
-def share_while(server: ServerProcess, played: PlayedRun, seconds: float) -> float:
+def share_while(server: ServerProcess, played: TimedRun, seconds: float) -> float:
     play_slowly(played, 2.0)  # what happens once
     before, began_at = server.cpu_s(), time.monotonic()
     play_slowly(played, seconds)
     return (server.cpu_s() - before) / (time.monotonic() - began_at)
 
 
-def play_slowly(played: PlayedRun, seconds: float) -> None:
+def play_slowly(played: TimedRun, seconds: float) -> None:
     """End EPISODES_A_SECOND episodes of a run, one in each turn."""
     began_at = time.monotonic()
     for number in range(int(seconds * EPISODES_A_SECOND)):

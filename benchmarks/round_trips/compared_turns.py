@@ -1,8 +1,8 @@
 """The round trip of predict, compared with alternatives.
 
-For each scenario all contenders run at once and play alternately (rounds.py). A round
-gives each contender the same time, so a faster one plays more turns. A contender that
-fails ends the measurement; none is omitted silently. Peers run with their real packages
+For each scenario all contenders run at once and play alternately, by
+interleaved_rounds.py. A round gives each contender the same time, so a faster one plays
+more turns. A contender that fails ends the measurement; none is omitted silently. Peers run with their real packages
 in their own virtual environment, `.venv-bench`; ours is the reference server with the
 benchmark `still_life`. Targets are shown whether met or not.
 """
@@ -19,9 +19,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from benchmarks import measuring
-from benchmarks.round_trips import rounds as interleaved
-from benchmarks.round_trips.rounds import Contender, ContenderPair, TurnTimes
-from benchmarks.server_process import TOKEN
+from benchmarks.measured_server import TOKEN
+from benchmarks.round_trips import interleaved_rounds
+from benchmarks.round_trips.interleaved_rounds import (
+    Contender,
+    ContenderPair,
+    TurnTimes,
+)
 
 TITLE = "Round trips"
 TITLES = {
@@ -119,10 +123,10 @@ def play_scenario(scenario: str, names: Sequence[str], rounds: int) -> Played:
     with tempfile.TemporaryDirectory() as scratch:
         contenders = [contender(name, scenario, Path(scratch)) for name in names]
         measuring.say(f"{scenario}: starting {', '.join(names)}")
-        with interleaved.started(contenders) as pairs:
+        with interleaved_rounds.started(contenders) as pairs:
             turns = {pair.name: _warm_up(pair) for pair in pairs}
             measuring.say(f"{scenario}: playing {rounds} rounds")
-            return interleaved.play(pairs, rounds, turns)
+            return interleaved_rounds.play(pairs, rounds, turns)
 
 
 def _warm_up(pair: ContenderPair) -> int:

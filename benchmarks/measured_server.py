@@ -89,7 +89,7 @@ def running_server(
         server.end()
 
 
-class PlayedRun:
+class TimedRun:
     """A run with one worker `w` that plays over the connection of a server.
 
     values: of every action. The run of `calibration` is one long task.

@@ -18,8 +18,8 @@ from pathlib import Path
 from benchmarks import measuring
 from benchmarks.libraries import samples
 from benchmarks.libraries.http_process import CLIENTS
-from benchmarks.round_trips.comparison import PEERS_PYTHON
-from benchmarks.round_trips.rounds import Contender, play, started
+from benchmarks.round_trips.compared_turns import PEERS_PYTHON
+from benchmarks.round_trips.interleaved_rounds import Contender, play, started
 
 TITLE = "Libraries: HTTP and encoding"
 ROUNDS, ROUNDS_TRIED = (100, 40), (3, 2)  # in one process, on loopback

@@ -27,10 +27,10 @@ from benchmarks.growth.filled_databases import (
     DatabaseCase,
     fill,
 )
-from benchmarks.server_process import (
+from benchmarks.measured_server import (
     TOKEN,
-    PlayedRun,
     ServerProcess,
+    TimedRun,
     running_server,
     submit,
 )
@@ -180,7 +180,7 @@ def queue_sentence(path: Path, length: int, rounds: int) -> str:
             shutil.copy(path, own)
             running = running_server(own, PROCTOR_MAX_ACTIVE_RUNS="1")
             requests = TimedRequests(DATABASE_CASES[0], servers.enter_context(running))
-            played = PlayedRun(requests.server, "ready_0", calibration_action())
+            played = TimedRun(requests.server, "ready_0", calibration_action())
             submit_idle_runs(requests.server, waiting)
             queues.append((requests, played))
         for number in range(rounds + WARM_UP):
@@ -215,7 +215,7 @@ def play_runs(server: ServerProcess, count: int) -> float:
     """Play runs of one episode from submit to detach; returns the memory then, MB."""
     for _ in range(count):
         run_id = submit(server, "calibration", options={"tasks": ["score"]})
-        played = PlayedRun(server, run_id, calibration_action())
+        played = TimedRun(server, run_id, calibration_action())
         played.play(end=1.0)
         played.detach()
     return server.memory_mb()
@@ -263,7 +263,7 @@ def memory_sentences(path: Path, divisor: int) -> list[str]:
 def disk_sentence(path: Path) -> str:
     """Bytes that turns inside one episode send to disk; and one that ends it."""
     with running_server(path) as server:
-        played = PlayedRun(server, "ready_0", calibration_action())
+        played = TimedRun(server, "ready_0", calibration_action())
         before = server.written_bytes()
         for _ in range(TURNS):
             played.play()
