@@ -2,9 +2,10 @@
 
 For each scenario all contenders run at once and play alternately, by
 interleaved_rounds.py. A round gives each contender the same time, so a faster one plays
-more turns. A contender that fails ends the measurement; none is omitted silently. Peers run with their real packages
-in their own virtual environment, `.venv-bench`; ours is the reference server with the
-benchmark `still_life`. Targets are shown whether met or not.
+more turns. A contender that fails ends the measurement; none is omitted silently. Peers
+run with their real packages in their own virtual environment, `.venv-bench`; ours is
+the reference server with the benchmark `still_life`. Targets are shown whether met or
+not.
 """
 
 from __future__ import annotations
