@@ -56,7 +56,7 @@ add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d]
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
-metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools.measurements.metaworld_table ## Play its experts directly and through the protocol
+metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools.measurements.both_ways metaworld ## Play its experts directly and through the protocol
 aloha: .venv-aloha/ready ## Install gym-aloha apart
 aloha-check: aloha; @.venv-aloha/bin/python -m pytest tests/sim/benchmarks/aloha_checks.py ## Run the tests that need gym-aloha
 robosuite: .venv-robosuite/ready ## Install robosuite apart
@@ -102,8 +102,8 @@ attack: setup ## Attack the reference server while others use it, judge it
 	@$(python) -m tests.campaigns attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
 chaos: setup; @$(python) -m tests.campaigns chaos $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; as attack, and ARGS='--simulators ray'
 experts: setup; @$(python) tools/experts.py --write $(ARGS) ## Measure the scripted experts, rewrite their page
-bench: setup .venv-bench/ready ## Measure beside the alternatives
-	@$(python) -m benchmarks $(ARGS) && $(python) -m benchmarks.storage_growth && $(python) -m benchmarks.page_speed && $(python) -m benchmarks.recording_cost
+bench: setup .venv-bench/ready ## Measure beside the alternatives; ARGS='round_trips --try'
+	@$(python) -m benchmarks $(ARGS)
 
 clean: ## Remove environments, caches, reports; not data in var/
 	rm -rf .venv .venv-* .cache .hypothesis .*_cache .coverage* build dist report *.egg-info

@@ -1,80 +1,41 @@
-"""Captured requests and responses of the reference server, byte for byte.
+"""Captured requests and answers of the reference server, in MessagePack.
 
-Written to a folder by capture.py and read from there by every measurement: a turn
-without images, and one with four raw images of 480 × 640. Uses no library but msgspec,
-which decodes the response.
+There is a turn without images, and one with four raw images of 480 × 640. Every
+measurement reads them from a folder. The names are those of the scenarios of the round
+trips.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import msgspec
 
 STATE, CAMERAS = "state", "cameras"
-# Environment variables of a server: the folder of samples, and whether to copy.
-FOLDER, COPIES = "BENCHMARKS_SAMPLES", "BENCHMARKS_COPIES"
-_HEAD_END = b"\r\n\r\n"
-# What every HTTP client writes by itself.
-_NOT_GIVEN = ("host", "content-length")
+FOLDER = "BENCHMARKS_SAMPLES"  # an environment variable of a server
 
 
-class SampleRequest(NamedTuple):
-    """A request, as an HTTP client is given it."""
+class Sample(msgspec.Struct):
+    """One exchange: body and headers of the request, body of the answer."""
 
     path: str
     headers: dict[str, str]
     body: bytes
-
-
-@dataclass(frozen=True, slots=True)
-class Sample:
-    """request, answer: head and body, in MessagePack."""
-
-    request: bytes
     answer: bytes
 
-    def write(self, folder: Path, name: str) -> None:
-        (folder / f"{name}.request").write_bytes(self.request)
-        (folder / f"{name}.answer").write_bytes(self.answer)
-
-    @property
-    def sample_request(self) -> SampleRequest:
-        head, _, body = self.request.partition(_HEAD_END)
-        first, *lines = head.decode("latin-1").split("\r\n")
-        headers = dict(line.split(": ", 1) for line in lines)
-        given = {n: v for n, v in headers.items() if n.lower() not in _NOT_GIVEN}
-        return SampleRequest(first.split()[1], given, body)
-
-    @property
-    def body(self) -> bytes:
-        return self.answer.partition(_HEAD_END)[2]
-
     def turn(self) -> dict[str, Any]:
-        """As the server has it before it is encoded: pictures are views of memory."""
-        turn: dict[str, Any] = msgspec.msgpack.decode(self.body)
+        """The turn before it is encoded: pictures are views of memory."""
+        turn: dict[str, Any] = msgspec.msgpack.decode(self.answer)
         return with_pictures(turn, memoryview)
-
-    def parts(self) -> list[memoryview]:
-        """The body in the parts that the server sends: images are separate parts."""
-        body, parts, start = self.body, [], 0
-        view = memoryview(body)
-        for image in self.turn()["observation"]["images"].values():
-            found = body.index(image["data"], start)
-            end = found + len(image["data"])
-            parts += [view[start:found], view[found:end]]
-            start = end
-        return [*parts, view[start:]]
 
 
 def read(folder: Path, name: str) -> Sample:
-    request, answer = folder / f"{name}.request", folder / f"{name}.answer"
-    return Sample(request.read_bytes(), answer.read_bytes())
+    return msgspec.msgpack.decode((folder / name).read_bytes(), type=Sample)
 
 
-def with_pictures(turn: dict[str, Any], become: Any) -> dict[str, Any]:
+def with_pictures(turn: dict[str, Any], become: Callable[[Any], Any]) -> dict[str, Any]:
     """A turn with `become` applied to the data of every image."""
     observation = turn["observation"]
     images = {
@@ -82,3 +43,24 @@ def with_pictures(turn: dict[str, Any], become: Any) -> dict[str, Any]:
         for name, image in observation["images"].items()
     }
     return turn | {"observation": observation | {"images": images}}
+
+
+def capture(folder: Path) -> None:
+    """Write both samples, from a server that is started for it."""
+    # The environment of the libraries reads samples, and has no such modules.
+    from benchmarks.measured_server import running_server
+    from benchmarks.round_trips.contenders import small_client
+    from benchmarks.round_trips.observations import action, by_name
+
+    module = "benchmarks.round_trips.still_life.still_life_server"
+    with running_server(folder / "bench.sqlite", module) as server:
+        for name in (STATE, CAMERAS):
+            connection = small_client.Connection(server.url, "msgpack")
+            submission = small_client.submission_of(name, "raw")
+            path, attached = connection.attach(connection.submit(**submission), "w")
+            chunk = [{"values": by_name(action(1))}]
+            session = {"session_id": attached.session_id, "seq": attached.seq + 1}
+            body = connection.encode({**session, "actions": chunk})
+            answer = bytes(connection.send("POST", path, body))
+            sample = Sample(path, connection.headers, body, answer)
+            (folder / name).write_bytes(msgspec.msgpack.encode(sample))

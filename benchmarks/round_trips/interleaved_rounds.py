@@ -1,10 +1,9 @@
-"""Interleaved measurement: in every round, each contender plays a few turns.
+"""Interleaved rounds: in every round, each contender plays a few turns.
 
 So disturbances of the machine affect all contenders alike. A contender is two
-processes, a server and a client (contenders/turn_client.py), which are idle while
-others play. CPU time is that of their own turns, of all processes of the server; a
-client measures its own. The bytes of a turn are counted before, with another client.
-Knows no contender.
+processes, a server and a client (contender_process.py), which are idle while others
+play. CPU time is that of their own turns, of all processes of the server; a client
+measures its own. Knows no contender.
 """
 
 from __future__ import annotations
@@ -13,31 +12,25 @@ import contextlib
 import json
 import os
 import subprocess
-import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any, Self
 
-from benchmarks.round_trips.byte_counting_relay import ByteCounts, Relay
+from benchmarks.measuring import ROOT, in_turn, percentile, tree_cpu_s
 
-ROOT = Path(__file__).resolve().parents[2]
-_CLOCK_OF_PROCESS = 2  # CPUCLOCK_SCHED, see clock_getcpuclockid(3)
 _EXIT_TIMEOUT_S = 10.0
-_WEIGHED_TURNS = 10
 
 
 @dataclass(frozen=True, slots=True)
 class Contender:
     """server: a command that prints a line with its address behind `ready` or `at`.
 
-    client: a command that is given this address, then the arguments.
+    client: a command; the address takes the place of `{}`.
     """
 
     name: str
     server: Sequence[str]
     client: Sequence[str]
-    arguments: Sequence[str]
     environment: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -48,6 +41,15 @@ class TurnTimes:
     ns: list[int] = field(default_factory=list)
     server_cpu_s: float = 0.0
     client_cpu_s: float = 0.0
+
+    def percentile_ms(self, percent: int) -> float:
+        """Milliseconds."""
+        return percentile(self.ns, percent) / 1e6
+
+    def cpu_ms(self) -> tuple[float, float]:
+        """Milliseconds of CPU of one turn, in the server and in the client."""
+        turns = len(self.ns)
+        return 1e3 * self.server_cpu_s / turns, 1e3 * self.client_cpu_s / turns
 
 
 class ContenderFailed(RuntimeError):
@@ -66,8 +68,9 @@ class ContenderPair:
         try:
             self._server = self._start(self._contender.server)
             address = self._address()
-            self.byte_counts = self._measure_bytes(address)
-            self._client = self._join(address)
+            command = [part.replace("{}", address) for part in self._contender.client]
+            self._client = self._start(command)
+            self._line(self._client, "ready")
         except BaseException:
             self.close()
             raise
@@ -77,53 +80,41 @@ class ContenderPair:
         self.close()
 
     def close(self) -> None:
+        """End both processes; a client disconnects at the end of its stdin."""
         while self._processes:
-            self._end(self._processes.pop(), is_client=len(self._processes) > 0)
+            process = self._processes.pop()
+            assert process.stdin is not None
+            assert process.stdout is not None
+            with contextlib.suppress(BrokenPipeError):
+                process.stdin.close()
+            if not self._processes:  # the server, which was started first
+                process.terminate()
+            try:
+                process.wait(_EXIT_TIMEOUT_S)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+            process.stdout.close()
 
-    def play(
-        self, turns: int, played: TurnTimes | None = None, *, whole: bool = False
-    ) -> None:
-        """Adds to what was played. whole: every pixel is compared. Raises Failed."""
-        before_s = self._server_cpu_s()
-        reply = self._send_command(
-            self._client, f"{'check' if whole else 'play'} {turns}"
-        )
-        if played is not None:
-            played.ns += reply["ns"]
-            played.server_cpu_s += self._server_cpu_s() - before_s
-            played.client_cpu_s += reply["cpu_ns"] / 1e9
-
-    def _measure_bytes(self, address: str) -> ByteCounts:
-        """By a client that reaches the server through a relay, and is then gone."""
-        with Relay(address) as relay:
-            client = self._join(relay.address)
-            self._send_command(client, "play 2")
-            before = relay.byte_counts()
-            self._send_command(client, f"play {_WEIGHED_TURNS}")
-            after = relay.byte_counts()
-            self._end(self._processes.pop(), is_client=True)
-        return ByteCounts(
-            *(
-                round((b - a) / _WEIGHED_TURNS)
-                for a, b in zip(before, after, strict=True)
-            )
-        )
-
-    def _join(self, address: str) -> subprocess.Popen[str]:
-        command = [*self._contender.client, address, *self._contender.arguments]
-        client = self._start(command)
-        self._line(client, "ready")
-        return client
+    def play(self, turns: int, *, whole: bool = False) -> TurnTimes:
+        """Play turns. whole: every pixel is compared. Raises ContenderFailed."""
+        assert self._client.stdin is not None
+        before_s = tree_cpu_s(self._server.pid)
+        # Where the client has ended, its output explains the failure.
+        with contextlib.suppress(BrokenPipeError):
+            word = "check" if whole else "play"
+            self._client.stdin.write(f"{word} {turns}\n")
+            self._client.stdin.flush()
+        reply: Any = json.loads(self._line(self._client))
+        server_s = tree_cpu_s(self._server.pid) - before_s
+        return TurnTimes(reply["ns"], server_s, reply["cpu_ns"] / 1e9)
 
     def _start(self, command: Sequence[str]) -> subprocess.Popen[str]:
+        chosen = {"OPENBLAS_NUM_THREADS": "1", **self._contender.environment}
         process = subprocess.Popen(
             list(command),
             cwd=ROOT,
-            env={
-                **os.environ,
-                "OPENBLAS_NUM_THREADS": "1",
-                **self._contender.environment,
-            },
+            env=os.environ | chosen,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
@@ -137,18 +128,6 @@ class ContenderPair:
             if words[:1] == ["ready"] or words[-2:-1] == ["at"]:
                 return words[-1]
 
-    def _send_command(self, client: subprocess.Popen[str], line: str) -> Any:
-        assert client.stdin is not None
-        with contextlib.suppress(
-            BrokenPipeError
-        ):  # its output then explains the failure
-            client.stdin.write(line + "\n")
-            client.stdin.flush()
-        return json.loads(self._line(client))
-
-    def _server_cpu_s(self) -> float:
-        return sum(map(cpu_s, process_tree(self._server.pid)))
-
     def _line(self, process: subprocess.Popen[str], wanted: str = "") -> str:
         assert process.stdout is not None
         line = process.stdout.readline()
@@ -156,48 +135,22 @@ class ContenderPair:
             raise ContenderFailed(f"{self.name}: {process.args!r} said {line!r}")
         return line.strip()
 
-    @staticmethod
-    def _end(process: subprocess.Popen[str], *, is_client: bool) -> None:
-        """is_client: a client exits at the end of stdin, and disconnects first."""
-        assert process.stdin is not None
-        assert process.stdout is not None
-        with contextlib.suppress(BrokenPipeError):
-            process.stdin.close()
-        if not is_client:
-            process.terminate()
-        try:
-            process.wait(_EXIT_TIMEOUT_S)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-        process.stdout.close()
 
-
-def process_tree(pid: int) -> list[int]:
-    """A process and its descendants."""
-    found = [pid]
-    for parent in found:
-        for children in Path(f"/proc/{parent}/task").glob("*/children"):
-            with contextlib.suppress(OSError):
-                found += map(int, children.read_text().split())
-    return found
-
-
-def cpu_s(pid: int) -> float:
-    """Seconds that a process has computed; 0 if it has gone."""
-    try:
-        return time.clock_gettime((~pid << 3) | _CLOCK_OF_PROCESS)
-    except OSError:
-        return 0.0
+@contextlib.contextmanager
+def started(contenders: Sequence[Contender]) -> Iterator[list[ContenderPair]]:
+    """All pairs at once."""
+    with contextlib.ExitStack() as stack:
+        yield [stack.enter_context(ContenderPair(each)) for each in contenders]
 
 
 def play(
     pairs: Sequence[ContenderPair], rounds: int, turns: Mapping[str, int]
 ) -> dict[str, TurnTimes]:
-    """Plays `turns` of each contender in each round; each round begins with another."""
+    """Play `turns` of each contender in each round; each round begins with another."""
     played = {pair.name: TurnTimes() for pair in pairs}
-    for number in range(rounds):
-        first = number % len(pairs)
-        for pair in (*pairs[first:], *pairs[:first]):
-            pair.play(turns[pair.name], played[pair.name])
+    for pair in in_turn(pairs, rounds):
+        times, added = played[pair.name], pair.play(turns[pair.name])
+        times.ns += added.ns
+        times.server_cpu_s += added.server_cpu_s
+        times.client_cpu_s += added.client_cpu_s
     return played

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.filled_databases import READY_RUNS, DatabaseCase, fill
-from benchmarks.storage_growth import DATABASE_CASES
+from benchmarks.growth.filled_databases import READY_RUNS, DatabaseCase, fill
+from benchmarks.growth.storage_growth import DATABASE_CASES
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.store import Store

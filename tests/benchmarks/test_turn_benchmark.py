@@ -1,4 +1,4 @@
-"""`make bench` in small: raw TCP and our own server, a few turns of each.
+"""The round trips in small: raw TCP and our own server, a few turns of each.
 
 That the peers can be measured too is seen when they are: they live in an environment
 that `make test` does not make.
@@ -10,82 +10,55 @@ import dataclasses
 import sys
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
 
-from benchmarks import performance_page, results
-from benchmarks.round_trips import chart, contender_registry, observations, report
-from benchmarks.round_trips import measurement as round_trips
-from benchmarks.round_trips.contenders.turn_client import TurnClient
+from benchmarks import measuring
+from benchmarks.round_trips import compared_turns, observations
+from benchmarks.round_trips.contender_process import TurnClient
 from benchmarks.round_trips.interleaved_rounds import (
     ContenderFailed,
     ContenderPair,
-    cpu_s,
+    TurnTimes,
 )
 
 pytestmark = pytest.mark.slow("measures every contender")
 
 NAMES = ("tcp", "ours msgpack", "ours json")
-STATE_BYTES = 8 * 23
 
 
-@pytest.fixture(scope="module")
-def section() -> dict[str, Any]:
-    body = round_trips.measure({"state": NAMES}, 3, lambda _line: None)
-    return {"measured_on": results.machine(), **body}
-
-
-def test_each_contender_plays_its_turns(section: dict[str, Any]) -> None:
-    played = section["scenarios"]["state"]
+def test_each_contender_plays_its_turns_and_has_a_row() -> None:
+    played = compared_turns.play_scenario("state", NAMES, 3)
     assert set(played) == set(NAMES)
-    for one in played.values():
-        assert one["turns"] >= 3
-        assert one["turns"] % 3 == 0  # as many in each round
-        assert 0 < one["p50_ms"] <= one["p99_ms"]
-        assert one["server_cpu_s"] > 0
-        assert one["client_cpu_s"] > 0
-
-
-def test_raw_tcp_sends_the_fewest_bytes(
-    section: dict[str, Any],
-) -> None:
-    played = section["scenarios"]["state"]
-    assert played["tcp"]["up_bytes"] == 8 * 16
-    assert played["tcp"]["down_bytes"] == STATE_BYTES
-    for name in NAMES[1:]:
-        assert played[name]["up_bytes"] > 8 * 16
-        assert played[name]["down_bytes"] > STATE_BYTES
+    for times in played.values():
+        assert len(times.ns) >= 3
+        assert len(times.ns) % 3 == 0  # as many in each round
+        assert 0 < times.percentile_ms(50) <= times.percentile_ms(99)
+        assert min(times.server_cpu_s, times.client_cpu_s) > 0
+    text = compared_turns.table_of(played)
+    assert [name for name in NAMES if compared_turns.NAMES[name] not in text] == []
 
 
 def test_targets_are_computed_from_the_measurements() -> None:
-    medians = {"tcp": 1.0, "ours msgpack": 3.0, "grpc": 6.0, "ebench": 5.0}
-    cameras = {name: {"p50_ms": p50} for name, p50 in medians.items()}
-    found = report.targets({"scenarios": {"cameras": cameras}})
-    assert [(one.measured, one.is_met) for one in found] == [
+    medians = {"tcp": 1, "ours msgpack": 3, "dm_env_rpc": 6, "ebench": 5}
+    cameras = {name: TurnTimes([10**6 * ms] * 2) for name, ms in medians.items()}
+    judged = compared_turns.targets({"cameras": cameras})
+    assert [(target.measured, target.is_met) for target in judged] == [
         (3.0, False),  # at most twice raw TCP
         (2.0, True),  # gRPC takes at least twice as long
         (pytest.approx(5 / 3), False),
     ]
 
 
-def test_the_page_and_the_picture_show_every_contender(
-    section: dict[str, Any], tmp_path: Path
-) -> None:
-    page_file = tmp_path / "page.md"
-    for text in ("old", report.tables(section)):
-        performance_page.put("round_trips", "Round trips", text, page_file)
-        performance_page.put("pages", "Pages", "of the server", page_file)
-    text = page_file.read_text()
-    assert text.startswith(performance_page.HEAD)
-    assert text.endswith("of the server\n\n<!-- /pages -->\n")
-    assert text.count("## Pages\n") == text.count("## Round trips\n") == 1
-    assert "\nold\n" not in text
-    words = "".join(ET.fromstring(chart.svg(section)).itertext())  # noqa: S314 - ours
-    for name in NAMES:
-        assert report.NAMES[name] in text
-        assert report.NAMES[name].replace("*", "").replace("`", "") in words
+def test_a_part_replaces_its_own_section_only(tmp_path: Path) -> None:
+    file = tmp_path / "performance.md"
+    for part, text in (("one", "old"), ("other", "kept"), ("one", "new")):
+        measuring.put(part, part.title(), text, file)
+    page = file.read_text()
+    assert page.startswith(measuring.HEAD)
+    assert page.count("## One\n\nnew\n") == page.count("## Other\n\nkept\n") == 1
+    assert "old" not in page
 
 
 class FaultyConnections:
@@ -123,12 +96,12 @@ def test_wrong_observations_are_not_measured(wire: str) -> None:
 
 
 def test_an_ended_process_has_no_cpu_time() -> None:
-    assert cpu_s(2**22 + 1) == 0.0  # no Linux has so many
+    assert measuring.cpu_s(2**22 + 1) == 0.0  # no Linux has so many
 
 
 def test_a_contender_that_breaks_is_named(tmp_path: Path) -> None:
     """And nothing waits for it, nor is left behind."""
-    sound = contender_registry.contender("tcp", "state", tmp_path)
+    sound = compared_turns.contender("tcp", "state", tmp_path)
     broken = dataclasses.replace(sound, client=[sys.executable, "-c", ""])
     with pytest.raises(ContenderFailed, match="tcp: "), ContenderPair(broken):
         raise AssertionError("it cannot have begun")

@@ -17,6 +17,7 @@ from tests.mutation.triage import Reason, read_triage
 from tools.built_pages import write_page
 
 GOAL = 0.97
+NOTICED = ("killed", "unusable")
 HEAD = """# Mutation testing
 
 Machine-made changes of servers in other languages, one at a time, and what the kit says
@@ -124,7 +125,7 @@ def is_excused(record: Record, reasons: Mapping[str, Reason]) -> bool:
 def score(records: Iterable[Record], reasons: Mapping[str, Reason]) -> float | None:
     """The part that was noticed, of those that had to be."""
     numbers = tally(records, reasons)
-    noticed = numbers["killed"] + numbers["unusable"]
+    noticed = sum(numbers[outcome] for outcome in NOTICED)
     missed = numbers["undecided"] + numbers["survived"] - numbers["excused"]
     return noticed / (noticed + missed) if noticed + missed else None
 

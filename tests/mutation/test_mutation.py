@@ -8,12 +8,13 @@ from pathlib import Path
 
 import pytest
 
+from conformance.specification.ledger import load_ledger
 from tests.mutation.campaign import Record
 from tests.mutation.judge import judge
 from tests.mutation.operators import OPERATORS, find_mutants
 from tests.mutation.page import score, tally
 from tests.mutation.syntax import has_same_tree
-from tests.mutation.targets import TARGETS
+from tests.mutation.targets import ROOT, TARGETS
 from tests.mutation.triage import Reason, read_triage
 from tests.mutation.written.written_bugs import read_bugs
 
@@ -65,20 +66,16 @@ def test_excused_survivors_do_not_count_against_the_kit() -> None:
 
 def test_triage_is_of_mutants_that_exist() -> None:
     """An entry whose place was changed is of no use any more. Expect none."""
-    made = {
-        one.id
-        for target in TARGETS.values()
-        for one in [*target.mutants(), *(bug.mutant for bug in read_bugs(target))]
-    }
+    made = {mutant.id for target in TARGETS.values() for mutant in target.mutants()}
     assert read_triage().keys() - made == set()
 
 
 @pytest.mark.parametrize(
     "entry",
     [
-        '[[survivor]]\nids = ["a", "a"]\nverdict = "free"\nreason = "b"',
-        '[[survivor]]\nids = ["a"]\nverdict = "unknown"\nreason = "b"',
-        '[[survivor]]\nids = ["a"]\nverdict = "free"\nreason = " "',
+        '[free]\n"a b" = "reason"\n"c a" = "reason"',
+        '[unknown]\na = "reason"',
+        '[free]\na = " "',
     ],
 )
 def test_triage_is_complete(tmp_path: Path, entry: str) -> None:
@@ -86,6 +83,18 @@ def test_triage_is_complete(tmp_path: Path, entry: str) -> None:
     file.write_text(entry)
     with pytest.raises(ValueError, match="a"):
         read_triage(file)
+
+
+@pytest.mark.parametrize("server", TARGETS)
+def test_written_bugs_change_the_server_and_name_rules(server: str) -> None:
+    target = TARGETS[server]
+    bugs = read_bugs(target)
+    for bug in bugs:
+        before = (ROOT / target.folder / bug.mutant.file).read_bytes()
+        after = bug.mutant.apply(before)
+        assert not has_same_tree(target.suffix, before, after), bug.mutant.id
+        assert set(bug.rules) <= load_ledger().keys(), bug.mutant.id
+    assert len({bug.mutant.id for bug in bugs}) == len(bugs) > 0
 
 
 FAKE_KIT = """

@@ -29,12 +29,12 @@ class Reason:
 def read_triage(file: Path = FILE) -> dict[str, Reason]:
     """The reason of each id. Refuses unknown verdicts, empty texts and repeated ids."""
     reasons: dict[str, Reason] = {}
-    for entry in tomllib.loads(file.read_text()).get("survivor", []):
-        reason = Reason(entry["verdict"], entry["reason"].strip())
-        if reason.verdict not in VERDICTS or not reason.text:
-            raise ValueError(f"{entry['ids']}: verdict or reason is not valid")
-        for id_ in entry["ids"]:
-            if id_ in reasons:
-                raise ValueError(f"{id_} stands twice")
-            reasons[id_] = reason
+    for verdict, texts in tomllib.loads(file.read_text()).items():
+        for ids, text in texts.items():
+            if verdict not in VERDICTS or not text.strip():
+                raise ValueError(f"{ids}: verdict or reason is not valid")
+            for id_ in ids.split():
+                if id_ in reasons:
+                    raise ValueError(f"{id_} stands twice")
+                reasons[id_] = Reason(verdict, text.strip())
     return reasons

@@ -52,6 +52,15 @@ QUIET, BUSY, HALTED = "quiet", "busy", "halted"
 # How long all processes of a halted run stand still, and how long they go on, mostly.
 _LONGEST_HALT_S, _BETWEEN_HALTS_S = 6.0, 4.0
 _ALARM_CHARACTERS = 600  # of the text of an alarm: its end says what was wrong
+HEAD = """# False alarms
+
+How often the kit called a right server wrong, or could not decide. Written by `make
+false-alarms`; kit and servers as they are since commit {commit} of {date}, on
+{processors} processors, another seed in each run. `whole`: the kit without options;
+otherwise those that it had. `quiet`: beside whatever the machine ran; `busy`: beside a
+process more per processor that computes without end; `halted`: kit and servers stopped
+together, every {between_s:g} s or so, for up to {longest_s:g} s.
+"""
 RunKey = tuple[str, int, str]  # server, seed, load
 WHOLE = "whole"  # a kit without further options
 RIGHT = ("passed", "not_applicable")
@@ -185,7 +194,7 @@ def measure(
     runs: int, at_once: int, load: str | None, options: list[str], commit: str
 ) -> None:
     """Make the runs that are missing of a commit, so many at once."""
-    known = {
+    made = {
         (r["server"], r["seed"], r["load"])
         for r in results_of(read_results(), commit)
         if r["options"] == options
@@ -196,7 +205,7 @@ def measure(
     ):
         commands = start_commands(Path(directory))
         missing = [
-            key for key in planned_runs(runs, load, list(commands)) if key not in known
+            key for key in planned_runs(runs, load, list(commands)) if key not in made
         ]
 
         def run(key: RunKey) -> None:
@@ -240,13 +249,13 @@ def summarize(results: list[dict[str, Any]]) -> list[str]:
         "|---|---|---|---|---|---|---|",
     ]
     groups: dict[tuple[str, str, str], list[dict[str, Any]]] = {}
-    for one in results:
-        key = one["server"], kit_of(one), one["load"]
-        groups.setdefault(key, []).append(one)
+    for result in results:
+        key = result["server"], kit_of(result), result["load"]
+        groups.setdefault(key, []).append(result)
     for (server, kit, load), group in sorted(groups.items()):
-        alarmed = [one for one in group if one["alarms"]]
-        rules = sorted({id_ for one in alarmed for id_ in one["alarms"]})
-        longest_s = max(one["elapsed_s"] for one in group)
+        alarmed = [result for result in group if result["alarms"]]
+        rules = sorted({id_ for result in alarmed for id_ in result["alarms"]})
+        longest_s = max(result["elapsed_s"] for result in group)
         lines.append(
             f"| {server} | {kit} | {load} | {len(group)} | {len(alarmed)} "
             f"| {' '.join(rules) or '–'} | {longest_s:.0f} s |"
@@ -256,40 +265,20 @@ def summarize(results: list[dict[str, Any]]) -> list[str]:
 
 def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
     """Write the page about the runs of a commit."""
-    lines = [
-        "# False alarms",
-        "",
-        "How often the kit called a right server wrong, or could not decide.",
-        "Written by `make false-alarms`; kit and servers as they are since commit",
-        f"{commit} of {date}, on {os.cpu_count()} processors, another seed in each",
-        "run. `whole`: the kit without options; otherwise those that it had. `quiet`:",
-        "beside whatever the machine ran; `busy`: beside one process more per",
-        "processor that computes without end; `halted`: kit and servers stopped",
-        f"together, every {_BETWEEN_HALTS_S:g} s or so, for up to",
-        f"{_LONGEST_HALT_S:g} s.",
-        "",
-        *summarize(results),
-        "",
-        "What is too late on a busy machine is tried three times, each time with the",
-        "tolerance of the network as it is then; it is *inconclusive* when it is late",
-        "by less than the noise explains, or than twice the longest time in which",
-        "nothing was answered. A connection that fails on this side of it begins the",
-        "check again and is a *kit error* in the end, never a violation.",
-        "",
-        *alarm_lines(results),
+    alarms = [
+        f"- {line['server']}, {kit_of(line)}, seed {line['seed']}, {line['load']}: "
+        f"{id_}: {text}"
+        for line in results
+        for id_, text in line["alarms"].items()
     ]
-    return "\n".join(lines) + "\n"
-
-
-def alarm_lines(results: list[dict[str, Any]]) -> list[str]:
-    """Give a list of the runs with an alarm, and what it said."""
-    lines: list[str] = []
-    alarmed = [one for one in results if one["alarms"]]
-    for one in alarmed:
-        name = f"{one['server']}, {kit_of(one)}, seed {one['seed']}, {one['load']}"
-        lines.append(f"- {name}:")
-        lines += [f"  - {id_}: {text}" for id_, text in one["alarms"].items()]
-    return lines
+    head = HEAD.format(
+        commit=commit,
+        date=date,
+        processors=os.cpu_count(),
+        between_s=_BETWEEN_HALTS_S,
+        longest_s=_LONGEST_HALT_S,
+    )
+    return "\n".join([head, *summarize(results), "", *alarms]) + "\n"
 
 
 def main() -> int:

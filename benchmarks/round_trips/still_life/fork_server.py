@@ -1,4 +1,4 @@
-"""The fork server of a server with `still_life`: see server.py. `python -m … FD`."""
+"""The fork server of still_life_server.py. `python -m … FD`."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ from reference_sim.process import simulator_main
 from reference_sim.process.fork_server import ForkServer
 
 if __name__ == "__main__":
-    benchmark_registry._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see server.py
+    benchmark_registry._BENCHMARKS.update(BENCHMARKS)  # noqa: SLF001 - see there
     simulator_main.log_to_stderr()
     ForkServer(socket.socket(fileno=int(sys.argv[1]))).run()

@@ -1,8 +1,8 @@
 """The benchmark of the round trips: a simulator of a still picture that costs nothing.
 
-A `Simulator` in an ordinary simulator process; server.py adds it to the registry. Like
-a MuJoCo camera it renders into the frame buffer; an image that is already in a half of
-the buffer is not drawn again, only its number is.
+A `Simulator` in an ordinary simulator process; still_life_server.py adds it to the
+registry. Like a MuJoCo camera it renders into the frame buffer; an image that is
+already in a half of the buffer is not drawn again, only its number is.
 """
 
 from __future__ import annotations

@@ -3,17 +3,17 @@
 There is a file of bugs for each server: each is one replacement in one file, and
 breaks rules that it names. What the kit says of them is in var/mutation/, one line of
 JSON for each time: judge new bugs before a check is changed for them, so that the first
-line of a bug is of a kit that had not seen it.
+line of a bug is of a kit that had not seen it, and keep those that it did not notice.
 """
 
 from __future__ import annotations
 
-import json
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.mutation.campaign import RESULTS, Record
+from tests.mutation.campaign import RESULTS, read_results
+from tests.mutation.page import NOTICED
 from tests.mutation.syntax import Edit, MutantSource
 from tests.mutation.targets import ROOT, Target
 
@@ -58,12 +58,8 @@ def read_bugs(target: Target, folder: Path = FOLDER) -> list[WrittenBug]:
     return bugs
 
 
-def read_all_results(path: Path) -> dict[str, list[Record]]:
-    """The records of each bug, the first one first."""
-    records: dict[str, list[Record]] = {}
-    if not path.exists():
-        return records
-    for line in path.read_text().splitlines():
-        record = Record(**json.loads(line))
-        records.setdefault(record.id, []).append(record)
-    return records
+def are_noticed(target: Target) -> bool:
+    """Whether the kit noticed each bug that it has judged, the last time."""
+    results = read_results(results_of_written(target))
+    judged = [bug for bug in read_bugs(target) if bug.mutant.id in results]
+    return all(results[bug.mutant.id].outcome in NOTICED for bug in judged)

@@ -37,8 +37,7 @@ from tests.support.server.runs import make_run
 CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
 # Who may read one all the same, and why; an entry too many fails.
 CODE_FORMAT_READERS = {
-    "benchmarks/round_trips/contenders/ebench_client.py": "pickle is what is measured",
-    "benchmarks/round_trips/contenders/ebench_server.py": "and both ends are ours",
+    "benchmarks/round_trips/contenders/ebench.py": "measured; both ends are ours",
     "conformance/profiles/pickles.py": "EBench; its reader lets nothing be named",
     "tests/support/profiles/ebench_client.py": "sends EBench's pickles, and attacks",
 }

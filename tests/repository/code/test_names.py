@@ -91,10 +91,8 @@ SAME_FILE_NAME = {
     "scene.py simulator.py skills.py tasks.py world.py": "the same part of each",
     "ebench.py events.py flageval.py lifecycle.py": "an area of the "
     "rules: its checks, its decisions, the mutants that break it",
-    "ebench_client.py openpi_client.py": "clients of the same third-party server",
     "env.py": "the name that LeRobot's EnvHub and Alembic look for",
     "fork_server.py": "each starts processes by fork",
-    "measurement.py": "of each section of the benchmarks' results",
     "test_calibration.py test_events.py test_lifecycle.py test_scoring.py": "the kit's "
     "check of a subject and our own test of it",
 }
@@ -103,7 +101,7 @@ SAME_FILE_NAME = {
 SAME_CLASS = {
     "Attach Detach Heartbeat Predict Resume Stop": "commands: the server's, and those "
     "of the kit's model, which may not know the server",
-    "Answer Episode Observation Operation PolicySession Result Session Turn": "nouns "
+    "Answer Episode Observation Operation PolicySession Result Session": "nouns "
     "of the protocol, on each side of the wire and in recordings",
     "Settings": "of the kit and of the server",
     "Task": "a task of the protocol: of a file, and of MuJoCo",
@@ -112,16 +110,12 @@ SAME_CLASS = {
     "Contender": "of two kinds of measurements",
     "Expert": "scripted policies of two tools and a benchmark",
     "Handler": "of two HTTP servers",
-    "Question": "asked by a benchmark, and of libraries",
     "ServerProcess": "of the kit, and of the benchmarks",
-    "StillLife": "the world, and a contender that serves it",
 }
 SIBLINGS_MAX = 12
 # Folders that have more, and why.
 MORE_SIBLINGS = {
     ".": "each is described in README.md",
-    "benchmarks/round_trips/contenders": "a file for each contender",
-    "benchmarks/libraries": "a file for each library compared",
     "conformance/checks/profiles": "a file of checks for each profile",
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server": "a folder for each part, and what puts them together",

@@ -17,7 +17,13 @@ from reference_sim.benchmarks.metaworld.world import SeededTask, expert
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import Benchmark, read
 from tests.support.servers import TOKENS, ReferenceServer
-from tools.measurements.metaworld_table import play_directly, play_through_protocol
+from tools.measurements.both_ways.metaworld import COMPARED
+from tools.measurements.both_ways.play import (
+    differing,
+    max_steps_of,
+    play_by_protocol,
+    play_directly,
+)
 
 TASKS = ("reach-v3", "button-press-topdown-v3", "drawer-close-v3", "peg-insert-side-v3")
 FEW = """
@@ -86,6 +92,7 @@ def test_a_seed_gives_the_same_episode_after_other_episodes(task: str) -> None:
 # --- through the protocol ---
 
 
+@pytest.mark.slow("starts a server")
 def test_experts_score_the_same_directly_and_through_the_protocol(
     tmp_path: Path,
 ) -> None:
@@ -96,15 +103,13 @@ def test_experts_score_the_same_directly_and_through_the_protocol(
         if task.name in TASKS:
             text += TASK.format(task.name, task.instruction)
     (tmp_path / "few.toml").write_text(text)
-    server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=str(tmp_path / "few.toml"))
-    try:
-        served = play_through_protocol(server.url, TOKENS["alice"], "few")
-        with server.client() as client:
-            manifest = client.get("/v1/benchmarks/few").json()
-    finally:
-        server.end(signal.SIGKILL)
-    assert set(served) == {(task, seed) for task in TASKS for seed in (0, 1)}
-    assert served == {key: play_directly(*key) for key in served}
+    few = COMPARED._replace(file=tmp_path / "few.toml", benchmark_id="few", split="few")
+    served = play_by_protocol(few)
+    assert set(served.outcomes) == {(task, seed) for task in TASKS for seed in (0, 1)}
+    direct = play_directly(few, sorted(served.outcomes), max_steps_of(few))
+    assert differing(direct, served) == []
+    ((described, folder),) = read(str(few.file))
+    manifest = registration.examine(described, folder, print)["manifest"]
     assert manifest["simulator"]["packages"]["mujoco"] == "3.3.0"
     assert manifest["success_rule"] == "any_step"
 

@@ -1,8 +1,8 @@
 """A benchmark by the protocol and in a loop of its own: every episode is the same.
 
-`PYTHON -m tools.measurements.both_ways push_t`, `aloha` or `panda_lift`, where PYTHON
-is that of the environment that has the package. An expert plays the split
-`practice` twice. Ends with 1 if the steps, the success, the return or one observation
+`PYTHON -m tools.measurements.both_ways push_t`, `aloha`, `panda_lift` or `metaworld`,
+where PYTHON is that of the environment that has the package. An expert plays a split
+twice. Ends with 1 if the steps, the success, the return or one observation
 of one episode differ.
 """
 
@@ -20,7 +20,7 @@ from tools.measurements.both_ways.play import (
     play_directly,
 )
 
-NAMES = ("aloha", "panda_lift", "push_t")
+NAMES = ("aloha", "metaworld", "panda_lift", "push_t")
 
 
 def main() -> int:
@@ -39,8 +39,10 @@ def main() -> int:
         if outcome != served.outcomes[task, seed]:
             print(f"  by protocol {served.outcomes[task, seed]}")
     different = differing(direct, served)
+    successes = sum(outcome.success for outcome in served.outcomes.values())
     print(
-        f"{len(served.outcomes)} episodes, {len(different)} differ; turns a second: "
+        f"{len(served.outcomes)} episodes, {successes} succeed, "
+        f"{len(different)} differ; turns a second: "
         f"{direct.turns_per_s:.1f} directly, {served.turns_per_s:.1f} by protocol"
     )
     return 1 if different or not served.outcomes else 0

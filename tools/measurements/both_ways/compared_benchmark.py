@@ -37,11 +37,15 @@ class DirectEpisode(Protocol):
 
 
 class ComparedBenchmark(NamedTuple):
-    """file: of the benchmark; its split `practice` is played.
+    """file: of the benchmark. begin: an episode of a task and a seed.
 
-    begin: of a task and a seed. expert: of a task's instruction.
+    expert: for a task, which is named or given by its instruction. benchmark_id: where
+    it is not the name of the file. split: which is played, with so many workers.
     """
 
     file: Path
     begin: Callable[[str, int], DirectEpisode]
     expert: Callable[[str], Expert]
+    benchmark_id: str = ""
+    split: str = "practice"
+    workers: int = 1

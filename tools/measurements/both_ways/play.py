@@ -16,7 +16,7 @@ from statistics import median
 from typing import Any, NamedTuple
 
 import numpy as np
-from proctor_client import EpisodeResult
+from proctor_client import ControlApi, EpisodeResult
 
 from reference_client import Observation, evaluate
 from reference_client.protocol.connection import Connection
@@ -27,7 +27,6 @@ from tools.measurements.both_ways.compared_benchmark import (
 )
 
 TOKEN = "both"  # noqa: S105 - of a server that lives as long as this does
-SPLIT = "practice"
 ROOT = Path(__file__).resolve().parents[3]
 
 
@@ -126,27 +125,39 @@ def _play(
 def play_by_protocol(
     compared: ComparedBenchmark, episodes: int | None = None
 ) -> Played:
-    """The split `practice` on a server of its own. episodes: only the first ones."""
+    """The split on a server of its own. episodes: only the first ones."""
     sights: dict[str, Sight] = {}
     with _serving(compared.file) as url:
         score = evaluate(
             lambda: ExpertPolicy(compared, sights),
             url=url,
             token=TOKEN,
-            benchmark=compared.file.stem,
-            splits=[SPLIT],
+            benchmark=compared.benchmark_id or compared.file.stem,
+            splits=[compared.split],
             name="expert",
             episodes=episodes,
+            workers=compared.workers,
             dry_turn=False,
         )
         with Connection(url, TOKEN, requests=1) as connection:
-            page = connection.control.list_episodes(score.run_id)
-    outcomes = {}
-    for listed in page.episodes:
-        if (result := listed.result) is not None and result.seed is not None:
-            sight = sights[listed.episode_id]
-            outcomes[result.task, result.seed] = _outcome_of(result, sight)
+            outcomes = dict(_outcomes(connection.control, score.run_id, sights))
     return Played(outcomes, _speed(list(sights.values())))
+
+
+def _outcomes(
+    control: ControlApi, run_id: str, sights: dict[str, Sight]
+) -> Iterator[tuple[tuple[str, int], BothWaysOutcome]]:
+    """Of every episode with a result, by task and seed."""
+    cursor = None
+    while True:
+        page = control.list_episodes(run_id, cursor=cursor)
+        for listed in page.episodes:
+            if (result := listed.result) is not None and result.seed is not None:
+                sight = sights[listed.episode_id]
+                yield (result.task, result.seed), _outcome_of(result, sight)
+        cursor = page.next_cursor
+        if cursor is None:
+            return
 
 
 def _outcome_of(result: EpisodeResult, sight: Sight) -> BothWaysOutcome:
