@@ -1,8 +1,9 @@
-"""What is wrong with a record, as one exception: the file, the rule, and a sentence."""
+"""The exception for a fault in a record: it names the file, the rule and the fault."""
 
 from __future__ import annotations
 
-ARCHIVE = "archive"  # the part that is no file: the zip's own structure
+# Name of the part at fault where the structure of the zip is wrong, not a file in it.
+ARCHIVE = "archive"
 
 
 class BrokenRecord(Exception):

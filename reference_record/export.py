@@ -154,7 +154,7 @@ def with_verdict(
 
     One of the same name is replaced.
     """
-    contents = {one: _of_bundle(bundle, one) for one in bundle.sizes}
+    contents = {file: _of_bundle(bundle, file) for file in bundle.sizes}
     if verdict is not None:
         contents[verdict_name(name)] = _of_bytes(verdict)
     return contents

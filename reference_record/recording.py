@@ -1,4 +1,4 @@
-"""What a recording says: its channels, their messages, and MCAP's records of them.
+"""Defines the channels and messages of a recording, and encodes them as MCAP records.
 
 A recording is one MCAP file for one episode, with all its attempts. It knows neither
 HTTP nor databases nor simulators. While the episode is played its messages are
@@ -27,7 +27,7 @@ Actions = Sequence[Mapping[str, Sequence[float]]]
 class AttemptEvent(msgspec.Struct, omit_defaults=True):
     """An attempt begins at step 0 (event "started"), or is over (event "ended").
 
-    state_digest: of the state at step 0. reason: why it ended.
+    state_digest: the digest of the state at step 0. reason: why it ended.
     """
 
     attempt: int
@@ -40,9 +40,9 @@ class AttemptEvent(msgspec.Struct, omit_defaults=True):
 class Turn(msgspec.Struct):
     """A turn that was executed.
 
-    actions: those that were executed, after clipping, with a reward each. steps: how
-    many. score, success, ended, state_digest: of the episode after them. think_ms: from
-    the answer to the turn before to this request.
+    actions: those that were executed, after clipping; each has a reward. steps: how
+    many they are. score, success, ended, state_digest: the episode's after them.
+    think_ms: the time between the answer to the previous turn and this request.
     """
 
     attempt: int
@@ -60,7 +60,7 @@ class Turn(msgspec.Struct):
 
 
 class Fault(msgspec.Struct):
-    """What broke. code: simulator_fault or policy_fault. seq: 0 outside of a turn."""
+    """A failure. code: simulator_fault or policy_fault. seq: 0 outside of a turn."""
 
     attempt: int
     seq: int
@@ -81,7 +81,7 @@ class EpisodeResult(msgspec.Struct):
 
 
 class Picture(msgspec.Struct):
-    """What a camera showed; `data` is encoded in Base64, as JSON needs."""
+    """A camera's picture; `data` is encoded in Base64, because JSON has no bytes."""
 
     timestamp: dict[str, int]
     frame_id: str
@@ -167,7 +167,7 @@ CHANNELS: Mapping[str, tuple[str, bytes]] = {
     ),
 }
 CAMERA = "/camera/"
-# Known to viewers of MCAP files, so that they show the pictures.
+# Viewers of MCAP files know this schema, and so show the pictures.
 CAMERA_SCHEMA = (
     "foxglove.CompressedImage",
     _schema(
@@ -192,7 +192,7 @@ MESSAGE_INDEX, CHUNK_INDEX, STATISTICS, SUMMARY_OFFSET, DATA_END = 7, 8, 11, 14,
 RECORD_HEAD = struct.Struct("<BQ")
 # channel id, sequence, log time, publish time
 MESSAGE_HEAD = struct.Struct("<HIQQ")
-# Of a message with that of its record.
+# The head of a record and the head of its message, packed in one call for speed.
 WHOLE_HEAD = struct.Struct("<BQHIQQ")
 
 encode_message = msgspec.json.Encoder().encode
@@ -210,7 +210,7 @@ def record(kind: int, content: bytes) -> bytes:
 
 
 def checked_record(kind: int, channel: int, at_ns: int, data: bytes) -> bytes:
-    """A message; its sequence number is the checksum of its data."""
+    """A message; its sequence number is the checksum of its data, for a cut part."""
     length, checksum = MESSAGE_HEAD.size + len(data), zlib.crc32(data)
     return WHOLE_HEAD.pack(kind, length, channel, checksum, at_ns, at_ns) + data
 
@@ -224,7 +224,7 @@ def schema_record(topic: str, number: int) -> bytes:
 
 @lru_cache(maxsize=64)
 def channel_record(topic: str, number: int) -> bytes:
-    """Its schema has the same number."""
+    """The record that declares a channel; its schema has the same number."""
     head = struct.pack("<HH", number, number)
     return record(CHANNEL, head + text(topic) + text("json") + _sized(b""))
 

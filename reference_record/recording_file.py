@@ -47,7 +47,7 @@ from reference_record.recording import (
 
 DRAFT_SUFFIX = ".draft"
 CHUNK_BYTES = 1 << 20
-# Of zstd: of recordings 3, its default, makes more bytes, in a longer time.
+# zstd's default, 3, takes longer on recordings and makes them larger.
 LEVEL = 1
 
 
@@ -63,8 +63,9 @@ class Latency(msgspec.Struct, frozen=True):
 class RecordingSummary(msgspec.Struct, frozen=True):
     """A finished recording: its file's hash and size, and what others list of it.
 
-    first_digest: of the state at the first step 0. last_digest: of the state after the
-    last turn; of the last step 0 if there was none. None: no attempt was begun.
+    first_digest: the digest of the state at the first step 0. last_digest: that of the
+    state after the last turn, or at the last step 0 if there was no turn. Both are None
+    if no attempt was begun.
     """
 
     sha256: str
@@ -83,7 +84,7 @@ class _TurnFigures(msgspec.Struct):
 
 
 class _Compressors(threading.local):
-    """One for each thread: its memory is what a short episode costs most with."""
+    """One compressor per thread: allocating it dominates a short episode's cost."""
 
     def __init__(self) -> None:
         self._of_levels: dict[int, zstandard.ZstdCompressor] = {}
@@ -110,12 +111,13 @@ def join_parts(
 ) -> RecordingSummary:
     """Write all parts in `folder`, and then these messages, to the file `target`.
 
-    REC-124: also the parts that a process wrote which has been killed.
+    Parts of a process that was killed are included (REC-124).
     last: topic, nanoseconds since 1970, message. earlier: folders whose parts come
-    before. steps: those that the turns of the last attempt must have, None for any.
-    level: of the compression. Raises OSError; then `target` is what it was.
+    before. steps: how many the turns of the last attempt must have in all; None accepts
+    any number. level: of zstd's compression. Raises OSError, and then leaves `target`
+    as it was.
     """
-    parts = [part for one in (*earlier, folder) for part in parts_of(one)]
+    parts = [part for source in (*earlier, folder) for part in parts_of(source)]
     draft = target.with_suffix(DRAFT_SUFFIX)
     try:
         with _open_new(draft) as file:
@@ -132,10 +134,11 @@ def join_parts(
 
 
 def _open_new(draft: Path) -> BinaryIO:
-    """Of an episode that was never begun the folder is made, too."""
+    """Open the draft for writing, in a folder that is made if it is missing."""
     try:
         return draft.open("wb")
     except FileNotFoundError:
+        # An episode that was never begun has no folder yet: no simulator made one.
         draft.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         return draft.open("wb")
 
@@ -163,7 +166,7 @@ def _write_all(
 
 
 def _sync_folder(folder: Path) -> None:
-    """Make the name of a new file last, too."""
+    """Flush the folder, so that the name of a new file survives a crash."""
     descriptor = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(descriptor)
@@ -172,14 +175,14 @@ def _sync_folder(folder: Path) -> None:
 
 
 class _Figures:
-    """What is known of a recording without reading it again."""
+    """Collects the summary while messages are copied, so that none is read twice."""
 
     def __init__(self) -> None:
         self._first: str | None = None
         self._last: str | None = None
         self._think: list[float] = []
         self._simulate: list[float] = []
-        self.steps: int | None = None  # of the attempt in play, None before its turns
+        self.steps: int | None = None  # in the last attempt; None before its turns
 
     def add(self, topic: str, message: Turn | bytes) -> None:
         if topic == "/turn":
@@ -224,7 +227,7 @@ class _RecordingWriter:
         self._topics = {topic: number for number, topic in enumerate(CHANNELS, 1)}
         self._counts: dict[int, int] = {}
         self._chunk_indexes: list[bytes] = []
-        self._spans: list[tuple[int, int]] = []  # of the chunks
+        self._spans: list[tuple[int, int]] = []  # first and last time of each chunk
         self._begin_chunk()
         self._write(MAGIC)
         self._write(record(HEADER, text("") + text("proctor")))
@@ -240,7 +243,7 @@ class _RecordingWriter:
         return self._hash.hexdigest()
 
     def add(self, topic: str, at_ns: int, message: bytes) -> None:
-        """message: its JSON."""
+        """Append a message, whose JSON is `message`, to the chunk."""
         channel = self._topics.get(topic)
         if channel is None:
             channel = self._topics[topic] = len(self._topics) + 1
@@ -256,13 +259,13 @@ class _RecordingWriter:
             self._end_chunk()
 
     def finish(self) -> None:
-        """Nothing can be added any more."""
+        """Write the last chunk and the summary; no message can be added afterwards."""
         self._end_chunk()
         self._write(record(DATA_END, struct.pack("<I", 0)))
         start, offsets = self._at, b""
         for kind, records in (
-            (SCHEMA, [schema_record(*one) for one in self._topics.items()]),
-            (CHANNEL, [channel_record(*one) for one in self._topics.items()]),
+            (SCHEMA, [schema_record(*item) for item in self._topics.items()]),
+            (CHANNEL, [channel_record(*item) for item in self._topics.items()]),
             (STATISTICS, [self._statistics()]),
             (CHUNK_INDEX, self._chunk_indexes),
         ):
@@ -278,7 +281,7 @@ class _RecordingWriter:
 
     def _begin_chunk(self) -> None:
         self._chunk = bytearray()
-        # For each channel the time and the offset of each message, in turn.
+        # channel → time and offset of each message of the chunk, alternating.
         self._places: dict[int, list[int]] = {}
 
     def _end_chunk(self) -> None:
@@ -322,7 +325,7 @@ class _RecordingWriter:
 
     def _statistics(self) -> bytes:
         channels, chunks = len(self._topics), len(self._chunk_indexes)
-        counts = b"".join(struct.pack("<HQ", *one) for one in self._counts.items())
+        counts = b"".join(struct.pack("<HQ", *item) for item in self._counts.items())
         first = min((first for first, _ in self._spans), default=0)
         last = max((last for _, last in self._spans), default=0)
         content = struct.pack(

@@ -121,7 +121,7 @@ def read_verdict(
     check_types(file, statement, SVR_TYPE)
     said = statement.predicate
     envelope.check_signature(decode_key(file, said.verifier.public_key))
-    subject = [(one.name, one.digest.sha256) for one in statement.subject]
+    subject = [(entry.name, entry.digest.sha256) for entry in statement.subject]
     if subject != [(STATEMENT, statement_sha256)]:
         raise BrokenRecord(file, "REC-014", "it is about another record")
     replay = said.replay
@@ -150,17 +150,17 @@ def replay_of(
     results: Mapping[int, tuple[Result, Divergence | None]], engine: dict[str, Any]
 ) -> ReplaySummary:
     """The sum over episodes. results: index → how it replayed, and where it parted."""
-    found = [result for result, _ in results.values()]
+    verdicts = [result for result, _ in results.values()]
     first = next(
         (where for _, (how, where) in sorted(results.items()) if how == "diverged"),
         None,
     )
     replay = ReplaySummary(
         "exact",
-        len(found),
-        found.count("exact"),
-        found.count("outcome"),
-        found.count("diverged"),
+        len(verdicts),
+        verdicts.count("exact"),
+        verdicts.count("outcome"),
+        verdicts.count("diverged"),
         first,
         engine,
     )

@@ -1,6 +1,7 @@
-"""The score that follows from the episodes of a record: spec/scoring.md once more.
+"""Computes the score that follows from the episodes of a record (spec/scoring.md).
 
-Not the server's code: who verifies a number must not take it from its author.
+The server has code of its own for it: a check that shares code with what it checks
+repeats its errors.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from typing import Any, Final, Literal, NamedTuple
 Outcome = Literal["success", "failure", "abandoned"]
 _Z: Final = 1.959963984540054
 TOLERANCE: Final = 1e-9
-# Of a value in a text.
+# Characters of a value that an error text quotes at most.
 SHOWN_CHARS: Final = 100
 
 
@@ -43,42 +44,42 @@ def compute_score(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
     }
 
 
-def first_difference(expected: Any, found: Any, path: str = "") -> str | None:
-    """The first member of `expected` that `found` has otherwise, with both values.
+def first_difference(expected: Any, stated: Any, path: str = "") -> str | None:
+    """The first member in which the stated score differs, with both values; else None.
 
     Numbers may differ by TOLERANCE. A score may have members of its own beside those of
     `expected`, but no further task, split or count.
     """
     if isinstance(expected, Mapping):
-        if not isinstance(found, Mapping):
+        if not isinstance(stated, Mapping):
             return f"{path} is no object"
-        if path and (more := sorted(set(found) - set(expected))):
+        if path and (more := sorted(set(stated) - set(expected))):
             return f"{path}/{more[0]} has no episode"
         for name, value in expected.items():
-            if name not in found:
+            if name not in stated:
                 return f"{path}/{name} is missing"
-            if difference := first_difference(value, found[name], f"{path}/{name}"):
+            if difference := first_difference(value, stated[name], f"{path}/{name}"):
                 return difference
         return None
-    equal = _equal(expected, found)
-    return None if equal else f"{path} is {_shown(found)}, not {_shown(expected)}"
+    equal = _equal(expected, stated)
+    return None if equal else f"{path} is {_shown(stated)}, not {_shown(expected)}"
 
 
-def _equal(expected: Any, found: Any) -> bool:
-    if expected is None or isinstance(expected, bool) or isinstance(found, bool):
-        return expected is found
-    if not isinstance(found, int | float):
+def _equal(expected: Any, stated: Any) -> bool:
+    if expected is None or isinstance(expected, bool) or isinstance(stated, bool):
+        return expected is stated
+    if not isinstance(stated, int | float):
         return False
     try:
-        return bool(abs(expected - found) <= TOLERANCE)
+        return bool(abs(expected - stated) <= TOLERANCE)
     except OverflowError:  # an integer beyond every float
         return False
 
 
 def _shown(value: Any) -> str:
-    """Of what another party wrote, as much as a line of text can bear."""
+    """A value as an error text quotes it: the author of the record chose its length."""
     if isinstance(value, int) and value.bit_length() > 1024:
-        return "a huge integer"  # Python refuses to print the largest
+        return "a huge integer"  # Python refuses to print integers of so many digits
     return f"{value}"[:SHOWN_CHARS]
 
 

@@ -1,4 +1,4 @@
-"""What a record's files say, as types: the statement, the manifest, the episode lines.
+"""Types of the JSON in a record: the statement, the manifest, the episode lines.
 
 Members that are not named here are read past, as everywhere in the protocol.
 """
@@ -48,7 +48,7 @@ class Statement(Struct, Generic[P]):
 
 
 class Host(Struct):
-    """Who signs. public_key: base64 of its 32 bytes."""
+    """The host that signs. public_key: base64 of its 32 bytes."""
 
     name: Text
     keyid: Text
@@ -56,7 +56,7 @@ class Host(Struct):
 
 
 class RunFacts(Struct):
-    """What a replay needs to resolve the benchmark as the run had it."""
+    """The facts from which a replay resolves the benchmark as the run had it."""
 
     run_id: Text
     mode: Text
@@ -110,8 +110,8 @@ class RecordManifest(Struct):
     def sealed(self) -> int:
         """How many episodes are of splits whose seeds the host keeps secret."""
         named = self.sealed_splits if isinstance(self.sealed_splits, list) else []
-        splits = {one for one in named if isinstance(one, str)}
-        return sum(one.split in splits for one in self.episodes)
+        splits = {name for name in named if isinstance(name, str)}
+        return sum(episode.split in splits for episode in self.episodes)
 
 
 class RecordingFacts(Struct):
@@ -123,7 +123,7 @@ class RecordingFacts(Struct):
 
 
 class RecordedResult(Struct, frozen=True):
-    """Of an episode that has a recording: what a replay compares with."""
+    """The result of a recorded episode, with which a replay is compared."""
 
     index: Count
     outcome: Outcome | None
@@ -140,7 +140,7 @@ class RecordedResult(Struct, frozen=True):
 class EpisodeLine(Struct, omit_defaults=True):
     """REC-009: one line of episodes.jsonl; outcome None: the episode has no result.
 
-    player: as its result has it; not in the line if it has none.
+    player: as in the result of the episode; the line omits it if the result does.
     """
 
     episode_id: Text
@@ -179,7 +179,7 @@ def decode_key(file: str, text: str) -> bytes:
 
 
 class _KeyAlone(Struct):
-    """What is read of a payload before its signature is known to fit."""
+    """The part of a payload that names the key which its signature is checked with."""
 
     host: Host | None = None
     verifier: Host | None = None
@@ -191,11 +191,11 @@ def public_key_in(envelope: Envelope) -> bytes:
     It proves that the file is whole, and nothing about whose key it is.
     """
     try:
-        found = msgspec.json.decode(envelope.payload, type=Statement[_KeyAlone])
+        statement = msgspec.json.decode(envelope.payload, type=Statement[_KeyAlone])
     except UNREADABLE as error:
         detail = f"no public key can be read from it: {error}"
         raise BrokenRecord(envelope.file, "REC-006", detail) from error
-    signer = found.predicate.host or found.predicate.verifier
+    signer = statement.predicate.host or statement.predicate.verifier
     if signer is None:
         raise BrokenRecord(envelope.file, "REC-006", "it names no public key")
     return decode_key(envelope.file, signer.public_key)
@@ -203,9 +203,9 @@ def public_key_in(envelope: Envelope) -> bytes:
 
 def check_types(file: str, statement: Statement[Any], predicate_type: str) -> None:
     """REC-007: raise BrokenRecord unless it is a statement of that type."""
-    found = (statement.type_, statement.predicateType)
-    if found != (STATEMENT_TYPE, predicate_type):
-        detail = f"its types are {found[0][:99]} and {found[1][:99]}"
+    types = (statement.type_, statement.predicateType)
+    if types != (STATEMENT_TYPE, predicate_type):
+        detail = f"its types are {types[0][:99]} and {types[1][:99]}"
         raise BrokenRecord(file, "REC-007", detail)
 
 
@@ -243,7 +243,7 @@ def _read_line(number: int, line: bytes) -> EpisodeLine:
 
 
 def _check_line(number: int, line: EpisodeLine) -> None:
-    """REC-009: what an outcome implies."""
+    """Raise BrokenRecord unless score and success fit the outcome (REC-009)."""
     unscored = line.outcome is None
     wrong = (
         line.success != (line.outcome == "success")
@@ -253,7 +253,7 @@ def _check_line(number: int, line: EpisodeLine) -> None:
     if wrong:
         detail = f"line {number}: outcome, success and score contradict each other"
         raise BrokenRecord(EPISODES, "REC-009", detail)
-    # Whatever has a result was recorded.
+    # An episode that has a result was played, and so was recorded.
     if line.recording is None and not unscored:
         detail = f"line {number}: an episode with a result has no recording"
         raise BrokenRecord(EPISODES, "REC-009", detail)

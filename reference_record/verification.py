@@ -1,4 +1,4 @@
-"""Verifies a record without a simulator: whole, signed, complete, its score follows.
+"""Verifies without a simulator that a record is whole, signed, complete and consistent.
 
 `verify` raises BrokenRecord for the first part that is wrong, and otherwise returns
 what is known. Whether the actions came from the policy that is named cannot be known by
@@ -44,7 +44,7 @@ from reference_record.statement import (
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """What is known of a record in which nothing is wrong.
+    """The facts of a record that has passed every check.
 
     signer: whose key signed it, None for a key that was not named. replayed_by: (who,
     verdict) of each verdict, who None for a key that was not named. sealed: how many
@@ -134,17 +134,17 @@ def _check_files(
     listed = [subject.name for subject in statement.subject]
     if len(digests) < len(listed):
         raise BrokenRecord(STATEMENT, "REC-007", "it lists a file twice")
-    found = [n for n in bundle.sizes if n != STATEMENT and not is_verdict(n)]
+    files = [n for n in bundle.sizes if n != STATEMENT and not is_verdict(n)]
     for name in listed:
         if name not in bundle.sizes or name == STATEMENT or is_verdict(name):
             detail = "the statement lists this file, and the record has none"
             raise BrokenRecord(printable_name(name), "REC-007", detail)
-    for name in found:
+    for name in files:
         if name not in digests:
             raise BrokenRecord(name, "REC-007", "the statement does not list this file")
-    if listed != found:
+    if listed != files:
         raise BrokenRecord(STATEMENT, "REC-007", "it lists the files out of order")
-    for name in found:
+    for name in files:
         if bundle.sha256(name) != digests[name]:
             detail = "its SHA-256 is not that in the statement"
             raise BrokenRecord(name, "REC-008", detail)
@@ -218,9 +218,9 @@ def _check_link(line: EpisodeLine, digests: Mapping[str, str]) -> None:
 
 def _check_recordings(bundle: Bundle, lines: Iterable[EpisodeLine]) -> Iterator[int]:
     # Every recording that is listed has its line: names follow from the lines' indices.
-    known = {line.recording.path for line in lines if line.recording is not None}
+    expected = {line.recording.path for line in lines if line.recording is not None}
     for name in bundle.sizes:
-        if is_recording(name) and name not in known:
+        if is_recording(name) and name not in expected:
             raise BrokenRecord(name, "REC-010", "no episode has this recording")
     for line in lines:
         if line.recording is not None:

@@ -1,11 +1,12 @@
-"""Which differences between a run and its baseline chance does not explain. Pure.
+"""Finds the differences between a run and its baseline that chance does not explain.
 
 A difference of mean scores may come from one episode of eight. Over all episodes, and
 over those of each task, those that the run scored better are set against those that it
 scored worse: two policies that are equally good on each episode win either with
-probability 1/2 (the exact sign test; of scores 0 and 1 it is McNemar's). Of many tasks
-some differ by chance, so the p of all groups are corrected together (Holm 1979), which
-holds for groups that share episodes, too. Of a single task there is one group, not two.
+probability 1/2 (the exact sign test; of scores 0 and 1 it is McNemar's). Among many
+tasks some differ by chance, so the p of all groups are corrected together (Holm 1979),
+which holds for groups that share episodes, too. A benchmark of a single task has one
+group, not two. The functions are pure.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ class GroupEvidence:
 
     @property
     def is_shown(self) -> bool:
-        """Whether chance is no explanation."""
+        """Whether chance alone would rarely make so large a difference."""
         return self.p_value <= ALPHA
 
 

@@ -43,7 +43,7 @@ Outcomes = tuple[bool | None, bool | None]
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """What was seen when it was decided; wins and losses of the run."""
+    """The evidence at the moment of the decision; the run has the wins and losses."""
 
     e_value: float
     wins: int
@@ -52,7 +52,7 @@ class Decision:
 
 @dataclass(frozen=True, slots=True)
 class SequentialComparison:
-    """What the first `compared` episodes of the manifest show.
+    """The evidence from the first `compared` episodes of the manifest.
 
     left: episodes behind them. wins, losses: of the run, among those compared.
     e_value: now. largest_e_value: after any of them; 1 before the first.
@@ -125,9 +125,9 @@ def log_e_value(wins: int, losses: int) -> float:
 
 def _not_compared(groups: Sequence[Iterable[str]], compared: int) -> tuple[str, ...]:
     """Names of groups of which no episode is among the first `compared`."""
-    seen = {name for of_episode in groups[:compared] for name in of_episode}
+    compared_names = {name for of_episode in groups[:compared] for name in of_episode}
     left = (name for of_episode in groups[compared:] for name in of_episode)
-    return tuple(dict.fromkeys(name for name in left if name not in seen))
+    return tuple(dict.fromkeys(name for name in left if name not in compared_names))
 
 
 def _log_factor(same: int, n: int) -> float:
@@ -135,28 +135,28 @@ def _log_factor(same: int, n: int) -> float:
     return math.log(2 * (same + 0.5) / (n + 1))
 
 
-def describe(found: SequentialComparison) -> str:
+def describe(comparison: SequentialComparison) -> str:
     """One sentence for people: what is decided, whether more episodes are needed."""
-    if found.at_decision is not None:
-        return _describe_decision(found, found.at_decision)
-    seen = f"e = {found.e_value:.3g} after {found.compared} episodes"
-    if not found.left:
-        return f"no difference shown: {seen}, {_DECIDES}"
-    if not found.may_decide:
-        return f"{seen}; the {found.left} left can no longer show a difference"
-    return f"not decided: {seen}, {_DECIDES}; {found.left} left"
+    if comparison.at_decision is not None:
+        return _describe_decision(comparison, comparison.at_decision)
+    evidence = f"e = {comparison.e_value:.3g} after {comparison.compared} episodes"
+    if not comparison.left:
+        return f"no difference shown: {evidence}, {_DECIDES}"
+    if not comparison.may_decide:
+        return f"{evidence}; the {comparison.left} left can no longer show a difference"
+    return f"not decided: {evidence}, {_DECIDES}; {comparison.left} left"
 
 
-def _describe_decision(found: SequentialComparison, then: Decision) -> str:
+def _describe_decision(whole: SequentialComparison, then: Decision) -> str:
     text = (
-        f"{_DECIDES} (e = {then.e_value:.3g}): on the first {found.decided_after} of "
-        f"{found.compared + found.left} episodes the {found.better} succeeds more often"
+        f"{_DECIDES} (e = {then.e_value:.3g}): on the first {whole.decided_after} of "
+        f"{whole.compared + whole.left} episodes the {whole.better} succeeds more often"
     )
-    lead = found.wins - found.losses
-    if lead <= 0 if found.better == "run" else lead >= 0:
-        wins, losses = found.wins - then.wins, found.losses - then.losses
+    lead = whole.wins - whole.losses
+    if lead <= 0 if whole.better == "run" else lead >= 0:
+        wins, losses = whole.wins - then.wins, whole.losses - then.losses
         return f"{text}; since then {wins} wins, {losses} losses"
-    if found.not_compared:
-        names = [*found.not_compared[:3], *["…"] * (len(found.not_compared) > 3)]
+    if whole.not_compared:
+        names = [*whole.not_compared[:3], *["…"] * (len(whole.not_compared) > 3)]
         return f"{text}; nothing is compared yet of {', '.join(names)}"
-    return f"{text}; the {found.left} left need not be played" if found.left else text
+    return f"{text}; the {whole.left} left need not be played" if whole.left else text

@@ -50,7 +50,7 @@ class ArchiveEntry:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """What stands in one file. blocks: gives the bytes, again with every call."""
+    """The content of one file. blocks: yields the bytes, anew with every call."""
 
     size: int
     crc32: int
@@ -155,12 +155,12 @@ def _check_directory(
 ) -> None:
     expected = _directory(entries, position)
     file.seek(position)
-    found = file.read(len(expected) + 1)
-    if found == expected:
+    actual = file.read(len(expected) + 1)
+    if actual == expected:
         return
-    if len(found) < len(expected) and expected.startswith(found):
+    if len(actual) < len(expected) and expected.startswith(actual):
         detail = "it is cut: its directory is not whole"
-    elif found.startswith(expected):
+    elif actual.startswith(expected):
         detail = "bytes stand behind its end"
     else:
         detail = f"its directory, at byte {position}, does not fit its files"

@@ -88,8 +88,8 @@ class _Archive(Bundle):
 
 class _Directory(Bundle):
     def __init__(self, path: Path) -> None:
-        found = dict(islice(_files_of(path), FILES_MAX + 1))
-        super().__init__({name: found[name] for name in sorted(found, key=order)})
+        paths = dict(islice(_files_of(path), FILES_MAX + 1))
+        super().__init__({name: paths[name] for name in sorted(paths, key=order)})
         self._path = path
 
     @contextmanager

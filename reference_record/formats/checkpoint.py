@@ -22,7 +22,7 @@ _NOTE = re.compile(
 
 
 class InvalidCheckpoint(ValueError):
-    """The note is no checkpoint, or not signed by this key."""
+    """The note is not a checkpoint, or is not signed by this key."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ class Checkpoint:
 
     @property
     def text(self) -> str:
-        """What is signed."""
+        """The lines that a signature covers: origin, size and root hash."""
         root = base64.b64encode(self.root).decode()
         return f"{self.origin}\n{self.tree_size}\n{root}\n"
 

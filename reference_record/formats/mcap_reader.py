@@ -48,7 +48,7 @@ class McapReader:
     def messages(self) -> Iterator[tuple[str, memoryview]]:
         """Topic and data of each message, in the order of the file.
 
-        Raises BrokenRecord: REC-012 for what is no MCAP, REC-030 beyond the bounds.
+        Raises BrokenRecord: REC-012 if the file is not MCAP, REC-030 beyond the bounds.
         """
         try:
             self._take_magic("begin")

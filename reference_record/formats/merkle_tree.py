@@ -1,7 +1,7 @@
 """The tree of a history: RFC 6962, section 2.1, over SHA-256.
 
-What a server proves with it, and what a reader checks. A leaf is bytes; a hash is 32
-bytes. It must not know what the leaves say.
+A server proves with it that its history was only appended to, and readers check the
+proofs. A leaf is bytes; a hash is 32 bytes. It must not know what the leaves say.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ class MerkleTree:
     def __init__(self, leaf_hashes: Iterable[bytes] = ()) -> None:
         # _levels[h][i]: the subtree of the leaves from i * 2^h to (i + 1) * 2^h.
         self._levels: list[list[bytes]] = [[]]
-        for one in leaf_hashes:
-            self.append(one)
+        for leaf_hash in leaf_hashes:
+            self.append(leaf_hash)
 
     def __len__(self) -> int:
         return len(self._levels[0])
@@ -81,7 +81,7 @@ class MerkleTree:
         return path[::-1]
 
     def _hash(self, start: int, end: int) -> bytes:
-        """Of the leaves from start to end, a subtree that the tree of RFC 6962 has."""
+        """The hash of the leaves from start to end, which form a subtree (RFC 6962)."""
         size = end - start
         height = size.bit_length() - 1
         if size == 1 << height:

@@ -67,7 +67,10 @@ def order(name: str) -> tuple[int, str]:
 
 
 def check_name(name: str, size: int) -> None:
-    """REC-001: refuse what is no file of a record; REC-030: and what is too large."""
+    """Raise BrokenRecord for a name or a size that no file may have.
+
+    REC-001 fixes the names and REC-030 the sizes.
+    """
     shown = printable_name(name)
     if name in FIXED:
         most = _FIXED_BYTES_MAX[name]

@@ -38,7 +38,7 @@ class OpenedSeeds(msgspec.Struct, frozen=True):
     @property
     def commitment(self) -> str:
         """REC-015: what `seeds_sha256` must be."""
-        seeds = json.dumps([one.seed for one in self.episodes])
+        seeds = json.dumps([episode.seed for episode in self.episodes])
         return hashlib.sha256(bytes.fromhex(self.salt) + seeds.encode()).hexdigest()
 
 
@@ -50,7 +50,7 @@ class OpenedBenchmark(msgspec.Struct, frozen=True):
 
 
 def load_opened_seeds(path: Path) -> OpenedBenchmark:
-    """Raises OSError, and UnusableRecord for what is no such file."""
+    """Read the file; raises OSError, and UnusableRecord for a file of another kind."""
     with path.open("rb") as file:  # REC-030
         data = file.read(FILE_BYTES_MAX + 1)
     if len(data) > FILE_BYTES_MAX:
@@ -73,39 +73,42 @@ def seeds_for(opened: OpenedBenchmark, manifest: Mapping[str, Any]) -> dict[int,
         raise UnusableRecord(
             "no seeds of the record are sealed: leave out the file [REC-032]"
         )
-    found = [one for one in opened.opened if one.seeds_sha256 == commitment]
-    if not found:
+    fitting = [seeds for seeds in opened.opened if seeds.seeds_sha256 == commitment]
+    if not fitting:
         raise UnusableRecord(
             f"the file of seeds has none for {commitment}, to which the record commits "
             "its host: they are of another benchmark, host or choice of options "
             "[REC-032]"
         )
-    if found[0].commitment != commitment:
+    if fitting[0].commitment != commitment:
         raise UnusableRecord(
             "the seeds in the file are not those to which the record commits its host: "
-            f"their SHA-256 is {found[0].commitment}, not {commitment} [REC-015]"
+            f"their SHA-256 is {fitting[0].commitment}, not {commitment} [REC-015]"
         )
     # A run may be of some tasks and splits alone; the host is committed to all seeds.
     tasks, splits = (
-        {one[member] for one in manifest["episodes"]} for member in ("task", "split")
+        {episode[member] for episode in manifest["episodes"]}
+        for member in ("task", "split")
     )
     episodes = [
-        one for one in found[0].episodes if one.task in tasks and one.split in splits
+        episode
+        for episode in fitting[0].episodes
+        if episode.task in tasks and episode.split in splits
     ]
-    if [(one.task, one.split) for one in episodes] != list(sealed.values()):
+    if [(e.task, e.split) for e in episodes] != list(sealed.values()):
         raise UnusableRecord(
             "the file of seeds has other episodes than the record [REC-032]"
         )
-    return dict(zip(sealed, (one.seed for one in episodes), strict=True))
+    return dict(zip(sealed, (episode.seed for episode in episodes), strict=True))
 
 
 def _sealed_episodes(manifest: Mapping[str, Any]) -> dict[int, tuple[str, str]]:
     """Index → task and split."""
     sealed = frozenset(manifest.get("sealed_splits", ()))
     return {
-        index: (one["task"], one["split"])
-        for index, one in enumerate(manifest["episodes"])
-        if one["split"] in sealed
+        index: (episode["task"], episode["split"])
+        for index, episode in enumerate(manifest["episodes"])
+        if episode["split"] in sealed
     }
 
 

@@ -74,7 +74,7 @@ def check_recording(file: BinaryIO, size: int, line: EpisodeLine) -> int:
 
 
 class _Played:
-    """What the messages so far say."""
+    """The state of the episode that follows from the messages read so far."""
 
     def __init__(self, name: str) -> None:
         self._name = name
@@ -128,8 +128,8 @@ class _Played:
             self._refuse("it has no result, episodes.jsonl has one", "REC-010")
             return
         said = (line.outcome, line.success, line.score, line.steps, line.attempts)
-        found = (result.outcome, result.success, result.score)
-        if said != (*found, result.steps, result.attempts):
+        recorded = (result.outcome, result.success, result.score)
+        if said != (*recorded, result.steps, result.attempts):
             self._refuse("its result is not that of episodes.jsonl", "REC-010")
         if result.outcome != "abandoned":
             self._check_end(result)

@@ -38,7 +38,7 @@ from reference_record.recording import (
 )
 
 SUFFIX = ".part"
-# The disk or a quota is full: no fault of what is recorded, nor of who records it.
+# The disk or a quota is full: neither the episode nor the recorder is at fault.
 NO_ROOM = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG})
 # The topic of a camera, before the first message with this channel id.
 CAMERA_TOPIC = 0xF0
@@ -50,7 +50,7 @@ _TURN_CHANNEL = TOPIC_IDS["/turn"]
 
 
 class TurnCommand(msgspec.Struct):
-    """What was commanded; actions may be more than were executed."""
+    """The command of a turn; the episode may end before all actions are executed."""
 
     actions: Actions
     seq: int
@@ -170,7 +170,7 @@ def remove_parts(folder: Path) -> None:
 
 
 def json_of(message: Turn | bytes) -> bytes:
-    """What is said in a message of a part."""
+    """The JSON of a message; the parts hold turns in a binary form of their own."""
     return encode_message(message) if isinstance(message, Turn) else message
 
 

@@ -1,7 +1,7 @@
 """Two runs of one manifest, episode by episode.
 
-What the comparison says in numbers is what `compare_runs` answered, or where there is
-no server what spec/scoring.md says of the same episodes.
+The numbers are those that `compare_runs` answered; without a server they are computed
+from the same episodes as spec/scoring.md defines them.
 """
 
 from __future__ import annotations
@@ -40,11 +40,13 @@ class Pair:
 
 def pair_episodes(baseline: Sequence[Document], run: Sequence[Document]) -> list[Pair]:
     """The episodes of both, by their index; what changed stands first."""
-    others = {one["index"]: one for one in run}
+    others = {episode["index"]: episode for episode in run}
     pairs = [
-        Pair(_kind(one, others[one["index"]]), one, others[one["index"]])
-        for one in baseline
-        if one["index"] in others
+        Pair(
+            _kind(episode, others[episode["index"]]), episode, others[episode["index"]]
+        )
+        for episode in baseline
+        if episode["index"] in others
     ]
     order = list(KINDS)
     return sorted(pairs, key=lambda p: (order.index(p.kind), p.baseline["index"]))

@@ -330,7 +330,7 @@ def pair_html(
 
 
 def signed_level(levels: Sequence[str]) -> str:
-    """What may be said of a score that was read from a record (REC-031)."""
+    """The sentence that must stand beside a score that a record gives (REC-031)."""
     return (
         f"Level: {', '.join(levels)}. No level proves that the actions came from the "
         "policy that is named: only evaluating it again shows that."

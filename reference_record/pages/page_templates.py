@@ -15,7 +15,7 @@ from urllib.parse import urlsplit
 
 from jinja2 import Environment, PackageLoader
 
-# What a browser may load and do on these pages; a server sends it with each of them.
+# Limits what a browser loads and runs; a server sends it with each of these pages.
 CONTENT_SECURITY_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "media-src 'self'; connect-src 'self'; form-action 'self'; base-uri 'none'; "
@@ -111,7 +111,7 @@ def score_text(value: float | None) -> str:
 
 
 def interval(value: Mapping[str, float]) -> str:
-    """Of a rate, in percent."""
+    """The interval of a rate, in percent."""
     return f"{100 * value['low']:.1f}–{100 * value['high']:.1f} %"
 
 

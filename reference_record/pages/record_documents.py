@@ -1,4 +1,4 @@
-"""What the pages need of a record, in the shape of the API's documents.
+"""Makes of a record the documents of the API that the pages show.
 
 A record has fewer facts than a server: what it does not say stays absent. Its author
 chose its texts, so each is checked for its type before a template sees it.
@@ -157,7 +157,7 @@ def _convert(data: bytes, kind: type[T]) -> T | None:
 
 
 def _run(said: Evaluation, episodes: list[dict[str, Any]]) -> dict[str, Any]:
-    scored = sum("result" in one for one in episodes)
+    scored = sum("result" in episode for episode in episodes)
     return {
         "run_id": said.run.run_id,
         "state": "completed",
@@ -208,7 +208,7 @@ def _episode(line: EpisodeLine, seed: int | None) -> dict[str, Any]:
 
 
 def _complete(episode: Document, recorded: RecordedEpisode) -> None:
-    """What only the recording says, put into the documents that are ours."""
+    """Add to the episode's document the facts that only its recording has."""
     assert isinstance(episode, dict)
     faults = [event for event in recorded.events if event[1] == "simulator fault"]
     episode["faults"] = len(faults)

@@ -50,7 +50,7 @@ _PICTURE = msgspec.json.Decoder(_CameraMessage)
 
 @dataclass(frozen=True, slots=True)
 class CameraPicture:
-    """What a camera showed after `step` steps; extension: of a file that has it."""
+    """The picture of a camera after `step` steps; extension: as files of it have."""
 
     camera: str
     step: int
@@ -140,10 +140,10 @@ class _Reader:
 
     def _add_picture(self, camera: str, message: _CameraMessage) -> None:
         extension = _FORMATS.get(message.format)
-        known = extension and _CAMERA_NAME.fullmatch(camera)
+        can_be_shown = extension and _CAMERA_NAME.fullmatch(camera)
         self._picture_bytes += len(message.data)
         full = len(self._episode.pictures) >= PICTURES_MAX
-        if not known or full or self._picture_bytes > PICTURE_BYTES_MAX:
+        if not can_be_shown or full or self._picture_bytes > PICTURE_BYTES_MAX:
             return
         try:
             data = base64.b64decode(message.data, validate=True)
@@ -154,7 +154,7 @@ class _Reader:
 
 
 def plot_data(episode: RecordedEpisode) -> dict[str, Any]:
-    """What the plots are drawn from, as JSON: columns by step and by turn.
+    """The data that the plots are drawn from, as JSON: columns by step and by turn.
 
     steps: the numbers of the executed actions, from 1. actions: name → its columns.
     Long episodes are thinned out: one step of every `stride` is drawn.
@@ -205,22 +205,22 @@ def _add_action(
 
 
 def _turn_columns(turns: Sequence[Turn]) -> dict[str, list[Any]]:
-    """Of the turns that are drawn: first and last step, times and score."""
+    """Columns of the turns that are drawn: first and last step, times and score."""
     stride = max(1, math.ceil(len(turns) / POINTS_MAX))
     names = ("seq", "first", "last", "think_ms", "simulate_ms", "score")
-    found: dict[str, list[Any]] = {name: [] for name in names}
+    columns: dict[str, list[Any]] = {name: [] for name in names}
     last = 0
     for number, turn in enumerate(turns):
         first, last = last + 1, last + turn.steps
         if number % stride:
             continue
-        found["seq"].append(turn.seq)
-        found["first"].append(first)
-        found["last"].append(last)
-        found["think_ms"].append(_short(turn.think_ms))
-        found["simulate_ms"].append(_short(turn.simulate_ms))
-        found["score"].append(_short(turn.score))
-    return found
+        columns["seq"].append(turn.seq)
+        columns["first"].append(first)
+        columns["last"].append(last)
+        columns["think_ms"].append(_short(turn.think_ms))
+        columns["simulate_ms"].append(_short(turn.simulate_ms))
+        columns["score"].append(_short(turn.score))
+    return columns
 
 
 def _short(value: float) -> float | None:
@@ -237,23 +237,23 @@ class FirstDifference:
 
 
 def first_divergence(
-    one: RecordedEpisode, other: RecordedEpisode
+    baseline: RecordedEpisode, run: RecordedEpisode
 ) -> FirstDifference | None:
     """Where two plays of an episode part; None while they are the same."""
-    if one.first_digest != other.first_digest:
+    if baseline.first_digest != run.first_digest:
         return FirstDifference(0, "The simulator began in another state.")
-    pairs = zip(_actions(one), _actions(other), strict=False)
+    pairs = zip(_actions(baseline), _actions(run), strict=False)
     for step, (a, b) in enumerate(pairs, start=1):
         if a != b:
             return FirstDifference(step, "Another action was executed.")
-    if one.steps != other.steps:
+    if baseline.steps != run.steps:
         return FirstDifference(
-            min(one.steps, other.steps) + 1, "One ended, the other went on."
+            min(baseline.steps, run.steps) + 1, "One ended, the other went on."
         )
-    last = (one.turns[-1:], other.turns[-1:])
+    last = (baseline.turns[-1:], run.turns[-1:])
     digests = [turn.state_digest for turns in last for turn in turns]
     if len(set(digests)) > 1:
-        return FirstDifference(one.steps, "The same actions led to another state.")
+        return FirstDifference(baseline.steps, "The same actions led to another state.")
     return None
 
 

@@ -1,4 +1,4 @@
-"""What the page of a run shows, computed from documents of the API.
+"""Computes the content of a run's page from documents of the API.
 
 Nothing here is scored anew: the score is what `get_score` answered. Counts of a cell of
 the table are counts of episodes as `list_episodes` lists them.
@@ -16,9 +16,9 @@ from typing import Any, Final
 from reference_record.score import wilson_interval
 
 Document = Mapping[str, Any]
-# What needs attention stands first.
+# Failures stand first, because they need attention.
 ORDER: Final = ("failure", "abandoned", "in_progress", "pending", "success")
-# Of how many episodes the pace is taken.
+# The pace is that of so many latest episodes: older ones may have been slower.
 PACE_EPISODES: Final = 50
 
 
@@ -49,7 +49,7 @@ class TaskTable:
 
 @dataclass(frozen=True, slots=True)
 class Quantiles:
-    """Of `count` values."""
+    """The quantiles of `count` values."""
 
     count: int
     p50: float
@@ -61,8 +61,8 @@ class Quantiles:
 class PolicyTimes:
     """How long the policy took for turns, and whether a robot had to wait for it.
 
-    think_ms: of each turn. late: turns whose actions came after those before them had
-    been executed at the control rate. followed: turns that had others before them.
+    think_ms: the time of each turn. late: turns whose actions came after the previous
+    ones had been executed at the control rate. followed: turns that had a previous one.
     """
 
     think_ms: list[float] = field(default_factory=list)
@@ -81,9 +81,9 @@ class PolicyTimes:
 
 @dataclass(frozen=True, slots=True)
 class RunFigures:
-    """What a page says of all episodes of a run, whichever of them it lists.
+    """Figures over all episodes of a run, whichever of them its page lists.
 
-    ordered: the episodes, failures first. episode_times: of those with a result.
+    ordered: the episodes, failures first. episode_times: of those with results.
     """
 
     ordered: Sequence[Document]
@@ -112,7 +112,10 @@ def status_of(episode: Document) -> str:
 def failures_first(episodes: Iterable[Document]) -> list[Document]:
     """The episodes by status, and of one status in the order of the manifest."""
     rank = {name: place for place, name in enumerate(ORDER)}
-    return sorted(episodes, key=lambda one: (rank.get(status_of(one), 0), one["index"]))
+    return sorted(
+        episodes,
+        key=lambda episode: (rank.get(status_of(episode), 0), episode["index"]),
+    )
 
 
 def task_table(episodes: Iterable[Document]) -> TaskTable:
@@ -127,11 +130,11 @@ def task_table(episodes: Iterable[Document]) -> TaskTable:
     rows = []
     for task in dict.fromkeys(task for task, _ in cells):
         row = [cells.get((task, split)) for split in splits]
-        known = [cell for cell in row if cell is not None]
+        planned = [cell for cell in row if cell is not None]
         whole = TaskCell(
-            sum(cell.total for cell in known),
-            sum(cell.scored for cell in known),
-            sum(cell.successes for cell in known),
+            sum(cell.total for cell in planned),
+            sum(cell.scored for cell in planned),
+            sum(cell.successes for cell in planned),
         )
         rows.append((task, row, whole))
     return TaskTable(splits, rows)
@@ -158,8 +161,8 @@ def quantiles(values: Sequence[float]) -> Quantiles | None:
 
 def think_seconds(episodes: Iterable[Document]) -> Quantiles | None:
     """Time that the policy took in an episode, over those with a result."""
-    results = [one["result"] for one in episodes if one.get("result")]
-    return quantiles([one["think_s"] for one in results if "think_s" in one])
+    results = [episode["result"] for episode in episodes if episode.get("result")]
+    return quantiles([r["think_s"] for r in results if "think_s" in r])
 
 
 def seconds_left(run: Document, episodes: Iterable[Document]) -> float | None:
@@ -167,9 +170,9 @@ def seconds_left(run: Document, episodes: Iterable[Document]) -> float | None:
     if run["state"] not in ("running", "stopping"):
         return None
     ends = sorted(
-        datetime.fromisoformat(one["result"]["finished_at"])
-        for one in episodes
-        if one.get("result")
+        datetime.fromisoformat(episode["result"]["finished_at"])
+        for episode in episodes
+        if episode.get("result")
     )[-PACE_EPISODES:]
     if len(ends) < 2:
         return None
@@ -181,23 +184,23 @@ def seconds_left(run: Document, episodes: Iterable[Document]) -> float | None:
 
 def totals(episodes: Iterable[Document]) -> dict[str, int]:
     """Attempts beyond the first, faults, clipped actions; over all episodes."""
-    found = {"more attempts": 0, "faults": 0, "clipped actions": 0}
+    counts = {"more attempts": 0, "faults": 0, "clipped actions": 0}
     for episode in episodes:
-        found["faults"] += episode["faults"]
-        found["more attempts"] += episode["attempt"] - 1
+        counts["faults"] += episode["faults"]
+        counts["more attempts"] += episode["attempt"] - 1
         result = episode.get("result") or {}
-        found["clipped actions"] += result.get("clipped_actions") or 0
-    return found
+        counts["clipped actions"] += result.get("clipped_actions") or 0
+    return counts
 
 
 def players(episodes: Iterable[Document]) -> list[str]:
     """Who played, as the clients said it."""
-    found: dict[str, None] = {}
+    names: dict[str, None] = {}
     for episode in episodes:
         player = (episode.get("result") or {}).get("player")
         if player:
-            found[player_text(player)] = None
-    return list(found)
+            names[player_text(player)] = None
+    return list(names)
 
 
 def player_text(player: Document) -> str:
@@ -216,9 +219,9 @@ def commands(run: Document) -> list[tuple[str, str]]:
         option = {"tasks": "--tasks", "splits": "--split"}.get(flag)
         if option and names:
             again += f" {option} {shlex.quote(','.join(names))}"
-    found = [("Evaluate a policy in the same way", again)]
+    lines = [("Evaluate a policy in the same way", again)]
     progress = run["progress"]
     if progress["episodes_scored"] == progress["episodes_total"]:
         check = f"proctor export {run_id} && proctor verify run-{run_id}.proctor"
-        found.append(("Check the score", check))
-    return found
+        lines.append(("Check the score", check))
+    return lines

@@ -26,8 +26,6 @@ LEFT_MAX = {
     "benchmarks": 14,
     "conformance": 54,
     "examples": 4,
-    "reference_client": 44,
-    "reference_record": 45,
     "reference_server": 275,
     "reference_sim": 67,
     "tests": 275,
