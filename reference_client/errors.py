@@ -153,7 +153,7 @@ def from_failure(error: Exception, url: str) -> ProctorError:
 
 
 def _what_is_wrong(error: Exception) -> str:
-    """Of a response that violates the protocol, in one line."""
+    """The fault of a response that violates the protocol, in one line."""
     cause = error.__cause__ if isinstance(error, ApiException) else error
     if not isinstance(cause, pydantic.ValidationError):
         return str(error.reason if isinstance(error, ApiException) else error)
@@ -163,7 +163,7 @@ def _what_is_wrong(error: Exception) -> str:
 
 
 def _tls_error(error: BaseException) -> ssl.SSLError | None:
-    """What TLS reported, however deep the libraries have wrapped it."""
+    """The error of TLS, however deep the libraries have wrapped it; else None."""
     inner: BaseException | None = error
     while inner is not None and not isinstance(inner, ssl.SSLError):
         inner = inner.__cause__ or inner.__context__

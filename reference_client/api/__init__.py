@@ -1,1 +1,1 @@
-"""What a policy author implements (`Policy`) and receives (`Observation`)."""
+"""The interface of a policy author: `Policy` to implement, `Observation` to read."""

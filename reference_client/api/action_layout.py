@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-# Rounding to float32 is no clipping; relative to the width of the range.
+# Rounding to float32 does not count as clipping; relative to the width of the range.
 _ROUNDING = 1e-6
 
 

@@ -1,4 +1,4 @@
-"""What a policy receives: state vectors, images and tensors, decoded from a turn.
+"""Observation: state vectors, images and tensors, decoded from the answer to a turn.
 
 Raw images and tensors are numpy arrays over the received bytes: nothing is copied.
 """
@@ -24,7 +24,7 @@ from reference_client.spelling import did_you_mean
 
 Value = TypeVar("Value")
 
-# What numpy can hold; a tensor of a dtype that a later version has is left out.
+# Types that numpy has; a tensor of another, from a later protocol, is left out.
 DTYPES = {
     *("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64"),
     *("float16", "float32", "float64"),

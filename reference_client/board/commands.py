@@ -98,7 +98,7 @@ def board(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def _other_manifests(client: BoardClient, ranking: Ranking) -> list[str]:
-    """What else of the benchmark can be ranked, as after a new version of it."""
+    """Lines on other manifests of the benchmark, which have rankings of their own."""
     counted = client.manifests(ranking.benchmark_id)
     counted.pop(ranking.manifest_sha256, None)
     if not counted:

@@ -48,11 +48,11 @@ _ARGUMENTS = {
     "episodes=N ": "--episodes N ",
     "`name=": "`--name ",
     "`version=": "`--policy-version ",
-    # Of the protocol's texts, what names members of a problem document.
+    # These parts of the protocol's texts point at a document that a user does not see.
     " Correct what `errors` points at.": "",
     "Read `detail`: ": "",
 }
-# Where a refused request has what a flag says.
+# Pointer into a refused request → the flag that sets the value there.
 _POINTERS = {
     "/select/tasks": "--tasks",
     "/select/splits": "--split",
@@ -76,7 +76,7 @@ def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
 
 
 def message_of(error: ProctorError) -> str:
-    """What happened and what to do, with flags in place of Python arguments."""
+    """The error and its remedy, with flags in place of Python arguments."""
     parts = [with_flag_names(error.detail)]
     parts += [f"{_with_flag(pointer)} {text}" for pointer, text in error.errors]
     return f"{' – '.join(parts)} [{error.code}]"

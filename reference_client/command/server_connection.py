@@ -1,6 +1,6 @@
 """The connection of a command to the server that its flags name.
 
-What is repeated, and for how long, is said on stderr while it waits.
+While it waits to repeat a request, it says on stderr why and for how long.
 """
 
 from __future__ import annotations

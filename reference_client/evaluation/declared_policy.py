@@ -31,7 +31,7 @@ class DeclaredPolicy:
 
     @property
     def info(self) -> PolicyInfo:
-        """Of a new run."""
+        """The policy as a new run declares it."""
         return PolicyInfo(name=self.name or self.program, version=self.version)
 
     @property
@@ -46,7 +46,7 @@ def declare_player(
     service: Service,
     control_client: ControlClient,
 ) -> Player | None:
-    """What the workers declare; None where the server does not read it.
+    """The player that the workers declare; None where the server does not read it.
 
     A policy without a name of its own has that of the run, unless another program has
     scored episodes of it: then it has the program's. Raises `policy_mismatch` where

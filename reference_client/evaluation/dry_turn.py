@@ -1,9 +1,10 @@
 """One call of a policy before there is a run, with an observation that is made up.
 
 The observation has every name, size and dtype that the benchmark declares: vectors in
-the middle of their range, rotations that are the identity, grey images. It is no state
-of the benchmark. So only what is a mistake in every state ends the evaluation here:
-names and shapes, and errors that a correct policy does not raise for valid input.
+the middle of their range, rotations that are the identity, grey images. The
+benchmark may never be in such a state. So only mistakes that show in every state end
+the evaluation here: names and shapes, and errors that a correct policy does not raise
+for valid input.
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ _IDENTITIES = {
 _GREY = 128
 _ANY_SIZE = {"width": 64, "height": 64}
 NOTE = "This was a dry turn; no run was submitted."
-# What `reset` raises for a wrong signature or name, in contrast to an instruction that
-# the policy does not know: the real instructions are not known before the run.
+# Errors of a wrong signature or name. Any other error of `reset` may only mean that the
+# policy does not know the instruction, which is made up: a run has real ones.
 _PROGRAM_ERRORS = (TypeError, AttributeError, NameError, ImportError)
 
 

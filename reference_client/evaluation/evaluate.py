@@ -218,7 +218,7 @@ def _how_to_continue(run: Run, board: StatusBoard) -> str:
 
 
 def _check_of(policy: Callable[[], Policy]) -> Callable[[Benchmark], None] | None:
-    """What compares a policy with a benchmark, where it knows what it needs."""
+    """The check of the policy against a benchmark, if the policy declares its needs."""
     if isinstance(policy, PolicyServerClient | LerobotPolicies):
         return policy.check
     return None

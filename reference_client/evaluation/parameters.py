@@ -100,9 +100,10 @@ class EvaluationPlan:
     ) -> tuple[Run, dict[str, Any] | None, Player | None]:
         """Submit or resume the run; `prepare`, which loads the policies, comes before.
 
-        So a policy that fails to load, or in the dry turn, leaves no run behind. What
-        the server would refuse is checked before policies are loaded. Returns the run,
-        its benchmark as JSON, if the server has it, and what the workers declare.
+        So a policy that fails to load, or in the dry turn, leaves no run behind.
+        Parameters that the server would refuse are refused before policies are loaded.
+        Returns the run, its benchmark as JSON, if the server has it, and the player
+        that the workers declare.
         """
         if self.run_id is None:
             assert self.submission is not None
@@ -132,7 +133,7 @@ class EvaluationPlan:
         return resumed, None if known is None else _as_json(known), player
 
     def max_attempts(self, benchmark: dict[str, Any] | None) -> int | None:
-        """Of an episode; None where it cannot be known."""
+        """The attempts that an episode may have; None where they cannot be known."""
         if benchmark is None:
             return None
         if benchmark["benchmark_id"] == "calibration":  # its submitter decides

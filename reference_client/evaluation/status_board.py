@@ -132,7 +132,7 @@ class StatusBoard:
         return was_scored
 
     def waiting(self) -> str | None:
-        """What one of the waiting sources waits for."""
+        """A source that waits, with the thing that it waits for; None if none waits."""
         with self._lock:
             return next(
                 (f"{source}: {what}" for source, what in self._waiting.items()), None

@@ -22,7 +22,7 @@ RESULTS_MAX = 50
 
 
 class LatestTurn:
-    """What the live view shows of one worker: its latest turn and its last results."""
+    """One worker's data for the live view: its latest turn and its last results."""
 
     def __init__(self) -> None:
         self._snapshot: TurnSnapshot | None = None

@@ -32,7 +32,7 @@ _ENTRY = "an entry of [observation] in a --mapping file decides"
 
 @dataclass(frozen=True, slots=True)
 class LerobotConfig:
-    """What config.json says about the policy.
+    """The facts about the policy that are in its config.json.
 
     inputs: key → shape; three numbers (channels, height, width) are an image.
     actions_per_look: actions after which the policy reads an observation again.
@@ -47,7 +47,7 @@ class LerobotConfig:
 
     @classmethod
     def read(cls, folder: str | Path) -> LerobotConfig:
-        """Raises BadPolicy if the folder is no policy saved by LeRobot from 0.4 on."""
+        """Read the config; raises BadPolicy unless LeRobot 0.4 or later saved it."""
         folder = Path(folder)
         path = folder / "config.json"
         if not path.is_file():

@@ -48,7 +48,7 @@ class ControlClient:
         self._retry_policy = retry_policy
 
     def check_service(self, workers: int) -> Service:
-        """What the server says of itself; checks that it allows so many workers."""
+        """The server's description of itself; raises if it allows fewer workers."""
         first = replace(
             self._retry_policy, total_s=min(FIRST_CONTACT_S, self._retry_policy.total_s)
         )

@@ -79,7 +79,7 @@ def send_record(
 def read_import(
     connection: Connection, retry_policy: RetryPolicy, import_id: str
 ) -> RecordImport:
-    """What is known there of a record that was handed in. Raises ProctorError."""
+    """The state of an import on the server. Raises ProctorError."""
     return retry_policy.call(
         lambda: connection.control.get_import(import_id, _request_timeout=TIMEOUTS_S)
     )
@@ -123,7 +123,7 @@ def _request(
     )
     if not 200 <= response.status < 300:
         answer, problem = response.read(BLOCK_BYTES), None
-        with contextlib.suppress(ValueError):  # it is no problem document
+        with contextlib.suppress(ValueError):  # the body is not a problem document
             problem = Problem.from_json(answer)
         raise ApiException(
             response.status,

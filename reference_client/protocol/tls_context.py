@@ -14,7 +14,7 @@ VARIABLES = ("PROCTOR_CA", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDL
 
 
 def client_context() -> ssl.SSLContext:
-    """Checks certificates and names. Raises ValueError for what is no certificate."""
+    """Make a context that checks certificates and names; a bad file is a ValueError."""
     named = next((name for name in VARIABLES if os.environ.get(name)), None)
     if named in (None, "SSL_CERT_FILE"):  # OpenSSL's own, beside SSL_CERT_DIR
         return ssl.create_default_context()

@@ -99,7 +99,7 @@ class CommandParser(argparse.ArgumentParser):
         ]
 
     def _flags(self) -> set[str]:
-        """Of this command, or of all where the command is not known."""
+        """The flags of this command, or of all where the command is not known."""
         texts = [parser.format_help() for parser in (self, *self.commands)]
         return set(re.findall(r"--[a-z][a-z-]*", " ".join(texts)))
 
@@ -170,7 +170,7 @@ def resolve_server(args: argparse.Namespace) -> None:
 
 
 def _add_control_options(made: Mapping[str, argparse.ArgumentParser]) -> None:
-    """Of the commands on runs, by the name of each."""
+    """Add the options of the commands on runs. made: name → parser of the command."""
     _add_run_id(made["status"], "id of the run; without it, the latest runs are listed")
     _add_list_options(made["status"])
     made["status"].add_argument(

@@ -76,7 +76,7 @@ def complete_benchmarks(
 
 
 def _words(found: Iterable[tuple[str, str]]) -> dict[str, str]:
-    """What a server may put on a command line and below it: an id, a line of text."""
+    """Id → one printable line. A server's texts must not break the command line."""
     return {
         word: " ".join(printable(text).split())
         for word, text in found
@@ -85,7 +85,7 @@ def _words(found: Iterable[tuple[str, str]]) -> dict[str, str]:
 
 
 def _read(args: argparse.Namespace, path: str) -> Any:
-    """What the server answers to a GET with the flags given so far; {} without answer.
+    """GET `path` with the flags given so far; {} if there is no answer.
 
     A Tab must not end in a traceback; the command itself reports what is wrong. Time
     limits of a socket begin again with each byte: only a thread that is left behind

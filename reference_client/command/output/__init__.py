@@ -1,1 +1,1 @@
-"""What the command prints: messages, progress, tables, JSON."""
+"""The output of the command: messages, progress, tables, JSON."""

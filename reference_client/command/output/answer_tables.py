@@ -148,7 +148,7 @@ def _headline(score: Score) -> str:
             f"between {score.score_low:.4f} and {score.score_high:.4f}"
         )
     part = " of a part of the benchmark" if part_text(score.select) else ""
-    if len(score.by_split) > 1:  # a mix of splits is no result to quote
+    if len(score.by_split) > 1:  # a score over several splits must not be quoted
         splits = ", ".join(
             f"{name} {0.0 if group.mean is None else group.mean:.4f}"
             for name, group in score.by_split.items()

@@ -1,6 +1,6 @@
-"""What episodes of a run say of it: who played, what was clipped, the return.
+"""Facts of a run that follow from its episodes: players, clipping, the return.
 
-Servers without the profile `attribution` say none of it; then these facts are left out.
+Servers without the profile `attribution` send none of them; then they are left out.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def compare_while_played(
 
 
 def evidence_of(baseline: Sequence[Episode], run: Sequence[Episode]) -> Evidence:
-    """Of the episodes that both have scored."""
+    """The evidence from the episodes that both runs have scored."""
     return weigh_differences(
         (theirs.task, _score(base.result), _score(theirs.result))
         for base, theirs in zip(baseline, run, strict=True)

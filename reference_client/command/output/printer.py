@@ -1,6 +1,7 @@
-"""What the command prints: tables for people, or one JSON value for scripts.
+"""Printer: prints tables for people, or one JSON value for scripts.
 
-Texts of a server pass `printable` here, and JSON has escapes of its own.
+Texts of a server may hold control characters: here they pass `printable`; JSON has
+escapes of its own.
 
 Results go to stdout; progress, notes and errors go to stderr.
 """
@@ -20,7 +21,7 @@ from reference_client.command.output.text_tables import TablePrinter, TextTable
 from reference_client.evaluation.status_board import Pace, Progress
 from reference_client.printable_text import printable
 
-LOG_S = 10.0  # between two lines of progress where stderr is no terminal
+LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
 
 
 class Printer:
@@ -122,7 +123,7 @@ def episodes_text(progress: Progress) -> str:
 
 
 def scored_text(progress: Progress) -> str:
-    """What is kept, without concealing episodes that were given up."""
+    """How many episodes are scored, and how many of them were given up with score 0."""
     scored = f"{episodes_text(progress)} scored"
     if progress.episodes_abandoned:
         return (

@@ -1,7 +1,7 @@
 """The commands export, verify and video: fetch a record, check it, convert it.
 
-`verify` reads a file alone; it asks a server only for the keys of its host. What is
-made of a record is made by reference_sim.exports, a program of its own.
+`verify` reads a file alone; it asks a server only for the keys of its host. A
+record is converted by reference_sim.exports, a program of its own.
 """
 
 from __future__ import annotations
@@ -210,7 +210,7 @@ def _facts(path: Path, report: Report) -> TextTable:
 
 
 def _part_text(select: object) -> str | None:
-    """Of the benchmark, if the run was not about the whole of it."""
+    """The part of the benchmark that the run was about; None for the whole."""
     if not select:
         return None
     try:

@@ -282,8 +282,8 @@ def policy_of(args: argparse.Namespace, program: str) -> DeclaredPolicy:
 def _described_name(args: argparse.Namespace) -> str | None:
     """The name that the policy server of a push run reports, if it is reachable here.
 
-    The evaluation server may reach what this machine does not: no answer is no error.
-    A model has the name by which it is asked.
+    The evaluation server may reach hosts that this machine cannot reach, so it is not
+    an error if there is no answer. A model has the name by which it is asked.
     """
     order = _policy_server(args)
     if order is None:
@@ -319,7 +319,7 @@ def run_id_of(args: argparse.Namespace) -> str | None:
 
 
 def check_run_id(run_id: str | None) -> None:
-    """Raises UsageError for what cannot be an id; None is no id."""
+    """Raise UsageError for a text that cannot be an id; None stands for no id."""
     if run_id is not None and not _RUN_ID.fullmatch(run_id):
         raise UsageError(f"{run_id!r} is no id of a run; `proctor status` lists them")
 

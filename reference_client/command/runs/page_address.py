@@ -1,6 +1,6 @@
 """The command open: the page of a run on its server, in a browser.
 
-Pages are no part of the protocol, so a server may have none. The token is not sent to
+The protocol does not require pages, so a server may have none. The token is not sent to
 them: they ask for it.
 """
 
@@ -67,11 +67,12 @@ def _status_of_pages(connection: Connection) -> int:
 
 
 def _open_browser(address: str) -> bool:
-    """What a browser prints goes to stderr: stdout has the answer alone."""
+    """Open the address, and say whether a browser was started."""
     names = ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER")
     if sys.platform == "linux" and not any(os.environ.get(name) for name in names):
         return False
     sys.stdout.flush()
+    # A browser prints to stdout, which scripts read for the answer: it gets stderr.
     kept = os.dup(1)
     try:
         os.dup2(2, 1)

@@ -313,7 +313,7 @@ class _EvaluationCommand:
         self._printer.say(f"Saved: {folder}")
 
     def _clips(self) -> dict[str, Any]:
-        """Of the episodes that this evaluation has ended."""
+        """Counts of clipped actions in the episodes that this evaluation has ended."""
         return asdict(self._board.clips)
 
     def print_score(self, score: Score) -> None:

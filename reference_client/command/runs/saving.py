@@ -13,13 +13,13 @@ from pydantic_core import to_jsonable_python
 from reference_client.command.usage_error import UsageError
 from reference_client.protocol.control_client import ControlClient
 
-# Of an episode, then of its result.
+# Columns of episodes.csv: members of an episode, then those of its result.
 EPISODE_COLUMNS = ("episode_id", "index", "task", "split", "status", "attempt")
 RESULT_COLUMNS = (
     *("outcome", "score", "steps", "terminated", "truncated", "faults", "seed"),
     *("think_s", "finished_at", "clipped_actions", "total_reward"),
 )
-PLAYER_COLUMNS = ("name", "version", "client")  # of its player
+PLAYER_COLUMNS = ("name", "version", "client")  # members of the result's player
 
 
 def check_folder(folder: str | Path) -> None:
