@@ -17,8 +17,8 @@ from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import STAGES
 
 _NODES_MAX = 9
-# Of a quick run. A check waits for its server or for a moment half of its time: three
-# keep two cores busy, and each more costs more to start than it saves.
+# Processes of a quick run. A check waits for its server or for a moment half of its
+# time: three keep two cores busy, and each more costs more to start than it saves.
 _QUICK_PROCESSES = 4
 
 

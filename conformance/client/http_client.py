@@ -31,7 +31,8 @@ from conformance.specification.document import EVENT_STREAM, JSON, Operation, Sp
 from conformance.verdicts.expect import OwnConnectionFailed, SetUpFailed, Violation
 
 OWN_TOKEN = "own"
-# Of a stream: the bytes stored, and the timeout for its first event.
+# An event stream has no end: so many bytes of it are kept, and its first event is
+# awaited for so long.
 _STREAM_BYTES_STORED = 4096
 _FIRST_EVENT_TIMEOUT_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
@@ -93,7 +94,7 @@ def _parse_url(url: str) -> httpx.URL:
 
 # The value of a header Accept that is not sent, as by programs that name none.
 NO_ACCEPT = ""
-# Of every request that does not name others.
+# Headers of every request that does not name others.
 _DEFAULT_HEADERS = {
     "accept": ("Accept", "*/*"),
     "accept-encoding": ("Accept-Encoding", "gzip, deflate"),
@@ -140,8 +141,9 @@ class HttpClient:
     ) -> Answer:
         """Send one request. `path` may be absolute; `token` None sends none.
 
-        Raises NoAnswer when there is no answer at all, and AnsweredByProxy. Of an
-        event stream, which has no end, the first event is the answer, or a few seconds.
+        Raises NoAnswer when there is no answer at all, and AnsweredByProxy. An
+        event stream has no end: its answer is over with the first event, or after a few
+        seconds.
         """
         if json is not None:
             content = json_module.dumps(json).encode()

@@ -1,8 +1,8 @@
-"""What a check itself causes: leases that it lets end, quotas that it uses up.
+"""Effects that a check itself causes: leases that it lets end, quotas that it uses up.
 
-A server with short leases or small quotas has to end them and to refuse, so that what a
-check sees then proves no violation. It does where the check chose the lease itself, to
-see it end, and where it means to use the quota up; but also then a step of its set-up
+A server with short leases or small quotas must end them and refuse, so an ended lease
+or a refusal proves no violation. It does prove one where the check chose the lease
+itself to see it end, or means to use the quota up; but even then a step of its set-up
 may have come too late.
 """
 
@@ -20,7 +20,7 @@ _RULES_OF_QUOTAS = ("LIM-007", "LIM-009", "LIM-010")
 
 
 class OwnCauses:
-    """What the requests of one check have caused; safe for several threads."""
+    """The effects of the requests of one check; safe for several threads."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -38,7 +38,7 @@ class OwnCauses:
     def note(
         self, operation_id: str, sent: Any, run_id: str | None, answer: Answer
     ) -> None:
-        """Note an answer, by what was sent; bodies that are no object prove nothing."""
+        """Note an answer to a request; bodies that are not objects prove nothing."""
         with self._lock:
             if operation_id in _COUNTED and answer.code == "quota_exceeded":
                 self._quota = str(answer.json.get("detail", ""))

@@ -52,13 +52,13 @@ TOLERANCE_ROUND_TRIPS = 20
 
 @dataclass(frozen=True)
 class SharedContext:
-    """What all checks of one process share."""
+    """The parts that all checks of one process share."""
 
     settings: Settings
     connections: ConnectionPool
     spec: Spec
     timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
-    # What one check made for others, by name: a run that is long to play.
+    # name → something that one check made for others, as a run that is long to play.
     stored: dict[str, Any] = field(default_factory=dict)
 
     @classmethod
@@ -74,7 +74,7 @@ class SharedContext:
 
 
 class RequestContext:
-    """What a check needs to send any operation with any account."""
+    """Sends any operation with any account, for one check."""
 
     def __init__(
         self,
@@ -229,7 +229,7 @@ class RequestContext:
     def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
         """Repeat while the server has no capacity, as every client must; then give up.
 
-        No capacity is no violation of a rule, and no proof that a rule is obeyed.
+        A server without capacity neither violates a rule nor shows that it obeys one.
         """
         timeouts = self.shared.timeouts
         until = time.monotonic() + timeouts.of("capacity", _CAPACITY_TIMEOUT_S)
@@ -245,7 +245,7 @@ class RequestContext:
         return answer
 
     def require(self, step: Callable[[], Answer], status: int, name: str) -> Any:
-        """Take a set-up step and give its body; a failure is no violation."""
+        """Take a set-up step and give its body; its failure is a SetUpFailed."""
         try:
             return require(step(), status, f"`{name}`")
         except NoAnswer as error:
@@ -343,7 +343,7 @@ class RequestContext:
     def tidy_up(self) -> None:
         """Stop the runs of this check, so that they hold no simulator; best effort.
 
-        What a wrong answer breaks here has its verdict from the check.
+        A wrong answer may break a step here; the check itself has judged it before.
         """
         while self._clean_ups:
             step = self._clean_ups.pop()

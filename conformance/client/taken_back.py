@@ -15,9 +15,9 @@ Request = tuple[str, dict[str, Any]]
 def taken_back_by(
     operation_id: str, answer: Answer, path_params: Mapping[str, str]
 ) -> Request | None:
-    """Give the operation that takes back what an answer says was made, with its path.
+    """Give the operation that deletes what an answer says was made, with its path.
 
-    What the check takes back itself is refused then, which does no harm.
+    If the check has undone it already, the operation is refused, which does no harm.
     """
     if operation_id == "publish_entry" and answer.status == 201:
         return "withdraw_entry", dict(path_params)

@@ -178,7 +178,7 @@ class Script:
             if f": {id_}" in later and len(id_) >= _ID_MIN_LENGTH
         }
         if not new.keys() - self._variables.keys():
-            return f"{command} || :"  # --max-time ends it; that is no failure
+            return f"{command} || :"  # --max-time ends it with an error, as intended
         self._counts["events"] = self._counts.get("events", 0) + 1
         file = f"events_{self._counts['events']}"
         for id_, number in new.items():

@@ -31,7 +31,7 @@ from conformance.profiles.record_files import (
 
 Files = Mapping[str, bytes]
 Change = Callable[[dict[str, Any]], object]
-# Of the kit: a server does not know it.
+# A key of the kit, which no server trusts.
 KEY = Ed25519PrivateKey.from_private_bytes(bytes(range(100, 132)))
 
 

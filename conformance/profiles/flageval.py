@@ -17,7 +17,7 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 END_TIMEOUT_S = 15.0
-# Of `calibration`, as profiles/flageval.yaml has it.
+# Data set → its number of questions in `calibration`, as in profiles/flageval.yaml.
 DATASETS = {"score": 4, "count": 2}
 # Some of vectors/answers: the reply of a model → the number that it answers (FLE-022).
 ANSWERS_IN_TEXT = {

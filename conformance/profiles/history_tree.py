@@ -22,7 +22,7 @@ _NOTE = re.compile(
 
 @dataclass(frozen=True)
 class ReadCheckpoint:
-    """What a signed note says; the root in hexadecimal digits."""
+    """The content of a signed note; the root is in hexadecimal digits."""
 
     tree_size: int
     root_sha256: str

@@ -1,7 +1,8 @@
-"""Reads what the profile `record` sends: recordings and records, by spec/record.md.
+"""Reads the recordings and records of the profile `record`, by spec/record.md.
 
-The kit's own reading: MCAP by its public library, zip by Python's, the signature by its
-definition. What cannot be read is a violation of the rule under test.
+The kit reads them without the server's code: MCAP with its public library, zip with
+Python's, the signature by its definition. A file that cannot be read violates the rule
+under test.
 """
 
 import base64

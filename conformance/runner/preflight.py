@@ -35,7 +35,7 @@ class CannotJudge(Exception):
 
 @dataclass(frozen=True)
 class Findings:
-    """What the preflight measured."""
+    """The measurements of the preflight."""
 
     round_trip_p50_s: float
     round_trip_p95_s: float

@@ -31,7 +31,7 @@ _ENDS_S = 0.5  # a connection breaks a little before its process has ended
 
 
 class PrivateServer(Protocol):
-    """What a crash check may do; `context` talks to this server."""
+    """A server that a crash check may kill and restart; `context` talks to it."""
 
     context: CheckContext
 

@@ -37,9 +37,10 @@ _BACKGROUND_TIMEOUT_S = 180
 # in between for ports and descriptors to become free.
 _TRIES = 3
 _PAUSE_S = 0.5
-# What is late by less than so many times the noise of a round trip proves nothing.
+# An answer that is late by less than so many times the noise of a round trip proves
+# nothing,
 _NOISE_FACTOR = 50
-# And what is late by less than two of the longest times without any answer.
+# nor does one that is late by less than two of the longest times without any answer.
 _STALL_FACTOR = 2
 _CHECK_CONTEXT = pytest.StashKey[CheckContext]()
 _SHARED = pytest.StashKey[SharedContext]()

@@ -21,7 +21,7 @@ _LINE = re.compile(
     re.MULTILINE,
 )
 _PROFILE_OF_PAGE = {"scoring.md": "core", "record.md": "record"}
-# Of record.md, rules with numbers below are about files, the others about operations.
+# Rules of record.md with smaller numbers are about files, the others about operations.
 _FIRST_RULE_OF_OPERATIONS = 100
 _OF_FILES = "a rule of a file, which the vectors in vectors/record/ judge"
 _OF_VERIFIERS = "a rule of who reads a file, which the vectors in vectors/record/ judge"

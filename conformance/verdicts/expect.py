@@ -19,8 +19,8 @@ TIME_WAS_UP = "time limit reached"
 VIOLATION_FOUND = "a rule was violated before (--fail-fast)"
 # The rule that every request is answered as the rules and earlier requests demand.
 ANY_SEQUENCE = "MODEL-001"
-# What refuses a valid request of a set-up, where neither limits, capacity, time nor a
-# proxy can be the reason.
+# Codes that may never refuse a valid request of a set-up: neither limits, capacity,
+# time nor a proxy can be their reason.
 _NEVER_FOR_SET_UP = frozenset(
     {
         *("malformed_body", "unsupported_version", "not_found", "method_not_allowed"),

@@ -30,7 +30,7 @@ WORST_FIRST = (
 
 @dataclass
 class Result:
-    """What the reports show. `problem` is the reason why nothing was decided."""
+    """The content of the reports. `problem` is the reason why nothing was decided."""
 
     settings: Settings
     started_at: str = ""

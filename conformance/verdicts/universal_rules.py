@@ -2,8 +2,8 @@
 
 SVC-003, VER-001, ERR-001, ERR-011 and ERR-012 do not belong to one request. Breaches
 are collected here and decide these rules at the end; they do not fail the check in
-which they happened. One breach counts for one rule: an error response that is no valid
-problem breaks ERR-001 alone, not the schema (SVC-003) as well.
+which they happened. One breach counts for one rule: an error response that is not
+a valid problem breaks ERR-001 alone, not the schema (SVC-003) as well.
 """
 
 import re

@@ -1,6 +1,6 @@
-"""By whom an episode was played, and how much was clipped: the profile `attribution`.
+"""Who played an episode, and how much was clipped: the profile `attribution` (ATR).
 
-ATR. What a client declares is what a result shows; nothing else is known of it.
+A result shows what its client declared; a server knows nothing else about the client.
 """
 
 from typing import Any
@@ -13,7 +13,7 @@ from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
 POLICY = {"name": "Kit policy", "version": "1.0"}
-# Of the episodes that ATR-006 plays.
+# The sum of rewards of each episode that ATR-006 plays.
 RETURNS = [2.375, 1.125, 0.375]
 OTHER = {"name": "another policy", "version": "2", "client": "kit/1 (\u540d)"}
 

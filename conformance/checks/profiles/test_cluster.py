@@ -235,8 +235,8 @@ def expect_one_of(answers: list[Answer], code: str) -> None:
 @requirement("CLU-005")
 @background
 def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
-    """Of two workers that attached at one base URL, one sends heartbeats and the other
-    one turns to the next, each when its lease is nearly over.
+    """Two workers attach at one base URL. Then one sends heartbeats and the other one
+    turns to the next URL, each when its lease is nearly over.
 
     Expect them accepted, and the sessions ended one lease after the last.
     """

@@ -42,7 +42,7 @@ SETTLE_S = 0.05
 SILENCE_S = 15.0
 # An order that is left to chance after a restart differs in one of them.
 ABORTS = 3
-# What a timer and a slow machine may add to it.
+# Time that a timer and a slow machine may add to the silence.
 SILENCE_MARGIN_S = 1.5
 
 

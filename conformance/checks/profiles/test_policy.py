@@ -10,7 +10,7 @@ from conformance.verdicts.expect import NotApplicable, Violation
 
 _TURNS = 5
 _SESSIONS = 4
-# What the rules for all answers are about; a policy server has them in POL-002.
+# Rules for all answers of a service. A policy server has POL-002 in their place.
 _FOR_ALL = ("SVC-003", "ERR-001", "ERR-011")
 
 

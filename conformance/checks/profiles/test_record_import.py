@@ -290,7 +290,7 @@ def test_rec_121_too_long_a_record_is_not_awaited(context: CheckContext) -> None
     """The headers of a record that is longer than the limit are sent, and no body; and
     those of one that is as long as announced, with its body.
 
-    Expect 413 at once, and 422 for the second, which is no record.
+    Expect 413 at once, and 422 for the second, which is not a record.
     """
     limit = context.limits.get("max_record_bytes")
     if limit is None:

@@ -134,8 +134,8 @@ OPENINGS = [
 ]
 
 _HEARTBEAT = ClientCommand(0, "heartbeat", "a")
-# What arrives in the middle of a turn, and of an attach: some round trips later. Each
-# several times: which thread is first is luck.
+# Commands that arrive in the middle of a turn or an attach: some round trips later.
+# Each plan is played several times, because chance decides which thread is first.
 KNOWN_PLANS = 3 * [
     (
         [ATTACH],

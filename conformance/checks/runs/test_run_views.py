@@ -1,4 +1,4 @@
-"""What a run and its episodes show: the submission, times, counts, ids (RUN)."""
+"""Views of a run and its episodes: the submission, times, counts, ids (RUN)."""
 
 import uuid
 from collections.abc import Callable, Mapping

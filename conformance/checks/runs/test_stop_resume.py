@@ -23,7 +23,7 @@ from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
-# Of a stop behind an attach that is sent at the same time.
+# How long a stop is sent after an attach, so that some stops meet it halfway.
 _DELAYS_S = (0.0, 0.001, 0.002, 0.004, 0.008, 0.016)
 
 

@@ -145,7 +145,8 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
             answer = send(worker.run, sample, other)
             expect.refused(answer, "not_found")
             seen.append(appearance(answer, name))
-        # What differs between two unknown runs, before and after, differs by itself.
+        # Parts that differ between two unknown runs differ at random, such as times:
+        # they cannot show that the run in between exists.
         before_it, foreign, after_it = seen[0], seen[len(seen) // 2], seen[-1]
         steady = [p for p in before_it if after_it.get(p) == before_it[p]]
         expect.equal(

@@ -1,4 +1,4 @@
-"""What carries requests: connections and the framing of bodies (SVC)."""
+"""Connections that carry requests, and the framing of bodies (SVC)."""
 
 import contextlib
 import json

@@ -46,7 +46,7 @@ UNACCEPTABLE: tuple[str, ...] = (
 )
 UNACCEPTABLE += ("image/*, */*;q=0", "application/json;q=0.000, application/*;q=0.0")
 MEGABYTE = 10**6
-# Percent signs without digits, and bytes that are no UTF-8.
+# Percent signs without digits, and bytes that are not UTF-8.
 UNDECODABLE_PATHS: tuple[str, ...] = (
     "/v1/runs/%zz",
     "/v1/runs/%",
@@ -118,7 +118,7 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
         samples = {sample[0]: sample[1] for sample in operation_samples(worker)}
         packed = msgspec.msgpack.encode(samples["predict"]["json"])
         no_text = packed.replace(worker.session_id.encode()[:2], b"\xc3\x28", 1)
-        # What ends behind the first byte of a value is read as that value by some.
+        # Some readers take the first byte of a value for the whole value.
         cut = [packed[:length] for length in range(len(packed))]
         for wrong in (*cut, packed + b"\xc0", b"\xc1", no_text):
             answer = worker.run.call(
@@ -416,8 +416,8 @@ def expect_no_server_error_for_paths(context: CheckContext) -> None:
 
 @requirement("ERR-012")
 def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None:
-    """Generated requests, valid and invalid, to every operation; paths and parameters
-    that are no text.
+    """Generated requests, valid and invalid, are sent to every operation, and paths and
+    parameters that cannot be decoded as text.
 
     Expect no status of 500 or above except 503, here and in all other checks.
     """

@@ -328,7 +328,7 @@ def test_lim_010_cannot_store_more_than_announced(context: CheckContext) -> None
 
 
 def require_quota(first: Answer) -> None:
-    """What an account has used up is used up for good, also by an earlier check."""
+    """Fail the set-up if the account has used up its quota, as in an earlier check."""
     if first.code == "quota_exceeded":
         raise SetUpFailed(
             "the second account has used up what it may store: set PROCTOR_TOKEN_2 to "

@@ -30,7 +30,7 @@ SUCCESSES = {
     "delete_run": 204,
     "delete_import": 204,
 }
-# Of every header a value that an operation which lists it would refuse or obey.
+# Header → a value that an operation which lists the header would refuse or obey.
 LISTED_SOMEWHERE = {
     "Prefer": "respond-async",
     "If-None-Match": "*",

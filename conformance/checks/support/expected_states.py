@@ -33,7 +33,7 @@ def expect_changed(
 def looks(until: float, pause_s: float = 0.005) -> Iterator[None]:
     """Look at something until a time; at least _LOOKS_MIN times.
 
-    What is seconds on a machine that is much too busy is measured in looks.
+    Seconds alone would be too few looks on a machine that is much too busy.
     """
     number = 0
     while number < _LOOKS_MIN or time.monotonic() < until:

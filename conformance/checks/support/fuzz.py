@@ -48,7 +48,8 @@ _LONG_POLL = re.compile(r"wait=[0-9]+")
 def fuzz_operations(worker: WorkerClient, other: RunClient, per_operation: int) -> None:
     """Send wrong and right requests to every operation.
 
-    What ends sessions and runs is sent to `other`, so that the worker stays alive.
+    Requests that end sessions and runs are sent to `other`, so that the worker stays
+    alive.
     """
     generator = _RequestGenerator(worker.run.context.random)
     samples = list(operation_samples(worker))

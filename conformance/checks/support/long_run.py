@@ -1,9 +1,9 @@
 """One run of many episodes, played once for all checks that look at long lists.
 
-What holds for ten of anything may break at eleven, at a hundred and one, or behind the
-first page. The run has uneven tasks, scores that no binary fraction holds, and is
-played by two workers: the first episode is scored late. It is set-up: nothing here
-says that a server is wrong, and the checks read what was played.
+A server that is right for ten of anything may be wrong at eleven, at a hundred and one,
+or behind the first page. The run has uneven tasks and scores that no binary fraction
+holds, and two workers play it, so that the first episode is scored late. It is set-up:
+nothing here judges the server; the checks that read the run do.
 """
 
 from dataclasses import dataclass, field
@@ -14,7 +14,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.verdicts.expect import SetUpFailed
 
-# More than a page of 100, and more differing pairs than 170: 171! is no double.
+# More than a page of 100, and more differing pairs than 170: 171! overflows a double.
 EPISODES = 180
 _TASKS = (
     "score",

@@ -101,7 +101,7 @@ def commands(
 
 @dataclass
 class SessionHandle:
-    """What a client knows about its session of one worker."""
+    """The client's knowledge of its session of one worker."""
 
     session: str
     key: str

@@ -13,7 +13,8 @@ from conformance.verdicts.expect import SetUpFailed
 
 _PAGES_MAX = 10
 _NEWEST_PAGES = 3
-# What objects and maps of languages have by themselves: ids and keys like any other.
+# Members that objects and maps have in some languages; as ids and keys they are
+# ordinary names.
 NAMES_OF_LANGUAGES = ("constructor", "toString", "__proto__", "hasOwnProperty", "null")
 
 

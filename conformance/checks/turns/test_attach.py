@@ -268,7 +268,7 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"control_rate_hz": 0}, "/assumes/control_rate_hz"),
     ({"action": {"score": {"unit": ""}}}, "/assumes/action/score"),
     ({"state": {"count": {"frame": ""}}}, "/assumes/state/count"),
-    # An action that is no state, and a state that is no action.
+    # The name of an action as a state, and the name of a state as an action.
     ({"state": {"score": {"size": 1}}}, "/assumes/state/score"),
     ({"action": {"count": {"size": 1}}}, "/assumes/action/count"),
     ({"action": {"vector": {"size": 7}}}, "/assumes/action/vector"),

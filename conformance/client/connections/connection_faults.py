@@ -6,7 +6,8 @@ Knows the errors of the operating system; sends nothing and judges nothing.
 import errno
 from collections.abc import Container, Iterator
 
-# What this machine has no more of, or what the kit did to its own socket.
+# Errors of this machine, which has run out of something, or of the kit's own socket:
+# they prove nothing about the server.
 _OWN_ERRORS = frozenset(
     {
         *(errno.EBADF, errno.ENOTSOCK, errno.EMFILE, errno.ENFILE),

@@ -2,8 +2,8 @@
 
 A kit run is thousands of small requests, and a library with pools, redirects, cookies
 and events takes 0.4 ms of CPU for each; this takes 0.1 ms, with the same parser (h11),
-and sends a request in one piece. What HTTP does not allow is refused on both sides as
-by httpx, with its exceptions. Repeats nothing and judges nothing.
+and sends a request in one piece. It refuses what HTTP forbids on both sides as httpx
+does, with its exceptions. It repeats nothing and judges nothing.
 """
 
 import contextlib

@@ -20,7 +20,10 @@ _READ_TIMEOUT_S = 10.0
 
 @dataclass(frozen=True)
 class Ending:
-    """What came back. status: None without an answer. is_closed: by the server."""
+    """The end of an exchange.
+
+    status: None without an answer. is_closed: the server closed the connection.
+    """
 
     status: int | None
     is_closed: bool

@@ -66,7 +66,7 @@ _PLACES = {
     "submit_run": ("/policy/name", "/idle_timeout_s"),
     "predict": ("/session_id", "/actions/0/values/score/0"),
 }
-# What JSON cannot write, and what it can write but few programs can hold.
+# Invalid JSON strings, and lone surrogates, which JSON can write and few programs hold.
 _NO_TEXT: tuple[bytes, ...] = (
     rb'"\ud83d"',
     rb'"\udd16"',
@@ -90,7 +90,7 @@ _NO_DOUBLES += (b"0x1", b"-", b"1_0", b"tru", b"True", b"None", b"undefined", b"
 
 
 def unrepresentable_json(operation_id: str, how: dict[str, Any]) -> Iterator[bytes]:
-    """Give bodies with a text, a number or a name that is no JSON, or impossible."""
+    """Give bodies with a text, number or name that JSON or programs cannot hold."""
     if operation_id not in _PLACES:
         return
     text, number = _PLACES[operation_id]
