@@ -45,11 +45,11 @@ class EpisodePlan:
 
 @dataclass(frozen=True, slots=True)
 class SimulatorConfig:
-    """What a simulator process needs to build its simulator; `settings` is JSON-able.
+    """The configuration of a simulator process; `settings` can be written as JSON.
 
     Processes are reused for equal configurations, so settings contain nothing that
-    differs by episode. ray_resources: see BenchmarkDefinition; for where the process is
-    started, and not sent to it.
+    differs by episode. ray_resources: see BenchmarkDefinition; they decide where
+    the process is started, and are not sent to it.
     """
 
     benchmark_id: str
@@ -140,14 +140,14 @@ def resolve(
 
 
 def ray_resources(benchmark_id: str) -> Mapping[str, float]:
-    """What the benchmark declares; see BenchmarkDefinition."""
+    """The resources that the benchmark declares; see BenchmarkDefinition."""
     return _definition(benchmark_id).ray_resources
 
 
 def drawn_as(benchmark_id: str) -> ResolvedBenchmark | None:
-    """The benchmark that draws one without cameras; None where there is no such."""
-    other = _definition(benchmark_id).drawn_as
-    return None if other is None else resolve(other)
+    """The benchmark with cameras that draws these episodes; None if there is none."""
+    drawing_id = _definition(benchmark_id).drawn_as
+    return None if drawing_id is None else resolve(drawing_id)
 
 
 @cache
@@ -185,7 +185,7 @@ def _choose_images(manifest: Json, images: Mapping[str, Any] | None) -> Json:
         raise InvalidChoice("/images/codec", f"offered are {', '.join(codecs)}")
     size = {"width": images["width"], "height": images["height"]}
     if size not in sizes:
-        offered = ", ".join(f"{one['width']} × {one['height']}" for one in sizes)
+        offered = ", ".join(f"{s['width']} × {s['height']}" for s in sizes)
         raise InvalidChoice("/images/width", f"offered are {offered}")
     return {"codec": images["codec"], **size}
 

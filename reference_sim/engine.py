@@ -1,4 +1,4 @@
-"""What computes episodes on this machine: versions that may change a trajectory."""
+"""Versions of the software and hardware here that may change a trajectory."""
 
 from __future__ import annotations
 

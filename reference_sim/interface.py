@@ -24,7 +24,7 @@ Action = Mapping[str, Sequence[float]]
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """What a policy receives after a step.
+    """The observation that a policy receives after a step.
 
     state: name → float64 array of shape (n,), units as the benchmark's spaces declare.
     images: name → uint8 array of shape (height, width, channels), RGB, row 0 on top.
@@ -73,9 +73,9 @@ class Simulator(Protocol):
         """The observation of the current state; may be called repeatedly."""
 
     def state_bytes(self) -> bytes:
-        """What the rest of the episode depends on; equal bytes are equal states.
+        """The state that decides the rest of the episode; equal bytes are equal states.
 
-        Of a simulator that cannot name its state: what it shows of it.
+        A simulator that cannot read its state returns the observed part of it.
         """
 
     def close(self) -> None:

@@ -74,7 +74,7 @@ class PictureStore:
 
 
 def _head(key: str, pixels: bytes) -> bytes:
-    """What distinguishes a whole picture of this key from anything else."""
+    """The digests that only a whole picture of this key begins with."""
     digests = (
         hashlib.blake2b(part, digest_size=_DIGEST_BYTES).digest()
         for part in (key.encode(), pixels)

@@ -1,7 +1,7 @@
-"""What one simulator takes of a machine of a Ray cluster: amounts by Ray's names.
+"""Resources that one simulator takes of a machine of a Ray cluster, by Ray's names.
 
-Declared by benchmarks, and for all others by a setting. Nothing here knows Ray; that a
-cluster has none of a resource is found when one is requested.
+A benchmark declares them; a setting does for benchmarks that do not. Nothing here knows
+Ray: a resource that the cluster lacks is found when a simulator is requested.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Mapping
 NAMES_MAX = 16
 AMOUNT_MIN, AMOUNT_MAX = 0.0001, 2.0**50  # Ray's precision; a pebibyte of memory
 _NAME = re.compile(r"[A-Za-z0-9_.:-]{1,100}")
-_SHOWN_MAX = 100  # characters of what is no name
+_SHOWN_MAX = 100  # characters of an invalid name that an error quotes
 
 
 def check_resources(declared: object) -> dict[str, float]:

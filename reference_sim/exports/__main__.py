@@ -102,7 +102,7 @@ def _folder(job: Job) -> Path:
 
 
 def _files(job: Job, folder: Path, paths: Iterable[Path]) -> list[dict[str, Any]]:
-    """What is in the folder, by the names that it has when the folder is whole."""
+    """Size of each file, under the path that it has once the folder is renamed."""
     return [
         {
             "path": str(_folder(job) / path.relative_to(folder)),
@@ -116,8 +116,8 @@ def _print(said: Export, job: Job) -> None:
     if job.json:
         sys.stdout.write(json.dumps(said, indent=2) + "\n")
     else:
-        for one in said["files"]:
-            sys.stdout.write(f"{printable(one['path'])}  {one['bytes']:,} bytes\n")
+        for file in said["files"]:
+            sys.stdout.write(f"{printable(file['path'])}  {file['bytes']:,} bytes\n")
     sys.stdout.flush()  # here a closed pipe is noticed
 
 

@@ -1,9 +1,9 @@
 """A run in the JSON of Every Eval Ever, schema version 0.3.0: one file for the run, and
 one line for each episode in a file beside it.
 
-The schema is made for language models. What it has no member for stands in its open
-`additional_details`; what a record does not say (who developed the policy, whether its
-weights are open) is `unknown` and never guessed.
+The schema is made for language models. Facts that it has no member for are in its
+open `additional_details`; facts that a record does not hold (who developed the policy,
+whether its weights are open) are `unknown` and never guessed.
 """
 
 from __future__ import annotations
@@ -139,7 +139,7 @@ def _results(source: Source) -> Iterator[Json]:
 
 
 def _spread(values: list[float]) -> Json:
-    """Of the episodes' scores; one episode has none."""
+    """The uncertainty of the mean of these scores; a single score has none."""
     count, mean = len(values), math.fsum(values) / len(values)
     if count < 2:
         return {"num_samples": count}
@@ -225,7 +225,7 @@ def _sample(source: Source, line: EpisodeLine) -> Json:
                 "is_terminal": True,
             }
         ],
-        # Of the result that is named above, whose value is their mean.
+        # Values of the result that is named above: its score is their mean.
         "evaluation": {"score": float(line.success), "is_correct": line.success},
         "metadata": facts,
     }  # fmt: skip

@@ -1,4 +1,4 @@
-"""What to export, as the command `proctor` says it: one JSON value."""
+"""The job that the command `proctor` gives to an export: one JSON value."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ def write_dataset(source: Source, folder: Path, job: Job) -> Mapping[str, Any]:
 
 @dataclass(frozen=True, slots=True)
 class _Spaces:
-    """What is written of an observation and an action: names, in this order."""
+    """The parts of observations and actions that are written: names, in this order."""
 
     state: Mapping[str, int]
     action: Mapping[str, int]
@@ -101,7 +101,7 @@ class _Spaces:
                     f"not all of these episodes have a camera {camera}: {there}"
                 )
         spaces = manifest["observation_space"]["state"], manifest["action_space"]
-        state, action = ({k: v["size"] for k, v in one.items()} for one in spaces)
+        state, action = ({k: v["size"] for k, v in space.items()} for space in spaces)
         cameras = [name for name in every if name in (job.cameras or every)]
         # LeRobot knows whole numbers of frames a second alone.
         fps = max(1, round(manifest["control_rate_hz"]))

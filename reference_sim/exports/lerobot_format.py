@@ -30,7 +30,7 @@ SIDE_FOR_STATISTICS = 150  # pixels, about
 
 Json = dict[str, Any]
 Statistics = dict[str, NDArray[np.float64]]
-# Of every data set, behind its own features.
+# Columns that LeRobot wants in every data set, behind the features of its own.
 PLACES: Mapping[str, Json] = {
     "timestamp": {"dtype": "float32", "shape": [1], "names": None},
     **{
@@ -78,7 +78,7 @@ class DataFiles:
         self._folder = folder
         self._features = {k: v for k, v in features.items() if v["dtype"] != "video"}
         self._schema = pa.schema(
-            [(name, _arrow_type(one)) for name, one in self._features.items()]
+            [(name, _arrow_type(feature)) for name, feature in self._features.items()]
         )
         self._number = -1
         self._writer: pq.ParquetWriter | None = None
@@ -141,8 +141,8 @@ def number_statistics(values: NDArray[Any]) -> Statistics:
 def image_statistics(images: Sequence[NDArray[np.uint8]]) -> Statistics:
     """images: (height, width, 3) → (3, 1, 1) for each colour, from 0 to 1."""
     pixels = np.concatenate([image.reshape(-1, 3) for image in images]) / 255
-    found = _statistics(pixels, len(images))
-    return {k: v if k == "count" else v.reshape(3, 1, 1) for k, v in found.items()}
+    statistics = _statistics(pixels, len(images))
+    return {k: v if k == "count" else v.reshape(3, 1, 1) for k, v in statistics.items()}
 
 
 def thinned(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -153,7 +153,7 @@ def thinned(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def _statistics(columns: NDArray[np.float64], count: int) -> Statistics:
-    found = {
+    moments = {
         "min": columns.min(axis=0),
         "max": columns.max(axis=0),
         "mean": columns.mean(axis=0),
@@ -161,24 +161,25 @@ def _statistics(columns: NDArray[np.float64], count: int) -> Statistics:
         "count": np.array([count]),
     }
     levels = np.quantile(columns, list(QUANTILES.values()), axis=0)
-    return found | dict(zip(QUANTILES, levels, strict=True))
+    return moments | dict(zip(QUANTILES, levels, strict=True))
 
 
-def merge_statistics(one: Statistics, other: Statistics) -> Statistics:
-    """Of both together; quantiles are weighted means, as LeRobot merges them."""
-    counts = float(one["count"][0]), float(other["count"][0])
+def merge_statistics(first: Statistics, second: Statistics) -> Statistics:
+    """The statistics of both together; LeRobot merges quantiles as weighted means."""
+    counts = float(first["count"][0]), float(second["count"][0])
     share, rest = counts[0] / sum(counts), counts[1] / sum(counts)
     merged = {
-        name: share * one[name] + rest * other[name] for name in ("mean", *QUANTILES)
+        name: share * first[name] + rest * second[name] for name in ("mean", *QUANTILES)
     }
     spread = [
-        part["std"] ** 2 + (part["mean"] - merged["mean"]) ** 2 for part in (one, other)
+        part["std"] ** 2 + (part["mean"] - merged["mean"]) ** 2
+        for part in (first, second)
     ]
     return merged | {
-        "min": np.minimum(one["min"], other["min"]),
-        "max": np.maximum(one["max"], other["max"]),
+        "min": np.minimum(first["min"], second["min"]),
+        "max": np.maximum(first["max"], second["max"]),
         "std": np.sqrt(share * spread[0] + rest * spread[1]),
-        "count": one["count"] + other["count"],
+        "count": first["count"] + second["count"],
     }
 
 
@@ -203,7 +204,7 @@ def write_meta(
     rows = [{**row, **place} for row in episodes]
     pq.write_table(pa.Table.from_pylist(rows), folder / EPISODES_PATH)
     _write_tasks(folder / "meta" / "tasks.parquet", tasks)
-    lists = {name: as_lists(found) for name, found in statistics.items()}
+    lists = {name: as_lists(values) for name, values in statistics.items()}
     _write_json(folder / "meta" / "stats.json", lists)
     fixed = {
         "codebase_version": VERSION,

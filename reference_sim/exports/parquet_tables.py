@@ -87,9 +87,9 @@ def write_tables(source: Source, folder: Path) -> list[Path]:
     turns = pa.schema([*_TURN, *_action_columns(spaces)])
     paths = [folder / EPISODES_FILE, folder / TURNS_FILE]
     rows = _episode_rows(source, latencies), _turn_rows(source, spaces)
-    for path, schema, found in zip(paths, (episodes, turns), rows, strict=True):
+    for path, schema, table_rows in zip(paths, (episodes, turns), rows, strict=True):
         said = {**source.provenance, "table": path.stem}
-        _write(path, schema.with_metadata(said), found)
+        _write(path, schema.with_metadata(said), table_rows)
     return paths
 
 
@@ -183,7 +183,7 @@ def _action_columns(spaces: Mapping[str, Mapping[str, Any]]) -> Iterator[pa.Fiel
 
 
 def _latency_names(source: Source) -> list[str]:
-    """Of the quantiles that a host gives; all lines of a run have the same."""
+    """Names of the quantiles that a host gives; all lines of a run have the same."""
     for line in source.lines():
         if line.latency:
             return sorted(line.latency)[:CHANNELS_MAX]

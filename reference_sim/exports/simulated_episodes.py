@@ -61,11 +61,13 @@ class Simulation:
         except BadBenchmark as error:
             raise UnusableRecord(str(error)) from error
         opened = load_opened_seeds(Path(job.seeds)) if job.seeds else None
-        found = resolve(source.evaluation, source.bundle.read(MANIFEST), opened)
-        self.manifest: Mapping[str, Any] = found.manifest
-        self._images: Mapping[str, Any] = found.manifest["observation_space"]["images"]
-        self._source, self._benchmark = source, found
-        config = found.config
+        benchmark = resolve(source.evaluation, source.bundle.read(MANIFEST), opened)
+        self.manifest: Mapping[str, Any] = benchmark.manifest
+        self._images: Mapping[str, Any] = benchmark.manifest["observation_space"][
+            "images"
+        ]
+        self._source, self._benchmark = source, benchmark
+        config = benchmark.config
         if draws and not self._images:
             config = self._with_cameras() or config
         self._config = _with_pictures(config, job)
@@ -74,13 +76,13 @@ class Simulation:
 
     def _with_cameras(self) -> SimulatorConfig | None:
         name = self._source.evaluation.benchmark.benchmark_id
-        other = benchmark_registry.drawn_as(name)
-        if other is None:
+        drawing = benchmark_registry.drawn_as(name)
+        if drawing is None:
             return None
-        if reason := benchmark_registry.unavailable_reason(other.world.benchmark_id):
+        if reason := benchmark_registry.unavailable_reason(drawing.world.benchmark_id):
             raise UnusableRecord(f"{name} cannot be drawn here: {reason}")
-        self._images = other.manifest["observation_space"]["images"]
-        return other.world
+        self._images = drawing.manifest["observation_space"]["images"]
+        return drawing.world
 
     def lines(self, job: Job) -> list[EpisodeLine]:
         """The episodes of the job; with `failures`, those of them that failed."""
@@ -112,11 +114,11 @@ class Simulation:
         last = self._source.starts(line)
         watcher = _LastStart(self._simulator, last, see)
         path, plan = self._source.path, self._benchmark.plan_of(line.index)
-        found = replay_episode(
+        replay = replay_episode(
             path, self._simulator, plan, line.result, watcher=watcher
         )
         self.instruction = watcher.instruction
-        return found
+        return replay
 
     def close(self) -> None:
         if self._simulator is not None:
@@ -174,25 +176,27 @@ def _with_pictures(config: SimulatorConfig, job: Job) -> SimulatorConfig:
     return dataclasses.replace(config, settings=settings)
 
 
-def difference_text(line: EpisodeLine, found: EpisodeReplay) -> str | None:
+def difference_text(line: EpisodeLine, replay: EpisodeReplay) -> str | None:
     """Where the replay left the record; None if it did not."""
-    if found.where is None:
+    if replay.where is None:
         return None
     text = (
-        f"episode {line.index} leaves the record at turn {found.seq} of attempt "
-        f"{found.where.attempt}, step {found.where.step}"
+        f"episode {line.index} leaves the record at turn {replay.seq} of attempt "
+        f"{replay.where.attempt}, step {replay.where.step}"
     )
-    if found.result == "outcome":
+    if replay.result == "outcome":
         return f"{text}; its result is the same"
-    return f"{text}, and its result is another{f': {found.error}' * bool(found.error)}"
+    return (
+        f"{text}, and its result is another{f': {replay.error}' * bool(replay.error)}"
+    )
 
 
-def replay_facts(line: EpisodeLine, found: EpisodeReplay) -> dict[str, Any]:
-    """Of an episode, for scripts."""
-    where = found.where and {"turn": found.seq, "step": found.where.step}
+def replay_facts(line: EpisodeLine, replay: EpisodeReplay) -> dict[str, Any]:
+    """The result of the replay of an episode, as JSON for scripts."""
+    where = replay.where and {"turn": replay.seq, "step": replay.where.step}
     return {
         "episode": line.index,
         "outcome": line.outcome,
-        "replay": found.result,
+        "replay": replay.result,
         "leaves_the_record_at": where,
     }

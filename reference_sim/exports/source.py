@@ -35,7 +35,10 @@ class SeededEpisode(msgspec.Struct):
 
 
 class ExportedManifest(msgspec.Struct):
-    """What is read of manifest.json; action_space: name → schema VectorSpace."""
+    """The members of manifest.json that exports use.
+
+    action_space: name → schema VectorSpace.
+    """
 
     episodes: list[SeededEpisode]
     action_space: dict[str, dict[str, Any]] | None = None

@@ -34,14 +34,14 @@ def main(arguments: list[str] | None = None) -> int:
 def _check(what: str) -> bool:
     good = True
     for benchmark, folder in read(what):
-        found = examine(benchmark, folder, lambda line: print(line, file=sys.stderr))
+        report = examine(benchmark, folder, lambda line: print(line, file=sys.stderr))
         for kind in ("faults", "warnings", "notes"):
-            for line in found.get(kind, ()):
+            for line in report.get(kind, ()):
                 print(f"{benchmark.benchmark_id}: {kind.removesuffix('s')}: {line}")
-        if not found["faults"]:
-            total = found["manifest"]["episodes_total"]
+        if not report["faults"]:
+            total = report["manifest"]["episodes_total"]
             print(f"{benchmark.benchmark_id}: OK, {total} episodes")
-        good = good and not found["faults"]
+        good = good and not report["faults"]
     return good
 
 

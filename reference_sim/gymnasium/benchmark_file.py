@@ -164,7 +164,7 @@ class Convention(_Strict):
     gripper_open: float | None = None
 
     def members(self) -> dict[str, Any]:
-        """Of a VectorSpace."""
+        """The members of the schema VectorSpace that the file states."""
         declared = self.model_dump(exclude_none=True)
         if "meaning" in declared:
             declared["description"] = declared.pop("meaning")

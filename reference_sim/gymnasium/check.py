@@ -33,7 +33,7 @@ SEED, OTHER_SEED = 20, 21
 STEPS = 12  # of each short trajectory
 _PLAY_ON_S = 5.0  # longest time that the end of an episode is waited for
 
-# What an episode showed at each step: name → bytes.
+# The observation at each step of an episode: name → bytes.
 Trajectory: TypeAlias = list[dict[str, bytes]]
 
 
@@ -83,12 +83,14 @@ class BenchmarkCheck:
                 _unbounded(e) if e.name == name else e for e in self._observed
             ]
         try:
-            found = draft.settle(self._actions, self._observed, self._frame)
+            settled = draft.settle(self._actions, self._observed, self._frame)
         except (Unsettled, entries.UnsupportedSpace) as unsettled:
             return self._report({str(unsettled): [""]})
         pace = self._steps_played / max(self._play_s, 1e-9)
         return (
-            self._report({}) | found | {"notes": [*draft.notes, f"{pace:.0f} steps/s"]}
+            self._report({})
+            | settled
+            | {"notes": [*draft.notes, f"{pace:.0f} steps/s"]}
         )
 
     def _add_finding(self, kind: str, task: str, text: str) -> None:
@@ -106,11 +108,11 @@ class BenchmarkCheck:
         try:
             first = self._record_trajectory(simulator, task, SEED)
             self._read_spaces(simulator, task)
-            other = self._record_trajectory(simulator, task, OTHER_SEED)
+            second = self._record_trajectory(simulator, task, OTHER_SEED)
             again = self._record_trajectory(simulator, task, SEED)
             if (difference := _difference(first, again)) is not None:
                 self._explain(simulator, task, first, difference)
-            if _difference(first, other) is None:
+            if _difference(first, second) is None:
                 self._add_finding("warnings", task, "every seed gives the same episode")
             self._find_success(simulator, task)
         finally:
@@ -137,9 +139,9 @@ class BenchmarkCheck:
         return trajectory
 
     def _record_step(self, simulator: GymnasiumSimulator) -> dict[str, bytes]:
-        seen: dict[str, bytes] = {}
+        shown: dict[str, bytes] = {}
         for part in simulator.observation_parts().values():
-            seen |= {f"observation {name!r}": a.tobytes() for name, a in part.items()}
+            shown |= {f"observation {name!r}": a.tobytes() for name, a in part.items()}
         for entry, value in simulator.leaves():
             array = np.asarray(value)
             if entry.kind != "state" and array.dtype != entry.dtype:
@@ -158,7 +160,7 @@ class BenchmarkCheck:
                     f"the observation {entry.name!r}{where} is {number:g}, outside its "
                     f"bounds {low:g} … {high:g}"
                 )
-        return seen
+        return shown
 
     def _read_spaces(self, simulator: GymnasiumSimulator, task: str) -> None:
         """Spaces, which must be equal in all tasks; the camera, from the first task."""
@@ -231,13 +233,13 @@ def _numbers(reward: float) -> dict[str, bytes]:
     return {"reward": np.float64(reward).tobytes()}
 
 
-def _difference(one: Trajectory, other: Trajectory) -> str | None:
+def _difference(first: Trajectory, second: Trajectory) -> str | None:
     """The first difference of two trajectories, as text; None if they are equal."""
-    for step, (a, b) in enumerate(zip(one, other, strict=False)):
+    for step, (a, b) in enumerate(zip(first, second, strict=False)):
         for name in a:
             if a[name] != b.get(name):
                 return f"the {name} differs at step {step}"
-    return None if len(one) == len(other) else "one of them ends earlier"
+    return None if len(first) == len(second) else "one of them ends earlier"
 
 
 def _unbounded(entry: Entry) -> Entry:
@@ -247,13 +249,13 @@ def _unbounded(entry: Entry) -> Entry:
 
 def _line(error: Exception) -> str:
     words = " ".join(str(error).split())[:300]
-    known = (
+    expected = (
         TaskFault,
         environments.EnvironmentUnavailable,
         entries.UnsupportedSpace,
         Unsettled,
     )
-    return words if isinstance(error, known) else f"{type(error).__name__}: {words}"
+    return words if isinstance(error, expected) else f"{type(error).__name__}: {words}"
 
 
 def _lines(said: Mapping[str, list[str]]) -> list[str]:
@@ -274,7 +276,7 @@ def _cure(text: str) -> str:
 
 def main() -> None:
     """Standard input: the benchmark; standard output: lines of JSON, `doing` or
-    `found`. What the environment prints goes to the standard error."""
+    `found`. Prints of the environment go to the standard error."""
     ours = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     request = json.load(sys.stdin)

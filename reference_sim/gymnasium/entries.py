@@ -183,18 +183,18 @@ def take(structure: Structure, observation: Any) -> dict[str, Any]:
     otherwise than its space."""
     if isinstance(structure, str):
         return {structure: observation}
-    found: dict[str, Any] = {}
+    arrays: dict[str, Any] = {}
     if isinstance(structure, dict):
         if not isinstance(observation, Mapping) or structure.keys() - observation:
             raise ValueError(f"the observation lacks some of {', '.join(structure)}")
         for key, part in structure.items():
-            found |= take(part, observation[key])
-        return found
+            arrays |= take(part, observation[key])
+        return arrays
     if not isinstance(observation, Sequence) or len(observation) != len(structure):
         raise ValueError(f"the observation has not its {len(structure)} parts")
     for part, value in zip(structure, observation, strict=True):
-        found |= take(part, value)
-    return found
+        arrays |= take(part, value)
+    return arrays
 
 
 def as_array(entry: Entry, value: Any) -> Array:
@@ -222,24 +222,24 @@ def _is_flat_image(entry: Entry) -> bool:
 # Several tasks
 
 
-def joined(first: Sequence[Entry], other: Sequence[Entry]) -> list[Entry]:
+def joined(first: Sequence[Entry], second: Sequence[Entry]) -> list[Entry]:
     """The combined entries of two tasks' observations, with the wider bounds.
 
     Raises UnsupportedSpace if they differ in more than bounds.
     """
-    if list(map(_form, first)) != list(map(_form, other)):
+    if list(map(_form, first)) != list(map(_form, second)):
         raise UnsupportedSpace("its space differs from that of the first task")
     return [
         replace(a, low=np.minimum(a.low, b.low), high=np.maximum(a.high, b.high))
-        for a, b in zip(first, other, strict=True)
+        for a, b in zip(first, second, strict=True)
     ]
 
 
-def same(first: Sequence[Entry], other: Sequence[Entry]) -> bool:
+def same(first: Sequence[Entry], second: Sequence[Entry]) -> bool:
     """Whether two spaces agree in everything."""
-    return list(map(_form, first)) == list(map(_form, other)) and all(
+    return list(map(_form, first)) == list(map(_form, second)) and all(
         np.array_equal(a.low, b.low) and np.array_equal(a.high, b.high)
-        for a, b in zip(first, other, strict=True)
+        for a, b in zip(first, second, strict=True)
     )
 
 

@@ -84,10 +84,10 @@ def find(reference: str, folder: str) -> Callable[..., Any]:
         module = _load(Path(folder, place))
     else:
         module = _import(place, folder)
-    found = getattr(module, name, None)
-    if not callable(found):
+    made = getattr(module, name, None)
+    if not callable(made):
         raise EnvironmentUnavailable(f"{place} has no class or function {name}")
-    return found  # type: ignore[no-any-return]
+    return made  # type: ignore[no-any-return]
 
 
 def _import(module: str, folder: str) -> ModuleType:
@@ -107,12 +107,12 @@ def _load(file: Path) -> ModuleType:
         return sys.modules[name]
     if not file.is_file():
         raise EnvironmentUnavailable(f"there is no file {file}")
-    found = importlib.util.spec_from_file_location(name, file)
-    assert found is not None
-    assert found.loader is not None
-    module = importlib.util.module_from_spec(found)
+    spec = importlib.util.spec_from_file_location(name, file)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
-    found.loader.exec_module(module)
+    spec.loader.exec_module(module)
     return module
 
 
@@ -128,7 +128,7 @@ def _first_line(error: BaseException) -> str:
     return (str(error).strip().splitlines() or [type(error).__name__])[0]
 
 
-# What it says of itself
+# --- declarations of an environment ---
 
 
 def can_draw(made_of: Mapping[str, Any]) -> bool:
@@ -178,29 +178,29 @@ def read_space(space: Any, root: str) -> tuple[list[Entry], Structure]:
 
     root: the name of a space that is a leaf itself.
     """
-    found: list[Entry] = []
-    structure = _read(space, (), root, found)
-    names = [entry.name for entry in found]
+    entries: list[Entry] = []
+    structure = _read(space, (), root, entries)
+    names = [entry.name for entry in entries]
     if twice := {name for name in names if names.count(name) > 1}:
         raise UnsupportedSpace(f"two of its entries are called {twice.pop()!r}")
-    return found, structure
+    return entries, structure
 
 
 def _read(
-    space: Any, path: tuple[str, ...], root: str, found: list[Entry]
+    space: Any, path: tuple[str, ...], root: str, entries: list[Entry]
 ) -> Structure:
     if isinstance(space, spaces.Dict):
         return {
-            key: _read(part, (*path, str(key)), root, found)
+            key: _read(part, (*path, str(key)), root, entries)
             for key, part in space.spaces.items()
         }
     if isinstance(space, spaces.Tuple):
         return tuple(
-            _read(part, (*path, str(index)), root, found)
+            _read(part, (*path, str(index)), root, entries)
             for index, part in enumerate(space.spaces)
         )
     name = ".".join(path) or root
-    found.append(_leaf(space, name))
+    entries.append(_leaf(space, name))
     return name
 
 

@@ -114,7 +114,7 @@ class PlanDraft:
         }
 
     def read_environment(self, simulator: GymnasiumSimulator) -> None:
-        """Of an environment that has just made a step."""
+        """Take over the declarations of an environment that has just made a step."""
         declared = environments.facts(simulator.environment, self.benchmark.environment)
         self._modules: Sequence[str] = declared["modules"]
         steps = self.benchmark.max_steps or declared["max_steps"]
@@ -286,9 +286,9 @@ def _versions(modules: Sequence[str]) -> dict[str, str]:
     """Versions of the packages that define the environment, and of physics engines."""
     tops = {module.partition(".")[0] for module in modules}
     owners = importlib.metadata.packages_distributions()
-    found = {owner for top in tops for owner in owners.get(top, ())}
+    packages = {owner for top in tops for owner in owners.get(top, ())}
     loaded = {owner for top in sys.modules for owner in owners.get(top, ())}
     # A package may write itself otherwise than its index does: dm_control.
     spelled = {owner.lower().replace("_", "-") for owner in loaded}
-    found |= {engine for engine in _ENGINES if engine in spelled}
-    return {name: installed_version(name) for name in sorted(found)}
+    packages |= {engine for engine in _ENGINES if engine in spelled}
+    return {name: installed_version(name) for name in sorted(packages)}

@@ -47,22 +47,22 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
     say: called with progress messages. Raises BadBenchmark.
     """
     for benchmark, folder in read(reference):
-        found = examine(benchmark, folder, say)
-        if found["faults"]:
-            others = len(found["faults"]) - 1
+        report = examine(benchmark, folder, say)
+        if report["faults"]:
+            others = len(report["faults"]) - 1
             more = f" (and {others} more: {_COMMAND} {reference})" if others else ""
             name = f"{benchmark.benchmark_id} ({reference})"
             is_bundled = reference in BUNDLED_BENCHMARKS
             cure = f"; try: make serve BENCHMARK={reference}" if is_bundled else ""
-            raise BadBenchmark(f"{name}: {found['faults'][0]}{more}{cure}")
-        for warning in found["warnings"]:
+            raise BadBenchmark(f"{name}: {report['faults'][0]}{more}{cure}")
+        for warning in report["warnings"]:
             say(f"{benchmark.benchmark_id}: {warning}")
-        yield benchmark.benchmark_id, _definition(found)
+        yield benchmark.benchmark_id, _definition(report)
 
 
-def _definition(found: Json) -> BenchmarkDefinition:
-    """found: of a check without faults."""
-    plan, manifest = found["plan"], found["manifest"]
+def _definition(report: Json) -> BenchmarkDefinition:
+    """The definition that follows from a report without faults."""
+    plan, manifest = report["plan"], report["manifest"]
 
     def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
         return {**manifest, "max_chunk": max_chunk}
@@ -81,7 +81,7 @@ def _definition(found: Json) -> BenchmarkDefinition:
         settings,
         make,
         seed_max=SEED_MAX,
-        ray_resources=found["ray_resources"],
+        ray_resources=report["ray_resources"],
     )
 
 
@@ -110,8 +110,8 @@ def examine(benchmark: Benchmark, folder: Path, say: Say) -> Json:
                 process.stdin.write(json.dumps(request).encode())
             for message in _messages(process, benchmark.benchmark_id, say):
                 if "found" in message:
-                    found: Json = message["found"]
-                    return found
+                    report: Json = message["found"]
+                    return report
                 doing = message["doing"]
             with suppress(subprocess.TimeoutExpired):
                 process.wait(_EXIT_TIMEOUT_S)

@@ -160,9 +160,9 @@ class GymnasiumSimulator:
         return np.ascontiguousarray(pixels[::-1, ::-1] if upside_down else pixels)
 
     def state_bytes(self) -> bytes:
-        """What is observed, without images that are rendered, and the sum of rewards.
+        """The observation without rendered images, and the sum of rewards.
 
-        Gymnasium has no way to read an environment's state.
+        They stand for the state, which Gymnasium has no way to read.
         """
         observed = b"".join(
             f"{name} {array.dtype} {array.shape} ".encode() + array.tobytes()

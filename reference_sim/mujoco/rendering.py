@@ -47,13 +47,15 @@ def find_backend() -> str:
     Takes 0.3 s the first time in a tree of processes.
     Raises RenderingUnavailable, with MUJOCO_GL removed, if there is none.
     """
-    found = os.environ.get(_FOUND) or _probe_backends()
-    os.environ[_FOUND] = found
-    if found in BACKENDS:
-        os.environ["MUJOCO_GL"] = found
-        return found
+    backend = os.environ.get(_FOUND) or _probe_backends()
+    os.environ[_FOUND] = backend
+    if backend in BACKENDS:
+        os.environ["MUJOCO_GL"] = backend
+        return backend
     os.environ.pop("MUJOCO_GL", None)
-    raise RenderingUnavailable(f"cameras need headless OpenGL ({found}): {APT_COMMAND}")
+    raise RenderingUnavailable(
+        f"cameras need headless OpenGL ({backend}): {APT_COMMAND}"
+    )
 
 
 def _probe_backends() -> str:

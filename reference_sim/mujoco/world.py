@@ -187,8 +187,8 @@ class World:
         self._mj.mju_quat2Vel(rotation, turn, 1.0)
         return np.concatenate([pose[:3] - view.xpos, rotation])
 
-    def bodies_touch(self, one: str, other: str) -> bool:
-        pair = {self._model.body(one).id, self._model.body(other).id}
+    def bodies_touch(self, first: str, second: str) -> bool:
+        pair = {self._model.body(first).id, self._model.body(second).id}
         bodies = self._model.geom_bodyid[self._data.contact.geom]
         return any(set(touching) == pair for touching in bodies.tolist())
 

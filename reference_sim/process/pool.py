@@ -258,7 +258,7 @@ class SimulatorPool:
             await process.build(world)
         except ResourceShortage as shortage:
             raise NoCapacity(str(shortage)) from shortage
-        return SimulatorHandle(process, lambda one: one.end("was returned"))
+        return SimulatorHandle(process, lambda used: used.end("was returned"))
 
     async def _build(self, world: SimulatorConfig) -> SimulatorProcess:
         if (idle := self._pick_idle(world)) is not None:
@@ -329,7 +329,7 @@ class SimulatorPool:
 
     async def _start_spares(self) -> None:
         try:
-            while sum(one.world is None for one in self._idle) < self._spares:
+            while sum(process.world is None for process in self._idle) < self._spares:
                 self._idle.append(await self._start_process(self._new_process()))
         except SimulatorFault as fault:
             _log.warning("no spare simulator: %s", fault)

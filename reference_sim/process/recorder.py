@@ -28,14 +28,15 @@ from reference_sim.episode import Episode
 from reference_sim.interface import Simulator
 from reference_sim.process.encoding import encode_image
 
-# Of a state up to so many bytes the digest is computed when the turns are read.
+# A state up to this size is written as it is, and hashed when the turns are read, which
+# costs a turn less time. A larger state is written as its digest alone.
 STATE_BYTES_MAX = 512
 # Parts of an episode, with which it may begin again: each is read at its end.
 PARTS_MAX = 10_000
 
 
 class RecordingPlan(msgspec.Struct, frozen=True):
-    """Where an attempt is recorded, and whether with what its cameras show."""
+    """The folder that an attempt is recorded in, and whether with its pictures."""
 
     folder: str
     attempt: int
@@ -105,7 +106,7 @@ class EpisodeRecorder:
             raise UnwritableRecording(error) from error
 
     def add_pictures(self, images: Mapping[str, NDArray[np.uint8]]) -> None:
-        """What the cameras show, if that was wanted."""
+        """Record the pictures of the cameras, if the plan asks for them."""
         if not self._plan.pictures:
             return
         now = time.time_ns()

@@ -345,13 +345,15 @@ class _EpisodeHost:
                 _send(self._connection, Busy())
 
         path = Path(command.path)
-        found = episode_replay.replay_episode(path, simulator, plan, recorded, say_busy)
-        first = found.where
+        replay = episode_replay.replay_episode(
+            path, simulator, plan, recorded, say_busy
+        )
+        first = replay.where
         where = None if first is None else (first.attempt, first.step)
-        return ReplayReply(found.result, where)
+        return ReplayReply(replay.result, where)
 
     def _end_recording(self) -> None:
-        """What follows is not of the attempt that was recorded."""
+        """Close the recording: the commands that follow are not of its attempt."""
         if self._recorder is not None:
             self._recorder.close()
             self._recorder = None
@@ -419,7 +421,7 @@ def _receive(commands: BinaryIO, length: int) -> bytes:
 
 
 def _send(connection: socket.socket, message: SimulatorReply) -> None:
-    """Send to the parent; exits the process if it has ended, which is no failure."""
+    """Send to the parent; exits the process with 0 if the parent has ended."""
     try:
         connection.sendall(frame(message))
     except ConnectionError:

@@ -32,7 +32,8 @@ from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
 # Set by the server (the rendering backend), possibly after the fork server started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
-# Of the server, and of the driver of its database (PGPASSWORD).
+# Prefixes of the settings of the server and of its database driver (PGPASSWORD), which
+# may be secret: a simulator does not get them.
 _SETTINGS = "PROCTOR_", "PG"
 _FORK_SERVER_MODULE, _SIMULATOR_MODULE = (
     "reference_sim.process.fork_server",
@@ -168,10 +169,9 @@ class ExecStarter:
     def start(self, child_end: socket.socket) -> None:
         process = spawn(_SIMULATOR_MODULE, child_end)
         self._processes[process.pid] = process
-        for ended in [
-            one for one in self._processes.values() if one.poll() is not None
-        ]:
-            del self._processes[ended.pid]
+        ended = [p.pid for p in self._processes.values() if p.poll() is not None]
+        for pid in ended:
+            del self._processes[pid]
 
     def kill(self, pid: int) -> None:
         if process := self._processes.get(pid):
@@ -340,7 +340,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         else:
             self._timer = self._loop.call_later(left, self._watch, timeout_s)
 
-    # What the event loop calls
+    # --- called by the event loop ---
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         # Not checked by isinstance: uvloop's transports are not of this class.

@@ -142,11 +142,13 @@ class _Progress:
         self._done = 0
         self._said_at = time.monotonic()
 
-    def __call__(self, index: int, one: EpisodeReplay) -> None:
+    def __call__(self, index: int, replay: EpisodeReplay) -> None:
         self._done += 1
-        if one.result == "diverged":
-            step = one.where.step if one.where else 0
-            _say(f"episode {index} diverged at step {step} {one.error or ''}".rstrip())
+        if replay.result == "diverged":
+            step = replay.where.step if replay.where else 0
+            _say(
+                f"episode {index} diverged at step {step} {replay.error or ''}".rstrip()
+            )
         if time.monotonic() - self._said_at > REPORT_EVERY_S:
             self._said_at = time.monotonic()
             _say(f"{self._done} of {self._total} episodes")
@@ -155,7 +157,7 @@ class _Progress:
 def _name_seeds(
     args: argparse.Namespace, report: Report, benchmark: ReplayedBenchmark
 ) -> str | None:
-    """What was done about the episodes of sealed splits, if there are any."""
+    """A sentence on the treatment of episodes of sealed splits, if there are any."""
     if not (args.seeds or benchmark.secret):
         return None
     count = f"{report.sealed} of {report.episodes} episodes are of sealed splits: "

@@ -59,7 +59,7 @@ class _Unwatched:
 
 
 class _WatcherFailed(Exception):
-    """Its error is no divergence of the simulator."""
+    """The watcher raised `error`, which must not count as a divergence."""
 
     def __init__(self, error: Exception) -> None:
         self.error = error
@@ -131,9 +131,10 @@ class Replayer:
         messages: Iterable[tuple[str, memoryview]],
         before_turn: Callable[[], object] = lambda: None,
     ) -> EpisodeReplay:
-        """Whatever the simulator raises is a divergence: it did not when recorded.
+        """Play the messages of a recording, and say where the simulator leaves it.
 
-        What the watcher raises is raised.
+        An error of the simulator is a divergence, because none was raised when the
+        episode was recorded. An error of the watcher is raised.
         """
         try:
             for topic, data in messages:

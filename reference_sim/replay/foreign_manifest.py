@@ -1,7 +1,7 @@
-"""What a record says of its benchmark, whose manifest may be of unknown origin.
+"""Reads the benchmark of a record from its manifest, which may be of unknown origin.
 
-A manifest may be made to be slow and large. A server reads it in a process of its own;
-what comes out is small, and is compared with what the machine itself offers.
+A manifest may be made to be slow and large. A server reads it in a process of its own,
+whose small result is compared with the benchmarks that the machine itself offers.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class _PlannedEpisode(msgspec.Struct):
 
 
 class _ForeignManifest(msgspec.Struct):
-    """What is read of a manifest of unknown origin; the rest is only compared."""
+    """The few members that are read; the rest of the manifest is only compared."""
 
     max_chunk: Annotated[int, Meta(ge=1, le=MAX_CHUNK)]
     episodes: list[_PlannedEpisode]
@@ -42,10 +42,10 @@ class Part(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class BenchmarkChoice(msgspec.Struct, frozen=True):
-    """What a record says of its benchmark, of which the manifest is only a digest.
+    """The benchmark that a record names, with digests in place of its manifest.
 
-    open_sha256: of the manifest without what a host of sealed splits keeps secret.
-    seeds_sha256: by which the host is committed to it.
+    open_sha256: the digest of the manifest without the seeds that a host keeps secret.
+    seeds_sha256: the digest of these seeds, to which the host is committed.
     """
 
     benchmark_id: str
@@ -88,10 +88,10 @@ def selected(manifest: dict[str, Any], part: Part | None) -> dict[str, Any]:
     if part is None:
         return manifest
     episodes = [
-        one
-        for one in manifest["episodes"]
-        if (part.tasks is None or one["task"] in part.tasks)
-        and (part.splits is None or one["split"] in part.splits)
+        episode
+        for episode in manifest["episodes"]
+        if (part.tasks is None or episode["task"] in part.tasks)
+        and (part.splits is None or episode["split"] in part.splits)
     ]
     return {**manifest, "episodes": episodes, "episodes_total": len(episodes)}
 
@@ -109,8 +109,12 @@ def without_sealed_seeds(manifest: dict[str, Any]) -> dict[str, Any]:
     """The manifest but for what the host of a sealed split keeps secret."""
     sealed = manifest.get("sealed_splits", ())
     episodes = [
-        {k: v for k, v in one.items() if k != "seed" or one["split"] not in sealed}
-        for one in manifest["episodes"]
+        {
+            k: v
+            for k, v in episode.items()
+            if k != "seed" or episode["split"] not in sealed
+        }
+        for episode in manifest["episodes"]
     ]
     rest = {k: v for k, v in manifest.items() if k != "seeds_sha256"}
     return {**rest, "episodes": episodes}

@@ -48,7 +48,7 @@ class ReplayedBenchmark:
     config: benchmark_registry.SimulatorConfig
 
     def plan_of(self, index: int) -> ReplayPlan:
-        """The episode at a place of the manifest; its seed is no secret."""
+        """The plan of an episode, by its index; its seed must not be secret."""
         manifest = self.manifest
         planned = manifest["episodes"][index]
         return ReplayPlan(
@@ -67,13 +67,13 @@ class ReplayedBenchmark:
     @property
     def secret(self) -> int:
         """How many episodes cannot be simulated for their seeds."""
-        return sum("seed" not in one for one in self.manifest["episodes"])
+        return sum("seed" not in episode for episode in self.manifest["episodes"])
 
     def with_seeds(self, seeds: Mapping[int, int]) -> ReplayedBenchmark:
         """Also the episodes whose seeds a host has opened. seeds: by index."""
         episodes = [
-            {**one, "seed": seeds[index]} if index in seeds else one
-            for index, one in enumerate(self.manifest["episodes"])
+            {**episode, "seed": seeds[index]} if index in seeds else episode
+            for index, episode in enumerate(self.manifest["episodes"])
         ]
         return ReplayedBenchmark({**self.manifest, "episodes": episodes}, self.config)
 
@@ -86,10 +86,10 @@ def resolve(
     Raises UnusableRecord where this machine has another benchmark, or none, and where
     these are not the seeds to which the record commits its host.
     """
-    found = resolve_choice(read_choice(evaluation, manifest))
+    benchmark = resolve_choice(read_choice(evaluation, manifest))
     if opened is None:
-        return found
-    return found.with_seeds(seeds_for(opened, msgspec.json.decode(manifest)))
+        return benchmark
+    return benchmark.with_seeds(seeds_for(opened, msgspec.json.decode(manifest)))
 
 
 def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
@@ -97,7 +97,7 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
     benchmark_id = choice.benchmark_id
     try:
         reason = benchmark_registry.unavailable_reason(benchmark_id)
-        found = benchmark_registry.resolve(
+        resolved = benchmark_registry.resolve(
             benchmark_id, choice.options, choice.images, max_chunk=choice.max_chunk
         )
     except benchmark_registry.UnknownBenchmark as error:
@@ -111,20 +111,22 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
         ) from error
     if reason is not None:
         raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
-    manifest = selected(found.manifest, choice.select)
+    manifest = selected(resolved.manifest, choice.select)
     if sha256_of(manifest) == choice.manifest_sha256:
-        return ReplayedBenchmark(manifest, found.world)
+        return ReplayedBenchmark(manifest, resolved.world)
     open_part = without_sealed_seeds(manifest)
     if sha256_of(open_part) != choice.open_sha256:
         raise UnusableRecord(
             f"{benchmark_id} is another one here: its manifest has another SHA-256. "
             "Install the version of the record: proctor verify shows it"
         )
-    return ReplayedBenchmark(open_part, found.world)
+    return ReplayedBenchmark(open_part, resolved.world)
 
 
 def add_opened_seeds(
-    found: ReplayedBenchmark, choice: BenchmarkChoice, files: Iterable[OpenedBenchmark]
+    benchmark: ReplayedBenchmark,
+    choice: BenchmarkChoice,
+    files: Iterable[OpenedBenchmark],
 ) -> ReplayedBenchmark:
     """Also the episodes of sealed splits, where one of the files has their seeds.
 
@@ -136,9 +138,9 @@ def add_opened_seeds(
             part.seeds_sha256 == commitment for part in opened.opened
         ):
             # Its own manifest, not that of the record: it is the same but for seeds.
-            manifest = {**found.manifest, "seeds_sha256": commitment}
-            return found.with_seeds(seeds_for(opened, manifest))
-    return found
+            manifest = {**benchmark.manifest, "seeds_sha256": commitment}
+            return benchmark.with_seeds(seeds_for(opened, manifest))
+    return benchmark
 
 
 def replay_record(
@@ -156,16 +158,18 @@ def replay_record(
     episode that is wanted cannot be simulated, or none can.
     """
     lines = replayable_lines(path, benchmark, only)
-    found: dict[int, EpisodeReplay] = {}
+    replays: dict[int, EpisodeReplay] = {}
     work = partial(_replay_one, path, benchmark)
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(min(processes, len(lines) or 1), context) as pool:
         pending = {pool.submit(work, line): line.index for line in lines}
         for done in as_completed(pending):
             index = pending[done]
-            found[index] = done.result()
-            report(index, found[index])
-    results = {index: (one.result, one.where) for index, one in found.items()}
+            replays[index] = done.result()
+            report(index, replays[index])
+    results = {
+        index: (replay.result, replay.where) for index, replay in replays.items()
+    }
     return replay_of(results, engine_fingerprint())
 
 

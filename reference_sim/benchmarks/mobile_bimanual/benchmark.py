@@ -104,10 +104,11 @@ def _describe(
         "max_faults": 3,
         "success_rule": "any_step",
         "action_space": {
-            one.name: one.space() for one in ACTION_CHANNELS[variant.control]
+            channel.name: channel.space()
+            for channel in ACTION_CHANNELS[variant.control]
         },
         "observation_space": {
-            "state": {one.name: one.space() for one in state},
+            "state": {channel.name: channel.space() for channel in state},
             "images": {
                 camera: {"channels": 3, "description": f"RGB, {where}"}
                 for camera, where in cameras.items()

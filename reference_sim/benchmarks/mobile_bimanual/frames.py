@@ -16,8 +16,8 @@ from reference_sim.mujoco.world import Vector
 def from_base(base: Vector, pose: Vector) -> Vector:
     """A pose in the base's frame → the same pose in the world's."""
     x, y, yaw = base
-    seen: Vector = _turned(pose, yaw) + np.array([x, y, 0, 0, 0, 0, 0])
-    return seen
+    pose_in_room: Vector = _turned(pose, yaw) + np.array([x, y, 0, 0, 0, 0, 0])
+    return pose_in_room
 
 
 def to_base(base: Vector, pose: Vector) -> Vector:

@@ -40,8 +40,8 @@ def _motors(side: str) -> str:
     classes |= dict.fromkeys(FINGERS[side], f"{side}_finger")
     joints = (*ARM_JOINTS[side], *FINGERS[side])
     return "".join(
-        f'<position name="{one}" joint="{one}" class="{classes.get(one, "arm")}"/>'
-        for one in joints
+        f'<position name="{name}" joint="{name}" class="{classes.get(name, "arm")}"/>'
+        for name in joints
     )
 
 

@@ -127,7 +127,7 @@ class MobileBimanualScene:
             self.world.set_mocap_pose(thing, pose)
 
     def scale(self, thing: str, factor: float) -> None:
-        """Of the box or the bar; call before it is placed."""
+        """Set the size of the box or the bar, before it is placed."""
         self._scales[thing] = factor
         self.world.scale_body(thing, factor)
 
@@ -138,30 +138,30 @@ class MobileBimanualScene:
         self.world.set_geom_rgba(thing, (*rgb, 1.0))
 
     def shift_camera(self, camera: str, offset_m: Sequence[float]) -> None:
-        """From where the XML has it, in the frame of what carries it."""
+        """Move a camera from its place in the XML, in the frame of its carrier."""
         position = np.add(CAMERA_POSITIONS_M[camera], offset_m)
         self.world.set_camera_position(camera, position.tolist())
 
-    # What a task asks
+    # --- conditions of the tasks ---
 
     def holds(self, side: str, thing: str) -> bool:
-        """Both fingers of the hand touch it."""
-        return all(self.world.bodies_touch(one, thing) for one in FINGERS[side])
+        """Whether both fingers of the hand touch it."""
+        return all(self.world.bodies_touch(finger, thing) for finger in FINGERS[side])
 
     def touches(self, side: str, thing: str) -> bool:
-        """Any finger of the hand does."""
-        return any(self.world.bodies_touch(one, thing) for one in FINGERS[side])
+        """Whether any finger of the hand touches it."""
+        return any(self.world.bodies_touch(finger, thing) for finger in FINGERS[side])
 
     def lies_on(self, thing: str, carrier: str) -> bool:
         return self.world.bodies_touch(thing, carrier)
 
     def height_m(self, thing: str) -> float:
-        """Of its centre, above the tables' tops."""
+        """The height of its centre above the tables' tops."""
         return float(self.world.body_pose(thing)[2]) - TABLE_TOP_M
 
-    def distance_m(self, one: str, other: str) -> float:
-        """Between two bodies' centres, seen from above."""
-        apart = self.world.body_pose(one)[:2] - self.world.body_pose(other)[:2]
+    def distance_m(self, body: str, target: str) -> float:
+        """The distance between two bodies' centres, seen from above."""
+        apart = self.world.body_pose(body)[:2] - self.world.body_pose(target)[:2]
         return float(np.hypot(*apart))
 
     def hand_distance_m(self, side: str, thing: str, y_m: float = 0.0) -> float:

@@ -57,7 +57,7 @@ class RobotController:
             self._hands = {side: self.hand(side) for side in SIDES}
 
     def action(self) -> dict[str, list[float]]:
-        """Of this control step."""
+        """The action of this control step."""
         action: dict[str, list[float]] = {
             "gripper": [self._opening_m[side] for side in SIDES for _ in range(2)],
             "base_motion": self._motion.tolist(),
@@ -72,7 +72,7 @@ class RobotController:
         action["joint_position"] = [*self._joints["left"], *self._joints["right"]]
         return action
 
-    # What is seen
+    # --- observations ---
 
     def base(self) -> Vector:
         """(3,): x, y, yaw in the room."""
@@ -94,7 +94,7 @@ class RobotController:
         pose = frames.to_base(self.base(), self.thing(name))
         return np.array([*frames.offset(pose, x, y, z), frames.yaw_of(pose[3:])])
 
-    # What is done
+    # --- commands ---
 
     def open(self, *sides: str) -> None:
         self._opening_m.update(dict.fromkeys(sides, FINGER_STROKE_M))

@@ -110,8 +110,10 @@ def _free_spot(
     """x and y in m, inside the image and away from other objects."""
     for _ in range(_TRIES):
         spot = rng.uniform(*_TABLE_X_M), rng.uniform(*_TABLE_Y_M)
-        seen = scene.world.spot_of(_VIEW, (*spot, 0.0), ASPECT)
-        is_free = all(math.dist(spot, other) >= _APART_M for other in taken)
-        if is_free and all(_MARGIN <= one <= 1 - _MARGIN for one in seen):
+        in_picture = scene.world.spot_of(_VIEW, (*spot, 0.0), ASPECT)
+        is_free = all(math.dist(spot, taken_spot) >= _APART_M for taken_spot in taken)
+        if is_free and all(
+            _MARGIN <= coordinate <= 1 - _MARGIN for coordinate in in_picture
+        ):
             return spot
     raise RuntimeError("the table is full")

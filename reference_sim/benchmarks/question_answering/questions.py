@@ -53,7 +53,7 @@ class Question:
     def is_right(self, answer: Action, arrangement: Arrangement) -> bool:
         if self.target is not None:
             point = answer["point"]
-            is_inside = all(0 <= one <= 1 for one in point)
+            is_inside = all(0 <= coordinate <= 1 for coordinate in point)
             return is_inside and arrangement.body_at(point) == self.target
         return all(
             list(answer[name]) == list(right)
@@ -90,7 +90,7 @@ class ItemDraft:
 
     def things(self, number: int) -> list[str]:
         """This many different objects, in random order."""
-        return [str(one) for one in self.rng.permutation(THINGS)[:number]]
+        return [str(thing) for thing in self.rng.permutation(THINGS)[:number]]
 
     def distinct(self, number: int) -> Arrangement:
         """This many distinguishable objects: the two cubes differ in colour."""
@@ -159,10 +159,10 @@ def _side(draft: ItemDraft) -> Question | None:
     )
     if arrangement.spot(right)[0] - arrangement.spot(left)[0] < _SIDE_MARGIN:
         return None
-    subject, other = (left, right) if draft.rank == 0 else (right, left)
+    subject, neighbour = (left, right) if draft.rank == 0 else (right, left)
     text = (
         f"In the picture, is {arrangement.name(subject)} to the left or to the right "
-        f"of {arrangement.name(other)}? A) left B) right. {_BY_LETTER}"
+        f"of {arrangement.name(neighbour)}? A) left B) right. {_BY_LETTER}"
     )
     return Question(text, action(choice=float(draft.rank)))
 

@@ -69,9 +69,10 @@ class QuestionSimulator:
         return picture
 
     def state_bytes(self) -> bytes:
-        """What is asked and shown, and whether it was answered.
+        """The question and its picture, and whether it was answered.
 
-        Never the seed: what is hashed here is published, and a seed has few bits.
+        The seed is left out: the digest of these bytes is published, and a seed has so
+        few bits that it could be found by trying all of them.
         """
         question, arrangement = self._require_item()
         spots = [arrangement.spot(thing) for thing in arrangement.things]

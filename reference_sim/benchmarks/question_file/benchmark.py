@@ -85,7 +85,7 @@ class QuestionFileSimulator:
         return Observation(state={})
 
     def state_bytes(self) -> bytes:
-        """What is asked, and whether it was answered; never the seed."""
+        """The question, and whether it was answered; the seed may be secret."""
         if self._question is None:
             raise RuntimeError("reset comes before state_bytes")
         asked = self._question.task, self._question.text

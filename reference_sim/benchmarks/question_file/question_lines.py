@@ -73,14 +73,14 @@ def read_questions(path: Path) -> Sequence[FileQuestion]:
         raise BadBenchmark(f"{path}: is not UTF-8") from error
     # Not splitlines: a question may contain other separators of lines.
     numbered = enumerate(text.split("\n"), start=1)
-    found = [
+    questions = [
         _question(f"{path}: line {number}", line, path.stem)
         for number, line in numbered
         if line.strip()
     ]
-    if not found:
+    if not questions:
         raise BadBenchmark(f"{path}: has no question")
-    return found
+    return questions
 
 
 def _question(at: str, line: str, default_task: str) -> FileQuestion:

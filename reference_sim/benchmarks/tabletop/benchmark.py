@@ -61,9 +61,9 @@ def _describe_tabletop(options: Mapping[str, Any], max_chunk: int) -> Json:  # n
         "max_attempts": 3,
         "max_faults": 3,
         "success_rule": "any_step",
-        "action_space": {one.name: one.space() for one in ACTION_CHANNELS},
+        "action_space": {channel.name: channel.space() for channel in ACTION_CHANNELS},
         "observation_space": {
-            "state": {one.name: one.space() for one in STATE_CHANNELS},
+            "state": {channel.name: channel.space() for channel in STATE_CHANNELS},
             "images": {
                 camera: {"channels": 3, "description": f"RGB, the {camera} camera"}
                 for camera in CAMERAS

@@ -51,7 +51,8 @@ ACTION_CHANNELS = (
     ),
     Channel("gripper", 1, "1", "0 closed, 1 open", (0.0,), (1.0,), gripper_open=1.0),
 )
-# The same for all tasks. What has no part in a task is parked more than 2 m away.
+# All tasks have these channels. A task parks the things that it does not use more than
+# 2 m away.
 STATE_CHANNELS = (
     Channel(
         "joint_position",

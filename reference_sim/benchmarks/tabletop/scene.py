@@ -71,10 +71,10 @@ class TabletopScene:
         else:
             self.world.set_mocap_pose(thing, (x, y, z or 0.0, *turned))
 
-    # What is the case
+    # --- measurements ---
 
     def half_height_m(self, thing: str) -> float:
-        """Of a loose thing, upright."""
+        """Half the height of a loose thing that stands upright."""
         nominal = PEG_HALF_LENGTH_M if thing == "peg" else CUBE_HALF_M
         return nominal * self._scales.get(thing, 1.0)
 
@@ -83,16 +83,16 @@ class TabletopScene:
         return self.world.body_pose(thing)[:3]
 
     def height_m(self, thing: str) -> float:
-        """Of its middle above the table."""
+        """The height of its middle above the table."""
         return float(self.position(thing)[2])
 
-    def distance_m(self, one: str, other: str) -> float:
-        """Between two things; `tcp` is between the fingertips."""
-        return float(np.linalg.norm(self.position(one) - self.position(other)))
+    def distance_m(self, thing: str, target: str) -> float:
+        """The distance of two things; `tcp` is the point between the fingertips."""
+        return float(np.linalg.norm(self.position(thing) - self.position(target)))
 
-    def apart_level_m(self, one: str, other: str) -> float:
+    def apart_level_m(self, thing: str, target: str) -> float:
         """The horizontal distance between two things."""
-        return float(np.linalg.norm((self.position(one) - self.position(other))[:2]))
+        return float(np.linalg.norm((self.position(thing) - self.position(target))[:2]))
 
     def clearance_m(self, thing: str) -> float:
         """Between the table and the underside of a loose thing, were it upright."""
@@ -123,7 +123,7 @@ class TabletopScene:
     def button_travel_m(self) -> float:
         return float(self.world.joint_positions(("button",))[0])
 
-    # What a policy does and sees
+    # --- actions and observations of a policy ---
 
     def command(self, action: Action) -> None:
         finger = FINGER_STROKE_M * min(max(action["gripper"][0], 0.0), 1.0)

@@ -62,7 +62,7 @@ class ObservedState:
 
     @property
     def hand_yaw(self) -> float:
-        """Of a gripper that looks down, rad."""
+        """The yaw of a gripper that points down, rad."""
         _, x, y, _ = self._state["ee_pose"][3:]
         return 2 * math.atan2(-x, y)
 
@@ -73,7 +73,7 @@ class ObservedState:
         return self._state[f"{thing}_position"]
 
     def yaw(self, thing: str) -> float:
-        """Of a thing that stands upright, rad."""
+        """The yaw of a thing that stands upright, rad."""
         w, x, y, z = self._state[f"{thing}_pose"][3:]
         return math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
 

@@ -174,9 +174,9 @@ class Stack(TabletopTask):
 
     def arrange(self, scene: TabletopScene, draw: Placement) -> None:
         spot = draw.spot(self.AREA)
-        other = draw.spot(self.AREA, away_from=spot, at_least_m=self.APART_M)
+        second_spot = draw.spot(self.AREA, away_from=spot, at_least_m=self.APART_M)
         scene.place("cube", *spot, draw.yaw())
-        scene.place("second_cube", *other, draw.yaw())
+        scene.place("second_cube", *second_spot, draw.yaw())
 
     def goal_holds(self, scene: TabletopScene) -> bool:
         above = scene.height_m("cube") - scene.height_m("second_cube")

@@ -50,7 +50,7 @@ _PALETTES = {
     "test": ("blue", "purple", "pink", "brown", "black", "white"),
 }
 _TABLES: dict[str, Sequence[Rgba]] = {
-    # Of the wood's texture, which shows through.
+    # Tints of the wood: its texture shows through.
     "val_unseen": ((0.80, 0.92, 1, 1), (1, 0.80, 0.66, 1)),
     "test": ((0.72, 0.72, 0.76, 1), (0.80, 1, 0.86, 1), (1, 0.72, 0.72, 1)),
 }

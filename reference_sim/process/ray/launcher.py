@@ -1,13 +1,13 @@
 """The process that is connected to a Ray cluster, for one server.
 
 `python -m reference_sim.process.ray.launcher FD`: starts and kills actors on command,
-as `fork_server.py` forks processes. A process of its own, because Ray ends the process
-that is connected to it when the cluster is gone, reads pickles, and brings threads,
-signal handlers and lines on the terminal: the server has none of that. No turn passes
-through here.
+as `fork_server.py` forks processes. It is a process of its own, because Ray ends the
+process that is connected to it when the cluster is gone, reads pickles, and brings
+threads, signal handlers and lines on the terminal: the server has none of that. No turn
+passes through here.
 
-It ends with its parent, and the actors end with it. What Ray prints is dropped; what an
-actor prints is in the logs of Ray.
+It ends with its parent, and the actors end with it. The output of Ray is dropped; that
+of actors is in the logs of Ray.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def has_room(machine: dict[str, Any], resources: dict[str, float]) -> bool:
 def find_lacking(
     machines: list[dict[str, Any]], resources: dict[str, float]
 ) -> dict[str, float]:
-    """Of these resources those that no machine has; all, if none has them together."""
+    """The resources that no machine has; all, if no machine has them together."""
     if any(has_room(machine, resources) for machine in machines):
         return {}
     alone = {
@@ -143,7 +143,7 @@ class Launcher:
         except ImportError as error:
             raise CannotUse(f"Ray is not installed here: {_INSTALL}") from error
         self._ray = ray
-        # What actors print stays in the logs of Ray.
+        # log_to_driver=False: prints of actors stay in the logs of Ray.
         init = partial(ray.init, log_to_driver=False, logging_level=logging.CRITICAL)
         address, how = connect.address, "does it have that address?"
         if address == "ray":
@@ -183,7 +183,11 @@ class Launcher:
         if not kinds:
             return []
         nodes = await asyncio.to_thread(self._ray.nodes)
-        machines = [one for one in nodes if any(has_room(one, kind) for kind in kinds)]
+        machines = [
+            machine
+            for machine in nodes
+            if any(has_room(machine, kind) for kind in kinds)
+        ]
         remote = self._ray.remote(num_cpus=0, max_retries=0)(mismatch)
 
         async def check(machine: dict[str, Any]) -> bool:
@@ -202,8 +206,10 @@ class Launcher:
             return True
 
         checked = await asyncio.gather(*map(check, machines))
-        fit = [one for one, is_fit in zip(machines, checked, strict=True) if is_fit]
-        return [sum(has_room(one, kind) for one in fit) for kind in kinds]
+        fit = [
+            machine for machine, is_fit in zip(machines, checked, strict=True) if is_fit
+        ]
+        return [sum(has_room(machine, kind) for machine in fit) for kind in kinds]
 
     # One actor
 
@@ -249,7 +255,7 @@ class Launcher:
 
 
 def _first_line(error: BaseException) -> str:
-    """Of what an actor raised, without the traceback that Ray puts before it."""
+    """The error of an actor, in one line; Ray puts a traceback before it."""
     cause = getattr(error, "cause", None)
     if isinstance(cause, BaseException):
         return f"{type(cause).__name__}: {_first_line(cause)}"

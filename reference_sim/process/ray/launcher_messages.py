@@ -1,5 +1,5 @@
-"""What the server and its launcher send each other (launcher.py), framed as commands
-of a simulator are. It imports no Ray.
+"""Messages between the server and its launcher (launcher.py), framed as commands of a
+simulator are. It imports no Ray.
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ _HEADER = struct.Struct(">I")
 
 
 class MachineCheck(msgspec.Struct, frozen=True):
-    """What a machine has to have before it may simulate.
+    """The conditions that a machine must meet before it may simulate.
 
-    software: as `software()` on the server. folder, marker: where recordings are
-    written, and the name of a file in it; empty if nothing is recorded.
+    software: as `software()` on the server. folder: recordings are written to it.
+    marker: the name of a file in it, which the machine must see. Both are empty if
+    nothing is recorded.
     """
 
     software: dict[str, str]

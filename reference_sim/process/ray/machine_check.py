@@ -18,14 +18,14 @@ from reference_sim.process.ray.launcher_messages import MachineCheck
 def software() -> dict[str, str]:
     """Versions that decide what is simulated, and a digest of the simulators' code."""
     engine = engine_fingerprint()
-    found = {"python": str(engine["python"]), **engine["packages"]}
+    digests = {"python": str(engine["python"]), **engine["packages"]}
     for package in (reference_sim, reference_record):
-        found[package.__name__] = _source_digest(Path(str(package.__file__)).parent)
-    return found
+        digests[package.__name__] = _source_digest(Path(str(package.__file__)).parent)
+    return digests
 
 
 def make_check(recordings: Path | None) -> MachineCheck:
-    """What machines are compared with.
+    """Make the check that each machine must pass.
 
     recordings: the folder that simulators write recordings to; an empty file is made in
     it, which they have to see, until `remove_marker`. Raises OSError.

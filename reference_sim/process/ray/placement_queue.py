@@ -1,9 +1,10 @@
 """Callers that wait for a simulator with some resources, and the requests for them.
 
-One queue for each set of resources that benchmarks declare, so that what one of them
-cannot get delays no other. What the cluster has no room for stays requested: Ray's
-autoscaler sees it. A caller waits for a while, then is refused; what is then placed
-serves the next one. Which simulators are free is known to the pool.
+Each set of resources that benchmarks declare has a queue of its own, so that one which
+cannot be met delays no other. A request that the cluster has no room for stays open,
+because Ray's autoscaler reads it. A caller waits for a while, then is refused; the
+simulator that is placed afterwards serves the next caller. The pool knows which
+simulators are free.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ from reference_sim.process.simulator_process import (
 from reference_sim.ray_resources import format_resources
 
 PLACE_IN_FULL_CLUSTER_S = 1.0
-# Of a caller, while the cluster has room and starts slowly. Clients wait for 30 s.
+# How long a caller waits while the cluster has room and starts slowly. It is less than
+# the 30 s that clients wait for an answer.
 START_S_MAX = 25.0
 REQUEST_S = 120.0  # how long a request outlives the last caller that waited for it
 START_TRIES, START_AGAIN_S = 4, 1.0
@@ -121,10 +123,10 @@ class PlacementQueue:
         return mine.result()
 
     async def _note_full(self) -> bool:
-        """Whether there is room all the same: then what was requested is started.
+        """Whether there is room all the same: then the requested simulator is starting.
 
-        What it takes is in use from then on, though it is ready only seconds later: so
-        a cluster that has more than that is slow, and not full.
+        Its resources are in use from then on, though it is ready only seconds later. So
+        a cluster that has more resources free is slow, and not full.
         """
         if self.is_full and not self.lacking:
             return False  # some machine has what it takes, as was found before
@@ -142,14 +144,14 @@ class PlacementQueue:
         return f"the Ray cluster has no room now for another simulator with {needed}"
 
     def _withdraw(self, mine: asyncio.Future[SimulatorProcess]) -> None:
-        """What this caller got in the last moment is for the next one."""
+        """Give a simulator that this caller got in the last moment to the next one."""
         if mine in self._waiting:
             self._waiting.remove(mine)
         elif mine.exception() is None:
             self.hand_out(mine.result())
 
     def hand_out(self, process: SimulatorProcess) -> None:
-        """To the caller that has waited longest; to `keep` if there is none."""
+        """Give it to the caller that has waited longest; without one, to `keep`."""
         while self._waiting:
             first = self._waiting.popleft()
             if not first.done():

@@ -1,8 +1,8 @@
 """A pool of simulators on a Ray cluster, with the interface of the local one.
 
 A simulator is placed by the resources that its benchmark declares, and serves only
-benchmarks that declare the same; placement_queue.py has those who wait. What is idle is
-soon given back, because others may use the cluster, too.
+benchmarks that declare the same; placement_queue.py has those who wait. Idle
+simulators are soon given back, because others may use the cluster, too.
 """
 
 from __future__ import annotations
@@ -41,13 +41,13 @@ async def check_cluster(
 
     Every machine that could hold any was looked at. Raises CannotUseRay.
     """
-    found = Connect(address, make_check(recordings), list(simulators))
-    launcher = LauncherClient(found)
+    connect = Connect(address, make_check(recordings), list(simulators))
+    launcher = LauncherClient(connect)
     try:
         return await launcher.open()
     finally:
         await launcher.close()
-        remove_marker(found.machine)
+        remove_marker(connect.machine)
 
 
 class RayPool(SimulatorPool):
@@ -149,7 +149,11 @@ class RayPool(SimulatorPool):
 
     def _is_at_limit(self, queue: PlacementQueue) -> bool:
         """Who waits for other resources may never get them, and takes no place here."""
-        elsewhere = sum(one.waiting for one in self._queues if one is not queue)
+        elsewhere = sum(
+            other_queue.waiting
+            for other_queue in self._queues
+            if other_queue is not queue
+        )
         return self.busy - elsewhere >= self.size_max
 
     @property
@@ -160,7 +164,10 @@ class RayPool(SimulatorPool):
         """Raises ResourceShortage if the cluster has no room for too long."""
         queue = self._queue_for(world)
         process = await queue.wait()
-        if self.busy - sum(one.waiting for one in self._queues) > self.size_max:
+        if (
+            self.busy - sum(other_queue.waiting for other_queue in self._queues)
+            > self.size_max
+        ):
             # Others were lent meanwhile, with other resources.
             queue.hand_out(process)
             raise ResourceShortage(self._limit_text)
@@ -170,7 +177,7 @@ class RayPool(SimulatorPool):
         return self._idle_of(self._queue_for(world))
 
     def _idle_of(self, queue: PlacementQueue) -> list[SimulatorProcess]:
-        return [one for one in self._idle if self._placed_by[one] is queue]
+        return [process for process in self._idle if self._placed_by[process] is queue]
 
     def _take_back(self, process: SimulatorProcess) -> None:
         super()._take_back(process)
@@ -224,7 +231,7 @@ class RayPool(SimulatorPool):
     def _missing_spares(self, queue: PlacementQueue) -> int:
         if queue is not self._queues[0]:
             return 0
-        spares = sum(one.world is None for one in self._idle_of(queue))
+        spares = sum(process.world is None for process in self._idle_of(queue))
         return max(0, self._spares - spares)
 
     def _fill_spares(self) -> None:
@@ -244,7 +251,11 @@ class RayPool(SimulatorPool):
         idle, idle_s = self._idle_of(queue), self._idle_s
         if queue is self._queues[0]:
             idle = idle[: max(0, len(idle) - self._spares)]
-        if any(one.needs_room for one in self._queues if one is not queue):
+        if any(
+            other_queue.needs_room
+            for other_queue in self._queues
+            if other_queue is not queue
+        ):
             idle_s = min(idle_s, IDLE_WHILE_NEEDED_S)
         for process in idle:
             if now - self._idle_since.get(process, now) > idle_s:
