@@ -18,4 +18,4 @@ _UNPRINTABLE = re.compile(
 
 def printable(text: str) -> str:
     """The text with an escape, such as \\x1b, for each character that acts."""
-    return _UNPRINTABLE.sub(lambda found: ascii(found[0])[1:-1], text)
+    return _UNPRINTABLE.sub(lambda match: ascii(match[0])[1:-1], text)

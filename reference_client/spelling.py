@@ -6,7 +6,7 @@ import difflib
 from collections.abc import Iterable
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> str:
+def did_you_mean(word: str, words: Iterable[str]) -> str:
     """`; did you mean NAME?` if a known name is close, else nothing."""
-    close = difflib.get_close_matches(word, [*known], n=1)
+    close = difflib.get_close_matches(word, [*words], n=1)
     return f"; did you mean {close[0]}?" if close else ""

@@ -77,7 +77,7 @@ class ActionLayout:
 
     def clipped_names(self, values: Mapping[str, Sequence[float]]) -> dict[str, int]:
         """Name → how many of its numbers are outside the declared range."""
-        found = {}
+        counts = {}
         for vector in self.vectors:
             if vector.low is None or vector.high is None:
                 continue
@@ -88,8 +88,8 @@ class ActionLayout:
                 )
             )
             if count:
-                found[vector.name] = count
-        return found
+                counts[vector.name] = count
+        return counts
 
     def range_of(self, name: str) -> str:
         """`[-2.9, 2.9] rad`, the widest range of the vector's numbers."""

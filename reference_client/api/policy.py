@@ -57,7 +57,10 @@ def chunk_of(actions: Actions, layout: ActionLayout | None = None) -> list[WireA
     if not given:
         what = "is empty; a chunk holds at least one action"
         raise _invalid_action("/actions", what, layout)
-    return [_action(f"/actions/{i}/values", one, layout) for i, one in enumerate(given)]
+    return [
+        _action(f"/actions/{i}/values", action, layout)
+        for i, action in enumerate(given)
+    ]
 
 
 def check_length(
@@ -83,8 +86,8 @@ def _is_row(given: Any) -> bool:
     return (
         isinstance(given, list | tuple)
         and len(given) > 0
-        and not any(isinstance(one, _NOT_NUMBERS) for one in given)
-        and all(np.ndim(one) == 0 for one in given)
+        and not any(isinstance(number, _NOT_NUMBERS) for number in given)
+        and all(np.ndim(number) == 0 for number in given)
     )
 
 

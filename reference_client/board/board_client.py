@@ -56,12 +56,14 @@ class BoardClient:
 
     def manifests(self, benchmark_id: str) -> Counter[str]:
         """manifest_sha256 → public entries, of the newest entries of a benchmark."""
-        found = self._call(
+        page = self._call(
             lambda: self._control.list_entries(
                 benchmark_id=benchmark_id, limit=PAGE, _request_timeout=TIMEOUTS_S
             )
         )
-        return Counter(one.manifest_sha256 for one in found.entries if one.is_public)
+        return Counter(
+            entry.manifest_sha256 for entry in page.entries if entry.is_public
+        )
 
     def entries(self) -> Iterator[BoardEntry]:
         """Entries that the account sees, the newest first."""
@@ -87,4 +89,4 @@ class BoardClient:
                 str(old_size), str(new_size), _request_timeout=TIMEOUTS_S
             )
         )
-        return [bytes.fromhex(one) for one in proof.hashes]
+        return [bytes.fromhex(digest) for digest in proof.hashes]

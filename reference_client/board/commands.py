@@ -142,9 +142,9 @@ def _description(args: argparse.Namespace) -> PublishEntry:
 
 def _entry_facts(entry: BoardEntry) -> TextTable:
     state = entry.state if entry.state != "published" else None
-    seen = "every reader of the leaderboard" if entry.is_public else "this account"
+    readers = "every reader of the leaderboard" if entry.is_public else "this account"
     if state is not None and entry.is_public:  # a private one has no leaves
-        seen = "readers of the history"
+        readers = "readers of the history"
     return fact_table(
         {
             "entry": entry.entry_id,
@@ -153,7 +153,7 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "benchmark": entry.benchmark_id,
             "manifest": entry.manifest_sha256,
             "score": f"{entry.score.score:.4f}",
-            "seen by": seen,
+            "seen by": readers,
             "attempts": f"{entry.attempts}, of {entry.submitter} on this benchmark",
         }
     )
@@ -220,7 +220,9 @@ def _notes(ranking: Ranking) -> str:
             + (f";\n{enough} that all favour one are enough." if enough else ".")
         )
     flags = [row.entry for row in ranking.rows if row.entry.flag]
-    lines += [f"{one.model_name}: {one.flag.reason}" for one in flags if one.flag]
+    lines += [
+        f"{entry.model_name}: {entry.flag.reason}" for entry in flags if entry.flag
+    ]
     return "\n".join(lines)
 
 
@@ -232,7 +234,7 @@ def csv_of(ranking: Ranking) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     groups = list(_group_rates(ranking.rows))
-    columns = dict.fromkeys(name for one in groups for name in one)
+    columns = dict.fromkeys(name for rates in groups for name in rates)
     writer.writerow([*CSV_COLUMNS, *map(_plain, columns)])
     for row, rates in zip(ranking.rows, groups, strict=True):
         entry, interval = row.entry, row.entry.score.success_interval
@@ -254,9 +256,9 @@ def _group_rates(rows: Iterable[RankedEntry]) -> Iterator[dict[str, float | None
         score = row.entry.score
         groups = (("task", score.by_task), ("split", score.by_split))
         yield {
-            f"success_rate {kind} {name}": one.success_rate
+            f"success_rate {kind} {name}": group.success_rate
             for kind, some in groups
-            for name, one in (some or {}).items()
+            for name, group in (some or {}).items()
         }
 
 
@@ -276,27 +278,28 @@ def _verify(
     with usable(path):
         kept = history_check.load_kept(path)
     try:
-        found, entries, public_key = _check(client, keys, kept)
+        checkpoint, entries, public_key = _check(client, keys, kept)
     except RewrittenHistory as error:
         printer.say(f"proctor: do not trust this leaderboard: {error} ({path})")
         if printer.as_json:
             printer.answer({"is_whole": False, "detail": str(error)})
         return REWRITTEN
     with usable(path):
-        history_check.keep(path, found, public_key)
+        history_check.keep(path, checkpoint, public_key)
     before = 0 if kept is None else kept.tree_size
     is_rotated = history_check.has_another_key(kept, public_key)
     value = {
         "is_whole": True,
-        "origin": found.origin,
-        "tree_size": found.tree_size,
-        "root_sha256": found.root.hex(),
+        "origin": checkpoint.origin,
+        "tree_size": checkpoint.tree_size,
+        "root_sha256": checkpoint.root.hex(),
         "entries": entries,
         "seen_before": before,
         "key_changed": is_rotated,
     }
     facts = {
-        "history": f"whole: {found.tree_size} leaves, signed by {found.origin}",
+        "history": f"whole: {checkpoint.tree_size} leaves, "
+        f"signed by {checkpoint.origin}",
         "entries": f"{entries} public ones, each as the history has it",
         "seen before": "nothing; from now on every change shows"
         if kept is None
@@ -304,7 +307,7 @@ def _verify(
         "key": "another one than before, which the host has retired and still publishes"
         if is_rotated
         else None,
-        "root": found.root.hex(),
+        "root": checkpoint.root.hex(),
         "kept in": str(path),
     }
     printer.answer(value, fact_table(facts))
@@ -328,25 +331,25 @@ def _check(
         if signed.keyid not in keys:
             raise RewrittenHistory("its key is none that the host publishes")
         public_key = base64.b64decode(keys[signed.keyid].public_key)
-        found = history_check.read_signed(signed.note, public_key, kept, retired)
+        checkpoint = history_check.read_signed(signed.note, public_key, kept, retired)
         if kept is not None and kept.tree_size:
-            _compare(client, kept, found)
+            _compare(client, kept, checkpoint)
         leaves = [one.leaf for one in client.leaves()]
-        history_check.check_leaves(found, leaves)
-        recorded = history_check.entries_of(leaves[: found.tree_size])
+        history_check.check_leaves(checkpoint, leaves)
+        recorded = history_check.entries_of(leaves[: checkpoint.tree_size])
         differing = history_check.differences(recorded, shown)
         if not differing:
-            return found, len(shown), public_key
+            return checkpoint, len(shown), public_key
     raise RewrittenHistory("; ".join(differing[:3]))
 
 
 def _compare(
-    client: BoardClient, kept: history_check.KeptCheckpoint, found: Checkpoint
+    client: BoardClient, kept: history_check.KeptCheckpoint, checkpoint: Checkpoint
 ) -> None:
     try:
-        proof = client.consistency(kept.tree_size, found.tree_size)
+        proof = client.consistency(kept.tree_size, checkpoint.tree_size)
     except ProctorError as error:
         if error.code != "invalid_request":
             raise
         raise RewrittenHistory("it gives no proof that it only grew") from error
-    history_check.check_consistency(kept, found, proof)
+    history_check.check_consistency(kept, checkpoint, proof)

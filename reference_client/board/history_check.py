@@ -57,11 +57,11 @@ def load_kept(path: Path) -> KeptCheckpoint | None:
         raise ValueError(f"{path} holds no checkpoint") from error
 
 
-def keep(path: Path, found: Checkpoint, public_key: bytes) -> None:
+def keep(path: Path, signed: Checkpoint, public_key: bytes) -> None:
     """Keep it instead of the one before; the file is whole before it has its name."""
     path.parent.mkdir(parents=True, exist_ok=True)
     key = base64.b64encode(public_key).decode()
-    kept = KeptCheckpoint(found.origin, found.tree_size, found.root.hex(), key)
+    kept = KeptCheckpoint(signed.origin, signed.tree_size, signed.root.hex(), key)
     draft = path.with_name(f"{path.name}.{os.getpid()}")
     draft.write_text(json.dumps(asdict(kept), indent=2) + "\n")
     draft.replace(path)
@@ -89,15 +89,15 @@ def read_signed(
             "remove the file that keeps the old one"
         )
     try:
-        found = checkpoint.read(note, public_key)
+        signed = checkpoint.read(note, public_key)
     except InvalidCheckpoint as error:
         raise RewrittenHistory(f"its checkpoint is not right: {error}") from error
-    if kept is not None and found.tree_size < kept.tree_size:
+    if kept is not None and signed.tree_size < kept.tree_size:
         raise RewrittenHistory(
-            f"it had {kept.tree_size} leaves and has {found.tree_size}: some were "
+            f"it had {kept.tree_size} leaves and has {signed.tree_size}: some were "
             "taken out"
         )
-    return found
+    return signed
 
 
 def has_another_key(
@@ -108,26 +108,26 @@ def has_another_key(
 
 
 def check_consistency(
-    kept: KeptCheckpoint, found: Checkpoint, proof: Sequence[bytes]
+    kept: KeptCheckpoint, signed: Checkpoint, proof: Sequence[bytes]
 ) -> None:
     """Raises RewrittenHistory unless what was kept is the beginning of it."""
     old = bytes.fromhex(kept.root_sha256)
-    if not is_consistent(kept.tree_size, old, found.tree_size, found.root, proof):
+    if not is_consistent(kept.tree_size, old, signed.tree_size, signed.root, proof):
         raise RewrittenHistory(
             f"the first {kept.tree_size} leaves are not those that were kept: some "
             "were changed or taken out"
         )
 
 
-def check_leaves(found: Checkpoint, leaves: Sequence[str]) -> None:
+def check_leaves(signed: Checkpoint, leaves: Sequence[str]) -> None:
     """Raises RewrittenHistory unless these leaves are what was signed."""
-    covered = leaves[: found.tree_size]
-    if len(covered) < found.tree_size:
+    covered = leaves[: signed.tree_size]
+    if len(covered) < signed.tree_size:
         raise RewrittenHistory(
-            f"{found.tree_size} leaves were signed, and {len(covered)} are shown"
+            f"{signed.tree_size} leaves were signed, and {len(covered)} are shown"
         )
     tree = MerkleTree(leaf_hash(leaf.encode()) for leaf in covered)
-    if tree.root() != found.root:
+    if tree.root() != signed.root:
         raise RewrittenHistory("the leaves that are shown are not those that it signed")
 
 
@@ -137,34 +137,37 @@ def entries_of(leaves: Iterable[str]) -> dict[str, dict[str, Any]]:
     A flag stays while an entry is private: hiding does not get rid of it. Leaves of a
     kind that this version does not know change nothing.
     """
-    found: dict[str, dict[str, Any]] = {}
+    entries: dict[str, dict[str, Any]] = {}
     flags: dict[str, str] = {}
     for text in leaves:
         leaf = json.loads(text)
         entry_id, kind = leaf["entry_id"], leaf["kind"]
         if kind == "publish":
-            found[entry_id] = leaf
-        elif kind == "change" and entry_id in found:
-            found[entry_id]["description"] = leaf["description"]
+            entries[entry_id] = leaf
+        elif kind == "change" and entry_id in entries:
+            entries[entry_id]["description"] = leaf["description"]
         elif kind in ("hide", "withdraw"):
-            found.pop(entry_id, None)
+            entries.pop(entry_id, None)
         elif kind == "flag":
             flags[entry_id] = leaf["reason"]
         elif kind == "unflag":
             flags.pop(entry_id, None)
-    return {one: {**leaf, "flag": flags.get(one)} for one, leaf in found.items()}
+    return {
+        entry_id: {**leaf, "flag": flags.get(entry_id)}
+        for entry_id, leaf in entries.items()
+    }
 
 
 def differences(
     recorded: Mapping[str, Mapping[str, Any]], shown: Iterable[Mapping[str, Any]]
 ) -> list[str]:
     """How the public entries that a server shows differ from those of its history."""
-    found = []
+    sentences = []
     left = dict(recorded)
     for entry in shown:
         leaf = left.pop(entry["entry_id"], None)
         if leaf is None:
-            found.append(f"{entry['entry_id']} is shown, and not in the history")
+            sentences.append(f"{entry['entry_id']} is shown, and not in the history")
             continue
         wrong = [
             *(m for m in DESCRIPTION if entry.get(m) != leaf["description"].get(m)),
@@ -173,9 +176,9 @@ def differences(
             *(() if _reason(entry) == leaf["flag"] else ("flag",)),
         ]
         if wrong:
-            found.append(f"{entry['entry_id']}: {', '.join(wrong)} not as recorded")
-    found += [f"{entry_id} is in the history, and not shown" for entry_id in left]
-    return found
+            sentences.append(f"{entry['entry_id']}: {', '.join(wrong)} not as recorded")
+    sentences += [f"{entry_id} is in the history, and not shown" for entry_id in left]
+    return sentences
 
 
 def _reason(entry: Mapping[str, Any]) -> str | None:

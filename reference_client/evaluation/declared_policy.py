@@ -58,8 +58,10 @@ def declare_player(
     if name is None:
         others = _programs(run, control_client) - {policy.program}
         name = policy.program if others else run.policy.name
-    known = run.policy.version if name == run.policy.name else None
-    player = Player(name=name, version=policy.version or known, client=policy.client)
+    run_version = run.policy.version if name == run.policy.name else None
+    player = Player(
+        name=name, version=policy.version or run_version, client=policy.client
+    )
     _check_player(run, player)
     return player
 

@@ -72,20 +72,22 @@ def _observation(benchmark: dict[str, Any]) -> Observation:
     size = (benchmark["image_sizes"] or [_ANY_SIZE])[0]
     shape = (size["height"], size["width"])
     return Observation(
-        state=Named("state", {n: _vector(one) for n, one in space["state"].items()}),
+        state=Named(
+            "state", {n: _vector(declared) for n, declared in space["state"].items()}
+        ),
         images=Named(
             "images",
             {
-                name: np.full((*shape, one["channels"]), _GREY, np.uint8)
-                for name, one in space["images"].items()
+                name: np.full((*shape, declared["channels"]), _GREY, np.uint8)
+                for name, declared in space["images"].items()
             },
         ),
         tensors=Named(
             "tensors",
             {
-                name: np.zeros(one["shape"], one["dtype"])
-                for name, one in space["tensors"].items()
-                if one["dtype"] in DTYPES
+                name: np.zeros(declared["shape"], declared["dtype"])
+                for name, declared in space["tensors"].items()
+                if declared["dtype"] in DTYPES
             },
         ),
         instruction=benchmark["title"],

@@ -125,12 +125,12 @@ class EvaluationPlan:
                 f"run {self.run_id} is of benchmark {run.benchmark_id!r}, "
                 f"not {self.benchmark!r}"
             )
-        known = _benchmark_of(control_client, run)
-        if self.check_benchmark is not None and known is not None:
-            self.check_benchmark(known)
+        of_run = _benchmark_of(control_client, run)
+        if self.check_benchmark is not None and of_run is not None:
+            self.check_benchmark(of_run)
         prepare()
         resumed = control_client.resume_if_needed(self.run_id)
-        return resumed, None if known is None else _as_json(known), player
+        return resumed, None if of_run is None else _as_json(of_run), player
 
     def max_attempts(self, benchmark: dict[str, Any] | None) -> int | None:
         """The attempts that an episode may have; None where they cannot be known."""
@@ -243,10 +243,10 @@ def parse_strictly(
         made = model.from_dict(given)
     except ValidationError as error:
         raise ValueError(f"{name}: {_fault_texts(error)}") from error
-    known = [one.alias or own for own, one in model.model_fields.items()]
+    names = [one.alias or own for own, one in model.model_fields.items()]
     for member in given:
-        if member not in known:
-            meant = did_you_mean(member, known)
+        if member not in names:
+            meant = did_you_mean(member, names)
             raise ValueError(f"{name} has no member {member!r:.60}{meant}")
     if made.to_dict() != given:
         raise ValueError(

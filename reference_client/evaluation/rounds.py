@@ -93,8 +93,8 @@ class EvaluationRounds:
     def _has_work(self, *, held: bool) -> bool:
         """Waits as `wait_for_work`; False also when the wanted episodes are scored."""
         if self.episodes is not None:
-            found = self.control_client.episodes(self.run.run_id, self.episodes)
-            if all(episode.status.value == "scored" for episode in found):
+            episodes = self.control_client.episodes(self.run.run_id, self.episodes)
+            if all(episode.status.value == "scored" for episode in episodes):
                 return False
             if not self._is_first_round:
                 # The rest is in play elsewhere, or is requeued by a session that ends.
@@ -161,8 +161,8 @@ class EvaluationRounds:
     def _fail(self, error: BaseException) -> None:
         self._failures.append(error)
         self.stop.set()
-        for other in self.run_workers:
-            other.request_stop()
+        for run_worker in self.run_workers:
+            run_worker.request_stop()
 
     def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
         """After this no worker uses a session, even if its thread still runs."""

@@ -129,10 +129,10 @@ class LerobotConfig:
         """No source is chosen twice: one of the two would be wrong."""
         chosen: dict[tuple[str, ...], str] = {}
         for key, entry in entries.items():
-            other = chosen.setdefault(entry.source, key)
-            if other != key and key not in given:
+            first_key = chosen.setdefault(entry.source, key)
+            if first_key != key and key not in given:
                 raise BadMapping(
-                    f"the policy's {other} and {key} would both be "
+                    f"the policy's {first_key} and {key} would both be "
                     f"{' + '.join(entry.source)}; {_ENTRY}"
                 )
 
@@ -243,10 +243,10 @@ def _taken(take: Any, size: int) -> int:
     return len(take)
 
 
-def _refuse_unknown(name: str, given: Iterable[str], known: list[str]) -> None:
-    unknown = sorted(set(given) - set(known))
+def _refuse_unknown(name: str, given: Iterable[str], inputs: list[str]) -> None:
+    unknown = sorted(set(given) - set(inputs))
     if unknown:
         raise BadMapping(
             f"{name}: the policy does not read {', '.join(unknown)}; it reads "
-            f"{', '.join(known)}"
+            f"{', '.join(inputs)}"
         )

@@ -191,7 +191,7 @@ class PolicyMapping:
     def check(self, benchmark: Benchmark) -> None:
         """Raises BadMapping if the mapping does not fit the benchmark."""
         space = benchmark.observation_space
-        known = {
+        sources = {
             f"{group}.{name}" for group in _GROUPS for name in getattr(space, group)
         }
         wanted = [
@@ -206,10 +206,10 @@ class PolicyMapping:
             if vector.relative_to is not None
         ]
         for entry, source in wanted:
-            if source not in known:
+            if source not in sources:
                 raise BadMapping(
                     f"{self.name}: {entry} is from {source}; {benchmark.benchmark_id} "
-                    f"has {_listed(known)}"
+                    f"has {_listed(sources)}"
                 )
         if set(self.vectors) != set(benchmark.action_space):
             raise BadMapping(
@@ -251,14 +251,14 @@ class PolicyMapping:
 
     def _rows(self, answer: Any, source: str | None) -> Array:
         """(actions, numbers) at `source` of the answer."""
-        found = answer
+        values = answer
         if source is not None:
             # Some policies return a list of actions instead of an action of lists.
             many = isinstance(answer, list)
-            found = [self._at(one, source) for one in (answer if many else [answer])]
-            found = found if many else found[0]
+            values = [self._at(part, source) for part in (answer if many else [answer])]
+            values = values if many else values[0]
         try:
-            rows = np.asarray(found, dtype=np.float64)
+            rows = np.asarray(values, dtype=np.float64)
         except (TypeError, ValueError) as error:
             raise InvalidPolicyAnswer(f"{self.name}: {source}: {error}") from error
         if rows.ndim > self.leading:
@@ -268,7 +268,7 @@ class PolicyMapping:
             rows = rows[np.newaxis]
         if rows.ndim != 2:
             raise InvalidPolicyAnswer(
-                f"{self.name}: {source or 'the answer'} has shape {np.shape(found)}; "
+                f"{self.name}: {source or 'the answer'} has shape {np.shape(values)}; "
                 "a chunk is (actions, numbers)"
             )
         return rows

@@ -127,19 +127,19 @@ def _load_named(reference: str) -> Any:
         example = _example_in(Path(reference)) or "my_module:MyPolicy"
         raise BadPolicy(f"--policy takes a name like {example}, not {reference!r}")
     module = _module(place)
-    found: Any = module
+    named: Any = module
     for part in name.split("."):
-        if not hasattr(found, part):
-            raise BadPolicy(f"{place} has no {name}{did_you_mean(part, _named(found))}")
-        found = getattr(found, part)
-    if not callable(found):
-        raise BadPolicy(f"{reference} is not callable: {found!r:.60}")
-    return found
+        if not hasattr(named, part):
+            raise BadPolicy(f"{place} has no {name}{did_you_mean(part, _named(named))}")
+        named = getattr(named, part)
+    if not callable(named):
+        raise BadPolicy(f"{reference} is not callable: {named!r:.60}")
+    return named
 
 
-def _named(found: Any) -> list[str]:
+def _named(owner: Any) -> list[str]:
     """The names that may be meant: not those that begin with an underscore."""
-    return [name for name in dir(found) if not name.startswith("_")]
+    return [name for name in dir(owner) if not name.startswith("_")]
 
 
 def _module(place: str) -> ModuleType:

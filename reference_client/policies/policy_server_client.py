@@ -56,8 +56,8 @@ class PolicyServerClient:
         return name if isinstance(name, str) and name else None
 
     def _describe(self, retry_timeout_s: float) -> dict[str, Any]:
-        found: dict[str, Any] = self.call("GET", "", None, retry_timeout_s)
-        return found
+        description: dict[str, Any] = self.call("GET", "", None, retry_timeout_s)
+        return description
 
     def __call__(self) -> PolicySession:
         if self._benchmark is None:

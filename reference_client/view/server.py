@@ -77,7 +77,9 @@ class View:
             if (report := latest.describe()) is not None:
                 reports[name] = report
         for report in reports.values():
-            self._results |= {one["episode_id"]: one for one in report["results"]}
+            self._results |= {
+                result["episode_id"]: result for result in report["results"]
+            }
         progress = self.progress
         return {
             "title": self.title,

@@ -582,8 +582,8 @@ def _indices(text: str) -> list[int]:
 
 
 def _size(text: str) -> tuple[int, int]:
-    found = re.fullmatch(r"(\d{2,4})x(\d{2,4})", text)
-    width, height = map(int, found.groups()) if found else (0, 0)
+    match = re.fullmatch(r"(\d{2,4})x(\d{2,4})", text)
+    width, height = map(int, match.groups()) if match else (0, 0)
     if not (min(width, height) >= SIDE_MIN and max(width, height) <= SIDE_MAX):
         raise argparse.ArgumentTypeError(
             f"{text}: expected WIDTHxHEIGHT, for example 640x480, "
@@ -607,10 +607,10 @@ def _json(text: str) -> dict[str, Any]:
 
 
 def _images(text: str) -> dict[str, Any]:
-    found = re.fullmatch(r"([a-z]+):(\d{1,4})x(\d{1,4})", text)
-    if found is None:
+    match = re.fullmatch(r"([a-z]+):(\d{1,4})x(\d{1,4})", text)
+    if match is None:
         raise argparse.ArgumentTypeError(
             f"{text}: expected CODEC:WIDTHxHEIGHT, for example jpeg:224x224"
         )
-    codec, width, height = found.groups()
+    codec, width, height = match.groups()
     return {"codec": codec, "width": int(width), "height": int(height)}

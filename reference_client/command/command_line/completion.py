@@ -69,17 +69,19 @@ def complete_benchmarks(
     *, parsed_args: argparse.Namespace, action: argparse.Action, **_: Any
 ) -> dict[str, str]:
     """The benchmarks of the server: id → title; and `verify`, where that may stand."""
-    found = _read(parsed_args, "/v1/benchmarks").get("benchmarks", [])
-    words = _words((one["benchmark_id"], one["title"]) for one in found)
+    benchmarks = _read(parsed_args, "/v1/benchmarks").get("benchmarks", [])
+    words = _words(
+        (benchmark["benchmark_id"], benchmark["title"]) for benchmark in benchmarks
+    )
     is_board = "verify" in str(action.metavar)
     return words | ({"verify": "check the history"} if is_board else {})
 
 
-def _words(found: Iterable[tuple[str, str]]) -> dict[str, str]:
+def _words(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
     """Id → one printable line. A server's texts must not break the command line."""
     return {
         word: " ".join(printable(text).split())
-        for word, text in found
+        for word, text in pairs
         if _ID.fullmatch(word)
     }
 
@@ -91,14 +93,14 @@ def _read(args: argparse.Namespace, path: str) -> Any:
     limits of a socket begin again with each byte: only a thread that is left behind
     bounds the whole, name resolution included.
     """
-    found: dict[str, Any] = {}
-    reader = threading.Thread(target=_receive, args=(args, path, found), daemon=True)
+    answer: dict[str, Any] = {}
+    reader = threading.Thread(target=_receive, args=(args, path, answer), daemon=True)
     reader.start()
     reader.join(TIMEOUT_S)
-    return dict(found)
+    return dict(answer)
 
 
-def _receive(args: argparse.Namespace, path: str, found: dict[str, Any]) -> None:
+def _receive(args: argparse.Namespace, path: str, members: dict[str, Any]) -> None:
     with contextlib.suppress(Exception):
         resolve_server(args)
         parts = urlsplit(args.url)
@@ -113,7 +115,7 @@ def _receive(args: argparse.Namespace, path: str, found: dict[str, Any]) -> None
                 f"GET {target} HTTP/1.1\r\n{head}\r\n".encode("ascii")
             )
         if answer.status == 200:
-            found.update(json.loads(bytes(answer.body)))
+            members.update(json.loads(bytes(answer.body)))
 
 
 def _buffer(size: int) -> memoryview:

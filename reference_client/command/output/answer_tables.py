@@ -330,8 +330,13 @@ def _of_attempt(result: EpisodeResult | None) -> tuple[str, str, str]:
 
 def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> TextTable:
     table = TextTable(("benchmark", "version", ">episodes", "title"))
-    for one in benchmarks:
-        table.add(one.benchmark_id, one.version, str(one.episodes_total), one.title)
+    for benchmark in benchmarks:
+        table.add(
+            benchmark.benchmark_id,
+            benchmark.version,
+            str(benchmark.episodes_total),
+            benchmark.title,
+        )
     return table
 
 

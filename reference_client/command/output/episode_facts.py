@@ -28,8 +28,10 @@ def compare_while_played(
     baseline: Sequence[Episode], run: Sequence[Episode]
 ) -> SequentialComparison:
     """Both of one manifest, in its order."""
-    sides = ([_succeeded(one) for one in episodes] for episodes in (baseline, run))
-    groups = [(f"split {one.split}", f"task {one.task}") for one in run]
+    sides = (
+        [_succeeded(episode) for episode in episodes] for episodes in (baseline, run)
+    )
+    groups = [(f"split {episode.split}", f"task {episode.task}") for episode in run]
     return compare_sequentially(zip(*sides, strict=True), groups)
 
 

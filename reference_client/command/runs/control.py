@@ -108,14 +108,14 @@ def _list_runs(
         and args.name in (None, run.policy.name)
     )
     first = (args.page - 1) * args.limit
-    found = list(itertools.islice(matching, first, first + args.limit + 1))
-    runs = found[: args.limit]
+    fetched = list(itertools.islice(matching, first, first + args.limit + 1))
+    runs = fetched[: args.limit]
     scores = {
         run.run_id: control_client.score(run.run_id)
         for run in runs
         if run.progress.episodes_scored
     }
-    more = f"More: --page {args.page + 1}" if len(found) > args.limit else None
+    more = f"More: --page {args.page + 1}" if len(fetched) > args.limit else None
     value = [_with_score(run, scores.get(run.run_id)) for run in runs]
     printer.answer(value, *answer_tables.run_list(runs, scores, more))
     return DONE
@@ -194,24 +194,28 @@ def compare(args: argparse.Namespace, printer: Printer) -> int:
     for run_id in (args.baseline, *args.runs):
         check_run_id(run_id)
     with open_control_client(args, printer) as control_client:
-        found = control_client.compare(args.baseline, args.runs, args.tolerance)
-        run_ids = {found.baseline, *(run.run_id for run in found.runs)}
+        comparison = control_client.compare(args.baseline, args.runs, args.tolerance)
+        run_ids = {comparison.baseline, *(run.run_id for run in comparison.runs)}
         episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
-        earlier = {one: control_client.read(one).runs_played_before for one in run_ids}
+        earlier = {
+            run_id: control_client.read(run_id).runs_played_before for run_id in run_ids
+        }
     names = {run_id: played_by(of_run) for run_id, of_run in episodes.items()}
     watched = {
-        run.run_id: compare_while_played(episodes[found.baseline], episodes[run.run_id])
-        for run in found.runs
+        run.run_id: compare_while_played(
+            episodes[comparison.baseline], episodes[run.run_id]
+        )
+        for run in comparison.runs
     }
     evidence = {
-        run.run_id: evidence_of(episodes[found.baseline], episodes[run.run_id])
-        for run in found.runs
+        run.run_id: evidence_of(episodes[comparison.baseline], episodes[run.run_id])
+        for run in comparison.runs
     }
     tables = [
         table
-        for run in found.runs
+        for run in comparison.runs
         for table in answer_tables.comparison_tables(
-            found,
+            comparison,
             run,
             names,
             watched[run.run_id],
@@ -220,24 +224,26 @@ def compare(args: argparse.Namespace, printer: Printer) -> int:
         )
     ]
     more = {
-        "players": {one: players_of(of_run) for one, of_run in episodes.items()},
+        "players": {run_id: players_of(played) for run_id, played in episodes.items()},
         "runs_played_before": earlier,
-        "sequential": {one: asdict(seen) for one, seen in watched.items()},
-        "evidence": {one: asdict(found) for one, found in evidence.items()},
+        "sequential": {run_id: asdict(decided) for run_id, decided in watched.items()},
+        "evidence": {run_id: asdict(shown) for run_id, shown in evidence.items()},
     }
-    printer.answer(found.to_dict() | more, *tables)
-    return DONE if all(run.release for run in found.runs) else NOT_RELEASED
+    printer.answer(comparison.to_dict() | more, *tables)
+    return DONE if all(run.release for run in comparison.runs) else NOT_RELEASED
 
 
 def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         if args.benchmark is None:
-            found = control_client.benchmarks()
-            value = [one.to_dict() for one in found]
-            printer.answer(value, answer_tables.benchmark_list(found))
+            summaries = control_client.benchmarks()
+            value = [benchmark.to_dict() for benchmark in summaries]
+            printer.answer(value, answer_tables.benchmark_list(summaries))
         else:
-            one = control_client.benchmark(args.benchmark)
-            printer.answer(one.to_dict(), *answer_tables.benchmark_tables(one))
+            benchmark = control_client.benchmark(args.benchmark)
+            printer.answer(
+                benchmark.to_dict(), *answer_tables.benchmark_tables(benchmark)
+            )
     return DONE
 
 

@@ -136,7 +136,7 @@ def _repeat(
     value: dict[str, Any] = {}
     if scores:
         value["mean"], value["stdev"] = answer_tables.mean_and_spread(scores)
-        value["runs"] = [one.to_dict() for one in scores]
+        value["runs"] = [score.to_dict() for score in scores]
     printer.answer(
         value | ended, *(answer_tables.repeat_tables(scores) if scores else [])
     )
@@ -180,8 +180,8 @@ def _own_name() -> str:
     called = Path(sys.argv[0])
     if called.name != "proctor" or not called.exists():
         return "proctor"
-    found = shutil.which("proctor")
-    is_found = found is not None and called.samefile(found)
+    installed = shutil.which("proctor")
+    is_found = installed is not None and called.samefile(installed)
     return "proctor" if is_found else sys.argv[0]
 
 
@@ -355,9 +355,9 @@ class _EvaluationCommand:
             if latest is not None:
                 say(f"Run {run_id}: {scored_text(latest)}")
             left = [*self._board.left.values()]
-            value["waiting"] = [asdict(one) for one in left]
-            for one in left:
-                say(f"{describe_left(one, self._board.max_attempts)}.")
+            value["waiting"] = [asdict(episode) for episode in left]
+            for episode in left:
+                say(f"{describe_left(episode, self._board.max_attempts)}.")
             if left:
                 say(_ATTEMPTS)
             if can_resume:

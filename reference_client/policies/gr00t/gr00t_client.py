@@ -66,7 +66,7 @@ class Gr00tClient:
         answer = self._call("get_action", {"observation": observation, "options": None})
         match answer:
             case [dict() as actions, dict()]:
-                return {name: _unbatched(one) for name, one in actions.items()}
+                return {name: _unbatched(array) for name, array in actions.items()}
         raise self._failed("answered get_action without a pair of maps")
 
     def reset(self) -> None:
@@ -83,12 +83,12 @@ class Gr00tClient:
         read: set[str] = set()
         try:
             for group in GROUPS:
-                one = config[group]["as_json"]
-                read |= {f"{group}.{name}" for name in one["modality_keys"]}
-                if len(one["delta_indices"]) != 1:
+                modality = config[group]["as_json"]
+                read |= {f"{group}.{name}" for name in modality["modality_keys"]}
+                if len(modality["delta_indices"]) != 1:
                     raise BadPolicy(
-                        f"gr00t: the policy reads {len(one['delta_indices'])} time "
-                        f"steps of {group}; a mapping gives one"
+                        f"gr00t: the policy reads {len(modality['delta_indices'])} "
+                        f"time steps of {group}; a mapping gives one"
                     )
         except (KeyError, TypeError) as error:
             raise self._failed("described no video, state and language") from error
