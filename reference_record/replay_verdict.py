@@ -40,7 +40,7 @@ PROPERTIES: Final[Mapping[Result, list[str]]] = {
 
 
 class Verifier(Struct):
-    """id: a URI of the key. name: what the verifier calls itself."""
+    """id: a URI of the key. name: chosen by the verifier itself."""
 
     id: Text
     name: Text

@@ -131,7 +131,7 @@ def _not_compared(groups: Sequence[Iterable[str]], compared: int) -> tuple[str, 
 
 
 def _log_factor(same: int, n: int) -> float:
-    """By what one more of a kind multiplies E, after `same` of that kind among n."""
+    """The log of E's factor for one more of a kind, which `same` of n had before."""
     return math.log(2 * (same + 0.5) / (n + 1))
 
 

@@ -99,6 +99,6 @@ def check_count(names: list[str]) -> None:
 
 
 def printable_name(name: str) -> str:
-    """Any name of a file, safe to print."""
+    """The name of a file, which may have any characters, as it is safe to print."""
     cut = name[:NAME_BYTES_MAX]
     return "".join(c if c.isascii() and c.isprintable() else "?" for c in cut)

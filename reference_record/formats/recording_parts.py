@@ -106,9 +106,9 @@ class PartWriter:
         self._topics = dict(TOPIC_IDS)
 
     def write(self, topic: str, message: Message, at_ns: int | None = None) -> None:
-        """On return a reader finds the message, whatever happens to this process.
+        """Append a message, which survives the end of this process once this returns.
 
-        Raises OSError; nothing is left of a part whose first message cannot be written.
+        Raises OSError, and removes a part whose first message cannot be written.
         """
         at_ns = time.time_ns() if at_ns is None else at_ns
         channel, written = self._topics.get(topic), b""
@@ -125,7 +125,7 @@ class PartWriter:
         self._has_message = True
 
     def write_turn(self, turn: ExecutedTurn[msgspec.Raw]) -> None:
-        """As `write`, of a part that has a message."""
+        """Append a turn, as `write` does; the part has a message already."""
         data = _encode_turn(turn)
         self._write_all(
             checked_record(EXECUTED_TURN, _TURN_CHANNEL, time.time_ns(), data)
@@ -153,7 +153,7 @@ def append_part(folder: Path, topic: str, message: Message) -> None:
 
 
 def parts_of(folder: Path) -> list[Path]:
-    """In the order in which they were begun."""
+    """The parts in a folder, in the order in which they were begun."""
     try:
         paths = [path for path in folder.iterdir() if path.suffix == SUFFIX]
     except (FileNotFoundError, NotADirectoryError):
@@ -162,7 +162,7 @@ def parts_of(folder: Path) -> list[Path]:
 
 
 def remove_parts(folder: Path) -> None:
-    """With their folder; what cannot be removed now costs space, nothing else."""
+    """Remove the parts and their folder; a part that stays only costs space."""
     with suppress(OSError):
         for part in parts_of(folder):
             part.unlink()
@@ -175,7 +175,7 @@ def json_of(message: Turn | bytes) -> bytes:
 
 
 def read_part(path: Path) -> Iterator[PartMessage]:
-    """Ends where the part was cut. Raises OSError, msgspec.MsgspecError."""
+    """The messages up to where the part was cut. Raises OSError, MsgspecError."""
     topics = {channel: topic for topic, channel in TOPIC_IDS.items()}
     with path.open("rb", _READ_BYTES) as file:
         left = os.fstat(file.fileno()).st_size
@@ -219,7 +219,7 @@ def _turn_of(data: bytes, at_ns: int) -> Turn:
 
 
 def _rounded(milliseconds: float) -> float:
-    """To four decimals; `round` takes four times as long."""
+    """Round to four decimals; `round` takes four times as long."""
     return int(milliseconds * 1e4 + 0.5) / 1e4
 
 

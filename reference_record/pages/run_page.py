@@ -104,7 +104,7 @@ class RunFigures:
 
 
 def status_of(episode: Document) -> str:
-    """Its outcome, or what it waits for."""
+    """The outcome of the episode, or its status while it has none."""
     result = episode.get("result")
     return str(result["outcome"] if result else episode["status"])
 
@@ -166,7 +166,7 @@ def think_seconds(episodes: Iterable[Document]) -> Quantiles | None:
 
 
 def seconds_left(run: Document, episodes: Iterable[Document]) -> float | None:
-    """At the pace of the last episodes; None when the run does not go on."""
+    """The time left at the pace of the last episodes; None if the run is not played."""
     if run["state"] not in ("running", "stopping"):
         return None
     ends = sorted(
@@ -194,7 +194,7 @@ def totals(episodes: Iterable[Document]) -> dict[str, int]:
 
 
 def players(episodes: Iterable[Document]) -> list[str]:
-    """Who played, as the clients said it."""
+    """The players of the episodes, as their clients declared them."""
     names: dict[str, None] = {}
     for episode in episodes:
         player = (episode.get("result") or {}).get("player")
@@ -211,7 +211,7 @@ def player_text(player: Document) -> str:
 
 
 def commands(run: Document) -> list[tuple[str, str]]:
-    """How to do it again and, of a whole run, to check the score: what, the command."""
+    """Title and command: to repeat the run and, if it is whole, to check its score."""
     name = shlex.quote(str(run["policy"]["name"]))
     benchmark, run_id = map(shlex.quote, (run["benchmark_id"], run["run_id"]))
     again = f"proctor run --policy POLICY --benchmark {benchmark} --name {name}"
