@@ -128,7 +128,7 @@ def installed_version(distribution: str) -> str:
 
 
 def without_mujoco() -> str | None:
-    """Why benchmarks with physics cannot be played; None if they can."""
+    """The reason why benchmarks with physics cannot be played; None if they can."""
     installed = importlib.util.find_spec("mujoco") is not None
     return None if installed else "MuJoCo is not installed: make setup"
 

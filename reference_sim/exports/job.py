@@ -41,5 +41,5 @@ class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
 
 
 def printable(text: str) -> str:
-    """Without control characters: texts of a record may have them."""
+    """The text without control characters, which texts of a record may have."""
     return "".join(c if c.isprintable() else "?" for c in text)

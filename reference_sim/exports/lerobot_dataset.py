@@ -310,7 +310,7 @@ class _Dataset:
 def _joined(
     values: Mapping[str, Any], channels: Mapping[str, int]
 ) -> NDArray[np.float64]:
-    """(n,): all channels one behind the other."""
+    """(n,): the values of all channels, one behind the other."""
     parts = [np.asarray(values[name], np.float64).reshape(-1) for name in channels]
     return np.concatenate(parts) if parts else np.empty(0)
 

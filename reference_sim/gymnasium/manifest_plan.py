@@ -72,7 +72,10 @@ class PlanDraft:
         }
 
     def begin(self) -> None:
-        """Before the environment is made. Raises EnvironmentUnavailable."""
+        """Settle camera, tasks and resources; the environment is made later.
+
+        Raises EnvironmentUnavailable.
+        """
         requested = self.benchmark.camera
         draws = environments.can_draw(self.plan["made_of"])
         if isinstance(requested, Camera) and not draws:
@@ -84,7 +87,7 @@ class PlanDraft:
         self._ray_resources = self._declared_resources()
 
     def _declared_resources(self) -> Mapping[str, float]:
-        """Those of the file, or of the class or function that it names."""
+        """The resources that the file, or its class or function, declares."""
         benchmark = self.benchmark
         if benchmark.ray_resources is not None:
             return benchmark.ray_resources

@@ -178,7 +178,7 @@ class GymnasiumSimulator:
 
     @property
     def environment(self) -> Environment:
-        """That of the current task, for `check`."""
+        """The environment of the current task, for `check`."""
         return self._require_environment()
 
     def _require_environment(self) -> Environment:

@@ -57,7 +57,7 @@ class Task(Protocol[SceneT_contra]):
         """Place the objects in a scene that was just reset."""
 
     def reached(self, scene: SceneT_contra) -> Sequence[bool]:
-        """For each stage, whether it holds now."""
+        """Whether each stage holds now."""
 
     def goal_holds(self, scene: SceneT_contra) -> bool:
         """The goal condition, as one predicate of the scene."""

@@ -272,7 +272,7 @@ class SimulatorPool:
         return process
 
     async def _obtain_process(self, world: SimulatorConfig) -> SimulatorProcess:
-        """One that no session uses, built or not. Raises SimulatorFault."""
+        """A process that no session uses, built or not. Raises SimulatorFault."""
         return await self._start_process(self._new_process())
 
     def _pick_idle(self, world: SimulatorConfig) -> SimulatorProcess | None:

@@ -407,7 +407,7 @@ def serve(connection: socket.socket) -> Never:
 
 
 def _receive(commands: BinaryIO, length: int) -> bytes:
-    """From the parent; exits the process if it has ended, as `_send` does.
+    """Read a command of the parent; exits the process if the parent has ended.
 
     A parent that is killed leaves half a command, or answers that it has not read.
     """

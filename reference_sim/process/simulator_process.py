@@ -78,9 +78,10 @@ class ProcessStarter(Protocol):
 
 
 def _inherited_environment() -> dict[str, str]:
-    """This process's without its settings: tokens and database passwords are there.
+    """The environment of this process without its settings, for a simulator.
 
-    The code of a host's own benchmark runs in the simulators.
+    Settings hold tokens and database passwords, and the code of a host's own benchmark
+    runs in the simulators.
     """
     return {
         name: value

@@ -187,7 +187,7 @@ def _print(replay: ReplaySummary, report: Report, seeds: str | None) -> None:
 
 
 def _say(line: str) -> None:
-    """To stderr, without control characters: texts of a record may have them."""
+    """Print to stderr, without the control characters that a record may have."""
     shown = "".join(c if c.isprintable() else "?" for c in line)
     sys.stderr.write(f"proctor replay: {shown}\n")
 

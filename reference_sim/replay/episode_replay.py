@@ -76,7 +76,7 @@ class ReplayPlan(msgspec.Struct, frozen=True):
     score_is_success: bool
 
     def begin(self, simulator: Simulator) -> Episode:
-        """At step 0."""
+        """The episode at step 0, in a simulator that is built."""
         return Episode(
             simulator,
             self.task,

@@ -61,16 +61,16 @@ class ReplayedBenchmark:
         )
 
     def can_simulate(self, index: int) -> bool:
-        """False where the seed of the episode is the secret of its host."""
+        """Whether the seed of the episode is known; a host may keep it secret."""
         return "seed" in self.manifest["episodes"][index]
 
     @property
     def secret(self) -> int:
-        """How many episodes cannot be simulated for their seeds."""
+        """How many episodes cannot be simulated because their seeds are secret."""
         return sum("seed" not in episode for episode in self.manifest["episodes"])
 
     def with_seeds(self, seeds: Mapping[int, int]) -> ReplayedBenchmark:
-        """Also the episodes whose seeds a host has opened. seeds: by index."""
+        """The benchmark with seeds that a host has opened. seeds: index → seed."""
         episodes = [
             {**episode, "seed": seeds[index]} if index in seeds else episode
             for index, episode in enumerate(self.manifest["episodes"])
@@ -128,7 +128,7 @@ def add_opened_seeds(
     choice: BenchmarkChoice,
     files: Iterable[OpenedBenchmark],
 ) -> ReplayedBenchmark:
-    """Also the episodes of sealed splits, where one of the files has their seeds.
+    """Add the seeds of sealed splits, where one of the files has them.
 
     Raises UnusableRecord where these are not what the file says.
     """

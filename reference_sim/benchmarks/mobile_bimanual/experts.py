@@ -46,5 +46,5 @@ class MobileBimanualExpert:
 
 
 def make_expert() -> MobileBimanualExpert:
-    """For `mobile_bimanual_state`."""
+    """Make the expert of `mobile_bimanual_state`."""
     return MobileBimanualExpert()

@@ -60,7 +60,7 @@ def upright(x: float, y: float, z: float, yaw: float) -> Vector:
 
 
 def tilt_of(quaternion: Vector) -> float:
-    """Between the body's z and the world's, rad."""
+    """The angle between the body's z axis and the world's, rad."""
     _, x, y, _ = quaternion
     return math.acos(max(-1.0, 1 - 2 * (x * x + y * y)))
 

@@ -143,7 +143,7 @@ def _mat(robot: RobotController, z_m: float) -> Vector:
 
 
 def _bar(robot: RobotController, left_m: float) -> Vector:
-    """So far left of the bar's middle; the hand's back is turned outwards."""
+    """The pose to grip the bar, `left_m` from its middle, the hand's back outwards."""
     yaw = robot.point_of("bar", 0.0, 0.0, 0.0)[3]
     swapped = abs(yaw) > math.pi / 2
     x, y, z, yaw = robot.point_of("bar", 0.0, -left_m if swapped else left_m, 0.0)

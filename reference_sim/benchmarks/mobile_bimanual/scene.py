@@ -115,7 +115,7 @@ class MobileBimanualScene:
         ahead[:2] = np.clip(ahead[:2], BASE_LOW_M, BASE_HIGH_M)
         return ahead
 
-    # How an episode looks
+    # --- appearance of an episode ---
 
     def place(self, thing: str, x: float, y: float, z: float, yaw: float) -> None:
         """Level, its centre at z. Metres and radians, world frame."""
@@ -165,7 +165,7 @@ class MobileBimanualScene:
         return float(np.hypot(*apart))
 
     def hand_distance_m(self, side: str, thing: str, y_m: float = 0.0) -> float:
-        """From between the fingertips to a point of the thing's own y axis."""
+        """The distance from the fingertips to a point on the thing's own y axis."""
         place = frames.offset(self.world.body_pose(thing), 0.0, y_m, 0.0)
         return float(np.linalg.norm(self.world.body_pose(f"{side}_tcp")[:3] - place))
 
@@ -173,7 +173,7 @@ class MobileBimanualScene:
         return frames.tilt_of(self.world.body_pose(thing)[3:])
 
     def base_distance_m(self, thing: str) -> float:
-        """From the base's middle, seen from above."""
+        """The distance from the base's middle, seen from above."""
         return float(np.hypot(*(self.world.body_pose(thing)[:2] - self.base()[:2])))
 
 

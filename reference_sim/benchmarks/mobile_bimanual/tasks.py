@@ -122,7 +122,7 @@ class TwoHandedLift:
         )
 
     def goal_holds(self, scene: MobileBimanualScene) -> bool:
-        """Both hands hold the tray up, level, with the box on it."""
+        """Whether both hands hold the tray up, level, with the box on it."""
         return (
             scene.height_m("tray") >= TRAY_HALF_M + LIFTED_M
             and scene.tilt_rad("tray") <= self.LEVEL_RAD
@@ -186,7 +186,7 @@ class Handover:
 
 
 def _dock(scene: MobileBimanualScene, variation: EpisodeVariation) -> None:
-    """At the work table, as well as a robot docks."""
+    """Place the base at the work table, with the errors of a robot that docks."""
     scene.place_base(
         variation.within(-0.04, 0.02),
         variation.within(-0.04, 0.04),

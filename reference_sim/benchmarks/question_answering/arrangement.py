@@ -69,7 +69,7 @@ class Arrangement:
         return all(self.body_at(self.spot(thing)) == thing for thing in self.things)
 
     def from_foot_m(self, thing: str) -> float:
-        """Its distance from the centre of the arm's foot."""
+        """The distance of a thing from the centre of the arm's foot."""
         return float(np.linalg.norm(self.scene.position(thing)[:2]))
 
     def picture(self, width: int, height: int) -> NDArray[np.uint8]:

@@ -89,11 +89,11 @@ class ItemDraft:
         return self.arrangement[0]
 
     def things(self, number: int) -> list[str]:
-        """This many different objects, in random order."""
+        """Draw so many different objects, in random order."""
         return [str(thing) for thing in self.rng.permutation(THINGS)[:number]]
 
     def distinct(self, number: int) -> Arrangement:
-        """This many distinguishable objects: the two cubes differ in colour."""
+        """Arrange so many objects, of which two cubes differ in colour."""
         while True:
             colours = {t: str(self.rng.choice(PALETTE)) for t in self.things(number)}
             if len({(NOUNS[t], c) for t, c in colours.items()}) == number:

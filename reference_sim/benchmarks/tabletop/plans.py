@@ -69,7 +69,7 @@ def push(observed: ObservedState) -> Plan:
 
 
 def _push_on(observed: ObservedState) -> Plan:
-    """Until the cube has arrived or the gripper went astray."""
+    """Push until the cube has arrived or the gripper has left it."""
     while True:
         direction, length_m = _to_disc(observed)
         to_cube = level(observed.position("cube") - observed.hand)
@@ -81,7 +81,7 @@ def _push_on(observed: ObservedState) -> Plan:
 
 
 def _to_disc(observed: ObservedState) -> tuple[Vector, float]:
-    """From the cube: direction of unit length, and m."""
+    """The unit direction from the cube to the disc, and the distance in m."""
     way = level(observed.position("disc") - observed.position("cube"))
     length_m = float(np.linalg.norm(way))
     return way / max(length_m, 1e-9), length_m
@@ -137,7 +137,7 @@ def open_drawer(observed: ObservedState) -> Plan:
         return observed.position("handle")
 
     def ahead() -> Vector:
-        """Where the drawer opens to, unit length."""
+        """The direction in which the drawer opens, of unit length."""
         turn = observed.yaw("handle")
         return np.array([math.sin(turn), -math.cos(turn), 0.0])
 

@@ -37,7 +37,7 @@ class TabletopScene:
         self.world = World(scene_mjcf(), quality)
         self._scales: dict[str, float] = {}
 
-    # How an episode begins
+    # --- beginning of an episode ---
 
     def reset(self) -> None:
         """The arm at home, the gripper open, all objects parked, nominal appearance."""
@@ -95,11 +95,11 @@ class TabletopScene:
         return float(np.linalg.norm((self.position(thing) - self.position(target))[:2]))
 
     def clearance_m(self, thing: str) -> float:
-        """Between the table and the underside of a loose thing, were it upright."""
+        """The space between the table and a loose thing, if the thing is upright."""
         return self.height_m(thing) - self.half_height_m(thing)
 
     def aside_m(self, thing: str, container: str) -> float:
-        """How far from the middle of an upright container, along its sides."""
+        """The distance from the middle of an upright container, along its sides."""
         pose = self.world.body_pose(container)
         yaw = 2 * math.atan2(pose[6], pose[3])
         x, y, _ = self.position(thing) - pose[:3]

@@ -87,14 +87,14 @@ def travel(
 
 
 def wait(observed: ObservedState, opening: float, steps: int) -> Plan:
-    """Only the fingers move."""
+    """Keep the hand where it is while the fingers move."""
     position, yaw = observed.hand, observed.hand_yaw
     for _ in range(steps):
         yield Move(position, yaw, opening)
 
 
 def grasp(observed: ObservedState, thing: str, *, above_centre_m: float = 0.0) -> Plan:
-    """From above, by two opposite sides."""
+    """Grasp a thing from above, by two opposite sides."""
 
     def at(height_m: float) -> Vector:
         return raised(observed.position(thing), above_centre_m + height_m)
@@ -167,13 +167,13 @@ def fixed(value: T) -> Callable[[], T]:
 
 
 def raised(position: Vector, height_m: float) -> Vector:
-    """(3,) m, so far above another."""
+    """(3,) m: the position `height_m` above another."""
     above: Vector = position + np.array([0.0, 0.0, height_m])
     return above
 
 
 def level(way: Vector) -> Vector:
-    """(3,) m, its part along the table."""
+    """(3,) m: the horizontal part of a way."""
     along: Vector = way * np.array([1.0, 1.0, 0.0])
     return along
 

@@ -42,7 +42,7 @@ class TabletopTask:
         raise NotImplementedError
 
     def reached(self, scene: TabletopScene) -> Sequence[bool]:
-        """No stages unless the task has some."""
+        """Whether each stage of the task holds; most tasks have none."""
         return ()
 
 

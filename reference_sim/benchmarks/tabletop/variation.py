@@ -153,7 +153,7 @@ class Placement:
         return self._rng.uniform(low, high)
 
     def yaw(self) -> float:
-        """Any direction, rad."""
+        """Draw a direction, rad."""
         return self._rng.uniform(-math.pi, math.pi)
 
     def turn(self, limit: float) -> float:

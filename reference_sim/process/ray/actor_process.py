@@ -134,7 +134,7 @@ class LauncherClient:
             self._send(KillActor(number))
 
     async def find_room(self, resources: dict[str, float]) -> Room:
-        """For a simulator with these resources; `ROOM_UNKNOWN` if that is not known."""
+        """The room for a simulator with these resources, or `ROOM_UNKNOWN`."""
         if self._writer is None:
             return ROOM_UNKNOWN
         self._last_number += 1

@@ -75,7 +75,7 @@ class Rejected(msgspec.Struct, tag="rejected", frozen=True):
 
 
 class ActorReady(msgspec.Struct, tag="ready", frozen=True):
-    """It listens there for one connection, which begins with the secret."""
+    """The actor listens there for one connection, which begins with the secret."""
 
     number: int
     host: str
@@ -84,7 +84,7 @@ class ActorReady(msgspec.Struct, tag="ready", frozen=True):
 
 
 class ActorEnded(msgspec.Struct, tag="ended", frozen=True):
-    """It has ended, or did not start."""
+    """The actor has ended, or did not start."""
 
     number: int
     reason: str

@@ -166,7 +166,7 @@ class PlacementQueue:
     # Requests
 
     def request_missing(self) -> None:
-        """One request for each caller that waits, and each spare that is missing."""
+        """Make a request for each caller that waits and each spare that is missing."""
         wanted = len(self._waiting) + self._missing_spares()
         while len(self._starting) < wanted and not self._closed:
             task = asyncio.create_task(self._place())
@@ -174,7 +174,7 @@ class PlacementQueue:
             task.add_done_callback(self._count_out)
 
     def drop_requests(self, now: float) -> None:
-        """End those that no caller has waited for since long."""
+        """End the requests that no caller has waited for since long."""
         if self._waiting or now - self._waited_at <= REQUEST_S:
             return
         for task in list(self._starting)[self._missing_spares() :]:
@@ -201,7 +201,7 @@ class PlacementQueue:
         self.hand_out(process)
 
     async def _start_somewhere(self) -> SimulatorProcess:
-        """Again when a machine fails meanwhile, or is not fit to simulate."""
+        """Start a simulator; try again if a machine fails or is not fit to simulate."""
         for _ in range(START_TRIES - 1):
             try:
                 return await self._start(self)

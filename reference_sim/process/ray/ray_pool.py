@@ -148,13 +148,11 @@ class RayPool(SimulatorPool):
         return await self._lend(world)
 
     def _is_at_limit(self, queue: PlacementQueue) -> bool:
-        """Who waits for other resources may never get them, and takes no place here."""
-        elsewhere = sum(
-            other_queue.waiting
-            for other_queue in self._queues
-            if other_queue is not queue
-        )
-        return self.busy - elsewhere >= self.size_max
+        """Whether no more simulators may be lent to callers of this queue."""
+        # `busy` counts callers that wait. Those of other queues may never get their
+        # resources, so they must not block this queue.
+        waiting_in_others = sum(q.waiting for q in self._queues if q is not queue)
+        return self.busy - waiting_in_others >= self.size_max
 
     @property
     def _limit_text(self) -> str:
@@ -164,11 +162,9 @@ class RayPool(SimulatorPool):
         """Raises ResourceShortage if the cluster has no room for too long."""
         queue = self._queue_for(world)
         process = await queue.wait()
-        if (
-            self.busy - sum(other_queue.waiting for other_queue in self._queues)
-            > self.size_max
-        ):
-            # Others were lent meanwhile, with other resources.
+        lent = self.busy - sum(q.waiting for q in self._queues)
+        if lent > self.size_max:
+            # Simulators with other resources were lent meanwhile.
             queue.hand_out(process)
             raise ResourceShortage(self._limit_text)
         return process
@@ -251,11 +247,7 @@ class RayPool(SimulatorPool):
         idle, idle_s = self._idle_of(queue), self._idle_s
         if queue is self._queues[0]:
             idle = idle[: max(0, len(idle) - self._spares)]
-        if any(
-            other_queue.needs_room
-            for other_queue in self._queues
-            if other_queue is not queue
-        ):
+        if any(q.needs_room for q in self._queues if q is not queue):
             idle_s = min(idle_s, IDLE_WHILE_NEEDED_S)
         for process in idle:
             if now - self._idle_since.get(process, now) > idle_s:
