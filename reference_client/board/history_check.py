@@ -40,7 +40,7 @@ class KeptCheckpoint:
 
 
 def state_file(url: str) -> Path:
-    """Where the checkpoint of a server is kept, unless a file is named."""
+    """The file that keeps the checkpoint of a server, unless a flag names another."""
     state = os.environ.get("XDG_STATE_HOME")
     folder = Path(state) if state else Path.home() / ".local" / "state"
     name = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
@@ -48,7 +48,7 @@ def state_file(url: str) -> Path:
 
 
 def load_kept(path: Path) -> KeptCheckpoint | None:
-    """None before the first one. Raises ValueError if the file is not such a file."""
+    """The checkpoint of the last check; None before the first. Raises ValueError."""
     if not path.exists():
         return None
     try:
@@ -58,7 +58,7 @@ def load_kept(path: Path) -> KeptCheckpoint | None:
 
 
 def keep(path: Path, signed: Checkpoint, public_key: bytes) -> None:
-    """Keep it instead of the one before; the file is whole before it has its name."""
+    """Keep the checkpoint in place of the previous one; the file is replaced whole."""
     path.parent.mkdir(parents=True, exist_ok=True)
     key = base64.b64encode(public_key).decode()
     kept = KeptCheckpoint(signed.origin, signed.tree_size, signed.root.hex(), key)
@@ -161,7 +161,7 @@ def entries_of(leaves: Iterable[str]) -> dict[str, dict[str, Any]]:
 def differences(
     recorded: Mapping[str, Mapping[str, Any]], shown: Iterable[Mapping[str, Any]]
 ) -> list[str]:
-    """How the public entries that a server shows differ from those of its history."""
+    """One sentence for each way in which the shown entries differ from the history."""
     sentences = []
     left = dict(recorded)
     for entry in shown:

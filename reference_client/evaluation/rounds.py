@@ -165,7 +165,7 @@ class EvaluationRounds:
             run_worker.request_stop()
 
     def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
-        """After this no worker uses a session, even if its thread still runs."""
+        """Stop the workers: none uses a session afterwards, whatever its thread does."""
         if not any(thread.is_alive() for thread in threads):
             return
         self.stop.set()

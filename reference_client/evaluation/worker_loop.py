@@ -92,7 +92,7 @@ class WorkerLoop:
             self._retry_policy.pause(0.05 * (2**empty_sessions - 1))
 
     def request_stop(self) -> None:
-        """Nothing to do: every wait ends with the event `stop` of the retry policy."""
+        """Do nothing: the event `stop` of the retry policy ends every wait."""
 
     def end_session(self) -> None:
         """End a session that was left: the evaluation goes on without this worker."""

@@ -61,7 +61,7 @@ class WorkerPool(Protocol):
         """Call one policy once, before the run is created. Raises what is wrong."""
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
-        """One for each id given to `prepare`."""
+        """Make one worker for each id that was given to `prepare`."""
 
     def close(self) -> None:
         """Release the resources of the workers."""

@@ -63,7 +63,7 @@ class ProcessWorkerPool:
             worker.wait_for("ready")
 
     def play_dry_turn(self, benchmark: dict[str, Any]) -> None:
-        """In the first process, with its policy."""
+        """Play the dry turn in the first process, with its policy."""
         worker = self._workers[0]
         worker.send_order({"order": "dry_turn", "benchmark": benchmark})
         worker.wait_for("dry_turn_over")

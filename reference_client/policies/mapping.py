@@ -250,7 +250,7 @@ class PolicyMapping:
         ]
 
     def _rows(self, answer: Any, source: str | None) -> Array:
-        """(actions, numbers) at `source` of the answer."""
+        """The rows (actions, numbers) that the answer has at `source`."""
         values = answer
         if source is not None:
             # Some policies return a list of actions instead of an action of lists.

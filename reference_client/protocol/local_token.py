@@ -52,7 +52,7 @@ def _is_loopback(host: str) -> bool:
 
 
 def _read(path: Path) -> str | None:
-    """None if another account could have written or read it."""
+    """The token in the file; None if another account could have read or written it."""
     with path.open("rb") as file:
         status = os.fstat(file.fileno())
         if status.st_uid != os.getuid() or status.st_mode & 0o077:

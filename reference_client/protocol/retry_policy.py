@@ -108,7 +108,7 @@ class RetryPolicy:
 
 
 def _wait_s(error: ProctorError, pause_s: float) -> float:
-    """With jitter, so that workers that failed together do not retry together."""
+    """The time to wait; it is random, so that workers do not retry all at once."""
     if error.retry_after_s:
         return error.retry_after_s + random.uniform(0, FIRST_PAUSE_S)
     return pause_s * random.uniform(0.5, 1.0)

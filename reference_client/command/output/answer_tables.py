@@ -59,7 +59,10 @@ def run_facts(
 
 
 def earlier_runs_text(run: Run) -> str | None:
-    """Who tries often may quote the best try; None where the server counts none."""
+    """The number of runs before this one: a score may be the best of many tries.
+
+    None where the server does not count them.
+    """
     number = run.runs_played_before
     if number is None:
         return None
@@ -127,7 +130,7 @@ def score_facts(
 
 
 def _p_text(p_value: float) -> str:
-    """No p is 0, however many digits are shown."""
+    """A p as text; a p is never 0, so that a small one is shown as a bound."""
     return "< 0.0001" if p_value < 0.0001 else f"= {p_value:.4f}"
 
 

@@ -27,7 +27,7 @@ Player = PlayerView | None
 def compare_while_played(
     baseline: Sequence[Episode], run: Sequence[Episode]
 ) -> SequentialComparison:
-    """Both of one manifest, in its order."""
+    """Compare two runs while they are played; both are in the manifest's order."""
     sides = (
         [_succeeded(episode) for episode in episodes] for episodes in (baseline, run)
     )
@@ -94,7 +94,7 @@ def label_of(player: Player) -> str:
 
 
 def _counted(episodes: Sequence[Episode]) -> list[tuple[Player, int]]:
-    """Nothing where the server does not record players."""
+    """Each player with its scored episodes; none if the server records no players."""
     results = [episode.result for episode in episodes if episode.result]
     if all(result.clipped_actions is None for result in results):
         return []
@@ -108,7 +108,7 @@ def _counted(episodes: Sequence[Episode]) -> list[tuple[Player, int]]:
 
 
 def _return(results: Sequence[EpisodeResult]) -> str | None:
-    """Nothing where there are no rewards, or where the return is the score."""
+    """The return of the episodes; None without rewards, or if it equals the score."""
     played = [r for r in results if r.outcome.value != "abandoned"]
     returns = [r.total_reward for r in played if r.total_reward is not None]
     if not any(returns) or all(r.total_reward == r.score for r in played):

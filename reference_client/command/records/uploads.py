@@ -64,7 +64,7 @@ def upload(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def _check_taken_in(connection: Connection, policy: RetryPolicy, file: str) -> None:
-    """Before the record is sent: a long one would be sent for nothing."""
+    """Raise UsageError if the server takes no records, before a long one is sent."""
     service = policy.call(
         lambda: connection.control.describe_service(_request_timeout=TIMEOUTS_S)
     )

@@ -305,7 +305,7 @@ class _EvaluationCommand:
         return False
 
     def _save(self, control_client: ControlClient, score: Score) -> None:
-        """With --repeat, in a folder of the run."""
+        """Save the result; with --repeat, each run has a folder of its own."""
         folder = Path(self._args.save)
         if self._args.repeat is not None:
             folder = folder / score.run_id
