@@ -165,7 +165,7 @@ class EvaluationRounds:
             run_worker.request_stop()
 
     def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
-        """Stop the workers: none uses a session afterwards, whatever its thread does."""
+        """Stop the workers: none uses a session afterwards, though a thread may run."""
         if not any(thread.is_alive() for thread in threads):
             return
         self.stop.set()
