@@ -214,7 +214,7 @@ def read_selection(options: argparse.Namespace) -> Settings:
     """Read the selection, which needs no server, or raise BadArguments."""
     only = _split(options.only)
     for wanted in only:
-        if not any(known.startswith(wanted) for known in load_ledger()):
+        if not any(rule_id.startswith(wanted) for rule_id in load_ledger()):
             problem = f"--only {wanted}: no rule id starts with {wanted}"
             raise BadArguments(problem + _suggestion(wanted))
     profiles = _split(options.profile)
@@ -242,8 +242,8 @@ def _suggestion(wanted: str) -> str:
     return f"; areas: {', '.join(areas)}"
 
 
-def _close_matches(wanted: str, known: Iterable[str]) -> list[str]:
-    return difflib.get_close_matches(wanted.upper(), list(known), n=3, cutoff=0.6)
+def _close_matches(wanted: str, names: Iterable[str]) -> list[str]:
+    return difflib.get_close_matches(wanted.upper(), list(names), n=3, cutoff=0.6)
 
 
 def read_settings(options: argparse.Namespace) -> Settings:
@@ -342,7 +342,7 @@ def read_known_failures(path: str | None) -> set[str]:
             lines = file.read().splitlines()
     except OSError as error:
         raise BadArguments(f"--known-failures {path}: {error.strerror}") from error
-    known: set[str] = set()
+    rule_ids: set[str] = set()
     for number, line in enumerate(lines, 1):
         requirement_id, _, comment = line.partition("#")
         requirement_id = requirement_id.strip()
@@ -356,5 +356,5 @@ def read_known_failures(path: str | None) -> set[str]:
             raise BadArguments(
                 f"{where}: add a # comment with the reason for {requirement_id}"
             )
-        known.add(requirement_id)
-    return known
+        rule_ids.add(requirement_id)
+    return rule_ids

@@ -140,4 +140,4 @@ def _cut(text: str, length: int) -> str:
 
 def _printable(text: str) -> str:
     """The text with an escape, such as \\x1b, for each character that acts."""
-    return _UNPRINTABLE.sub(lambda found: ascii(found[0])[1:-1], text)
+    return _UNPRINTABLE.sub(lambda match: ascii(match[0])[1:-1], text)

@@ -49,14 +49,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
             result.settings.summary = None
             raise
         result.settings = read_settings(options)
-        known = read_known_failures(options.known_failures)
+        known_failures = read_known_failures(options.known_failures)
         with _server(result.settings):
-            _judge(result, known, read_processes(options), terminal)
+            _judge(result, known_failures, read_processes(options), terminal)
 
     return run_kit(result, terminal, judge)
 
 
-def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) -> None:
+def _judge(
+    result: Result, known_failures: set[str], processes: int, terminal: Terminal
+) -> None:
     settings = result.settings
     terminal.say(f"specification {spec_name()}")
     findings = inspect(settings)
@@ -82,7 +84,7 @@ def _judge(result: Result, known: set[str], processes: int, terminal: Terminal) 
     is_exclusive = settings.restart_cmd is not None
     collector = execute(settings, 1 if is_exclusive else processes, terminal.progress)
     result.problem = collector.problem
-    conclude(result, collector.verdicts, collector.tally, known)
+    conclude(result, collector.verdicts, collector.tally, known_failures)
 
 
 @contextlib.contextmanager

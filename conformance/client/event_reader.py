@@ -169,20 +169,20 @@ class EventReader:
 
     def _next(self, within_s: float) -> Event | Answer | None:
         try:
-            found = self._queue.get(timeout=max(0.0, within_s))
+            received = self._queue.get(timeout=max(0.0, within_s))
         except queue.Empty:
             return None
-        if isinstance(found, Exception):
-            raise found
-        if isinstance(found, Event):
-            self.received.append(found)
-        return found
+        if isinstance(received, Exception):
+            raise received
+        if isinstance(received, Event):
+            self.received.append(received)
+        return received
 
     def collect_for(self, seconds: float) -> list[Event]:
         """Give the events received in this time."""
         until, events = time.monotonic() + seconds, list[Event]()
-        while isinstance(found := self._next(until - time.monotonic()), Event):
-            events.append(found)
+        while isinstance(received := self._next(until - time.monotonic()), Event):
+            events.append(received)
         return events
 
     def until(
@@ -196,17 +196,17 @@ class EventReader:
             within_s = max(ANSWER_TIMEOUT_S, 10 * self._run.context.tolerance_s)
         until, events = time.monotonic() + within_s, list[Event]()
         while True:
-            found = self._next(until - time.monotonic())
-            if isinstance(found, Answer):
+            received = self._next(until - time.monotonic())
+            if isinstance(received, Answer):
                 raise Violation(
-                    f"an event {what}", describe_answer(found), found.exchange
+                    f"an event {what}", describe_answer(received), received.exchange
                 )
-            if found is None:
+            if received is None:
                 kinds = ", ".join(event.kind for event in events) or "no event"
                 observed = f"{kinds} in {within_s:g} s"
                 raise TooLate(f"an event {what}", within_s, _DUE_S, observed)
-            events.append(found)
-            if is_it(found):
+            events.append(received)
+            if is_it(received):
                 return events
 
 

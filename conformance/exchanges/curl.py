@@ -257,17 +257,17 @@ def select_exchanges_for(
     number: int | None, exchanges: Iterable[Exchange]
 ) -> list[Exchange]:
     """Select one exchange, and those whose responses contain its ids."""
-    known = list(exchanges)
-    wanted = [exchange for exchange in known if exchange.number == number]
-    text = "".join(_text_of(one) for one in wanted)
+    sent = list(exchanges)
+    wanted = [exchange for exchange in sent if exchange.number == number]
+    text = "".join(_text_of(exchange) for exchange in wanted)
     id_sources: dict[str, Exchange] = {}
-    for exchange in known:
+    for exchange in sent:
         for _, value in _server_made_ids(exchange):
             if value in text:
                 id_sources.setdefault(value, exchange)
     return [
         *id_sources.values(),
-        *(one for one in wanted if one not in id_sources.values()),
+        *(exchange for exchange in wanted if exchange not in id_sources.values()),
     ]
 
 

@@ -136,9 +136,9 @@ def _take_over(
         superseded = replace(old, status="superseded", episode=None)
         return model.with_session(superseded).with_session(new)
 
-    known = [s.id for s in model.sessions]
+    earlier_ids = [s.id for s in model.sessions]
     members = {"seq": 0, "done": False, **episode}
-    yield AllowedAnswer("ATT-004", 200, after, members=members, new_among=known)
+    yield AllowedAnswer("ATT-004", 200, after, members=members, new_among=earlier_ids)
 
 
 def _enter(
@@ -171,8 +171,8 @@ def _enter(
         **_view(shown, session),
     }
     rule = "ATT-012" if session.is_done else "ATT-001, EPI-001"
-    known = [s.id for s in model.sessions]
-    yield AllowedAnswer(rule, 200, after, members=members, new_among=known)
+    earlier_ids = [s.id for s in model.sessions]
+    yield AllowedAnswer(rule, 200, after, members=members, new_among=earlier_ids)
 
 
 def new_session(request: Attach, summary: AnswerSummary, number: int) -> SessionModel:

@@ -31,32 +31,32 @@ def expected_ranking(
 
     episodes_total: of the manifest; 0 where there is no entry.
     """
-    places = {one.entry_id: place for place, one in enumerate(entries)}
+    places = {entry.entry_id: place for place, entry in enumerate(entries)}
     in_order = sorted(
         entries,
         key=lambda e: (-e.score, -(e.successes or "").count("1"), places[e.entry_id]),
     )
-    ranked = [one for one in in_order if one.successes is not None]
+    ranked = [entry for entry in in_order if entry.successes is not None]
     better = _pairs_by_holm(ranked)
     n = len(ranked)
     pairs = n * (n - 1) // 2
     rows = []
-    letters = _letters([one.entry_id for one in ranked], better)
-    for one in ranked:
-        wins = sum(winner == one.entry_id for winner, _ in better)
-        losses = sum(loser == one.entry_id for _, loser in better)
+    letters = _letters([entry.entry_id for entry in ranked], better)
+    for entry in ranked:
+        wins = sum(winner == entry.entry_id for winner, _ in better)
+        losses = sum(loser == entry.entry_id for _, loser in better)
         rows.append(
             {
-                "entry_id": one.entry_id,
+                "entry_id": entry.entry_id,
                 "rank": {"low": 1 + losses, "high": n - wins},
                 "better": losses,
                 "worse": wins,
-                "letters": letters[one.entry_id],
+                "letters": letters[entry.entry_id],
             }
         )
-    unranked = [one for one in in_order if one.successes is None]
+    unranked = [entry for entry in in_order if entry.successes is None]
     nothing: dict[str, Any] = {"rank": None, "better": 0, "worse": 0, "letters": []}
-    rows += [{"entry_id": one.entry_id, **nothing} for one in unranked]
+    rows += [{"entry_id": entry.entry_id, **nothing} for entry in unranked]
     return {
         "ranked": n,
         "comparisons": pairs,
@@ -75,17 +75,17 @@ def _least(bound: Fraction, episodes: int) -> int | None:
 def _pairs_by_holm(ranked: Sequence[RankedRun]) -> set[tuple[str, str]]:
     """Give (better, worse) of each pair that is distinguished."""
     tested = []
-    known: dict[tuple[int, int], Fraction] = {}
-    for one, other in itertools.combinations(ranked, 2):
+    p_values: dict[tuple[int, int], Fraction] = {}
+    for first, second in itertools.combinations(ranked, 2):
         wins, losses = (
             sum(a == "1" and b == "0" for a, b in zip(*pair, strict=True))
             for pair in (
-                (one.successes or "", other.successes or ""),
-                (other.successes or "", one.successes or ""),
+                (first.successes or "", second.successes or ""),
+                (second.successes or "", first.successes or ""),
             )
         )
-        p = known.setdefault((wins, losses), mcnemar(wins, losses))
-        pair = (one, other) if wins > losses else (other, one)
+        p = p_values.setdefault((wins, losses), mcnemar(wins, losses))
+        pair = (first, second) if wins > losses else (second, first)
         tested.append((p, pair[0].entry_id, pair[1].entry_id))
     tested.sort()
     distinguished = set()
@@ -99,23 +99,23 @@ def _pairs_by_holm(ranked: Sequence[RankedRun]) -> set[tuple[str, str]]:
 def _letters(ids: Sequence[str], better: set[tuple[str, str]]) -> dict[str, list[str]]:
     """Give the letters of each entry; ids in the order of the rows."""
 
-    def alike(one: str, other: str) -> bool:
-        return (one, other) not in better and (other, one) not in better
+    def alike(first: str, second: str) -> bool:
+        return (first, second) not in better and (second, first) not in better
 
     groups: list[set[str]] = []
-    for place, one in enumerate(ids):
-        for other in ids[place + 1 :]:
-            if alike(one, other) and not any({one, other} <= g for g in groups):
-                group = {one, other}
+    for place, first in enumerate(ids):
+        for second in ids[place + 1 :]:
+            if alike(first, second) and not any({first, second} <= g for g in groups):
+                group = {first, second}
                 for third in ids:
                     if all(alike(third, member) for member in group - {third}):
                         group.add(third)
                 groups.append(group)
-        if not any(one in group for group in groups):
-            groups.append({one})
+        if not any(first in group for group in groups):
+            groups.append({first})
     return {
-        one: [_letter(k) for k, group in enumerate(groups) if one in group]
-        for one in ids
+        first: [_letter(k) for k, group in enumerate(groups) if first in group]
+        for first in ids
     }
 
 

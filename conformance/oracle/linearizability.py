@@ -54,7 +54,7 @@ def explain(
     rules: Rules, models: PossibleRuns, history: Sequence[TimedExchange]
 ) -> PossibleRuns:
     """Give the runs in which an order of the history may end; none if it has none."""
-    pieces = [list(split_command(one.request, one.summary)) for one in history]
+    pieces = [list(split_command(call.request, call.summary)) for call in history]
     without_explanation: set[tuple[tuple[int, ...], PossibleRuns]] = set()
 
     def search(placed: tuple[int, ...], now: PossibleRuns) -> PossibleRuns:
@@ -75,8 +75,8 @@ def explain(
             if not after:
                 continue
             more = (*placed[:i], placed[i] + 1, *placed[i + 1 :])
-            if found := search(more, after):
-                return found
+            if explanation := search(more, after):
+                return explanation
         without_explanation.add((placed, now))
         return frozenset()
 
@@ -99,14 +99,14 @@ def _refused_during_turn(
     seq or another body may be refused in between; the refusal changes nothing."""
     after = set()
     for model in models:
-        for one in begun:
-            turn, request = one.request, refused.request
+        for call in begun:
+            turn, request = call.request, refused.request
             if not isinstance(turn, Predict) or not isinstance(request, Predict):
                 continue
-            if turn.session != request.session or one.started_at > refused.ended_at:
+            if turn.session != request.session or call.started_at > refused.ended_at:
                 continue
             session = model.session(turn.session)
-            has_begun = one.summary.code in _OF_A_BEGUN_TURN
+            has_begun = call.summary.code in _OF_A_BEGUN_TURN
             if not has_begun or turn.seq != session.seq + 1:
                 continue
             taken = replace(session, seq=turn.seq, request=turn.steps)

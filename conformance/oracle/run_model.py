@@ -165,7 +165,7 @@ class RunModel:
 
     def session(self, session_id: str) -> SessionModel:
         """Find a session by its id."""
-        return next(one for one in self.sessions if one.id == session_id)
+        return next(session for session in self.sessions if session.id == session_id)
 
     def live(self, worker: str | None = None) -> SessionModel | None:
         """Give the live session of a worker."""
@@ -184,8 +184,8 @@ class RunModel:
 
     def with_session(self, session: SessionModel) -> "RunModel":
         """Replace a session, or add it."""
-        known = any(s.id == session.id for s in self.sessions)
-        if not known:
+        is_known = any(s.id == session.id for s in self.sessions)
+        if not is_known:
             return replace(self, sessions=(*self.sessions, session))
         sessions = tuple(session if s.id == session.id else s for s in self.sessions)
         return replace(self, sessions=sessions)

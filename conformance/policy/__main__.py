@@ -73,9 +73,9 @@ def _settings(options: argparse.Namespace) -> Settings:
     if not options.url.startswith(("http://", "https://")):
         raise BadArguments(f"--url {options.url}: not an http or https URL")
     only = [part.strip() for part in (options.only or "").split(",") if part.strip()]
-    known = [row.id for row in load_ledger().values() if row.profile == POLICY]
+    rule_ids = [row.id for row in load_ledger().values() if row.profile == POLICY]
     for wanted in only:
-        if not any(row.startswith(wanted) for row in known):
+        if not any(row.startswith(wanted) for row in rule_ids):
             raise BadArguments(f"--only {wanted}: no rule id starts with {wanted}")
     seed = options.seed
     return Settings(

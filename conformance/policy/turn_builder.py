@@ -101,9 +101,9 @@ def action_faults(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
 
     The same as a server refuses: PRED-013, PRED-014, PRED-015, PRED-016, PRED-017.
     """
-    found: list[str] = []
+    faults: list[str] = []
     if len(actions) > benchmark["max_chunk"]:
-        found.append(f"{len(actions)} actions, at most {benchmark['max_chunk']}")
+        faults.append(f"{len(actions)} actions, at most {benchmark['max_chunk']}")
     spaces = {
         name: space
         for name, space in benchmark["action_space"].items()
@@ -112,13 +112,15 @@ def action_faults(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
     for index, action in enumerate(actions):
         values = action["values"]
         if set(values) != set(spaces):
-            found.append(f"action {index} names {sorted(values)}, not {sorted(spaces)}")
+            faults.append(
+                f"action {index} names {sorted(values)}, not {sorted(spaces)}"
+            )
             continue
         for name, space in spaces.items():
-            found += [
+            faults += [
                 f"action {index}, {name}: {x}" for x in _faults(values, name, space)
             ]
-    return found
+    return faults
 
 
 def _faults(values: Any, name: str, space: Mapping[str, Any]) -> list[str]:

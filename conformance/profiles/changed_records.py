@@ -221,7 +221,7 @@ def broken_archives(record: RecordFiles) -> dict[str, tuple[bytes, str, str]]:
 
 
 def _without(files: Files, name: str) -> dict[str, bytes]:
-    return {one: data for one, data in files.items() if one != name}
+    return {file: data for file, data in files.items() if file != name}
 
 
 def _flipped(data: bytes) -> bytes:

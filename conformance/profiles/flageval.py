@@ -145,7 +145,7 @@ def begin(
             allowed=not is_local(context.shared.settings.url),
         )
     ids = {task["eval_model"]: task["run_id"] for task in answer["eval_tasks"]}
-    named = [ids[one["eval_model"]] for one in infos]
+    named = [ids[info["eval_model"]] for info in infos]
     return FlagEvalRequest(context, answer["request_id"], named)
 
 

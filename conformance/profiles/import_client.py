@@ -67,4 +67,4 @@ def listed_imports(
 
 def listed_ids(context: CheckContext, **how: Any) -> list[str]:
     """Give the ids of `list_imports`, of all pages."""
-    return [one["import_id"] for one in listed_imports(context, **how)]
+    return [listed["import_id"] for listed in listed_imports(context, **how)]

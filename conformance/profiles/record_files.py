@@ -172,19 +172,21 @@ def keyid_of(public_key: bytes) -> str:
 
 
 def _check_subjects(files: Mapping[str, bytes], statement: dict[str, Any]) -> None:
-    said = {one["name"]: one["digest"]["sha256"] for one in statement["subject"]}
-    found = {
+    said = {
+        subject["name"]: subject["digest"]["sha256"] for subject in statement["subject"]
+    }
+    digests = {
         name: hashlib.sha256(data).hexdigest()
         for name, data in files.items()
         if name != STATEMENT and not name.startswith("verdicts/")
     }
-    expect.equal(said, found, "digests of the files")
+    expect.equal(said, digests, "digests of the files")
 
 
 def _object(data: bytes) -> dict[str, Any]:
     try:
-        found = msgspec.json.decode(data)
+        decoded = msgspec.json.decode(data)
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise expect.Violation("JSON", f"{data[:80]!r}") from error
-    expect.true(isinstance(found, dict), "an object", found)
-    return expect.ExpectedBody(found)
+    expect.true(isinstance(decoded, dict), "an object", decoded)
+    return expect.ExpectedBody(decoded)

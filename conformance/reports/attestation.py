@@ -37,10 +37,10 @@ class CannotAttest(Exception):
 
 def read_subject(text: str) -> dict[str, Any]:
     """Read NAME@sha256:HEX; raise ValueError if it is something else."""
-    found = _SUBJECT.fullmatch(text)
-    if found is None:
+    match = _SUBJECT.fullmatch(text)
+    if match is None:
         raise ValueError(f"{text}: not NAME@sha256: and 64 hexadecimal digits")
-    return {"name": found["name"], "digest": {"sha256": found["digest"]}}
+    return {"name": match["name"], "digest": {"sha256": match["digest"]}}
 
 
 def statement(result: Result, report: bytes, subject: str | None) -> dict[str, Any]:

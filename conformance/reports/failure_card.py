@@ -31,7 +31,9 @@ def card(
     yield f"{row.id} {OUTCOME_WORDS[verdict.outcome]} ({row.level}, {row.profile})"
     yield from _entry("rule", row.text)
     if others:
-        yield from _entry("also", ", ".join(one.requirement_id for one in others))
+        yield from _entry(
+            "also", ", ".join(verdict.requirement_id for verdict in others)
+        )
     story = " ".join(verdict.story.split())
     yield from _entry("check", f"{verdict.check}: {story}" if story else verdict.check)
     if verdict.expected:

@@ -62,7 +62,7 @@ def page(result: Result) -> str:
     settings = result.settings
     server = settings.service.get("name", settings.url or "a server")
     causes = result.causes(*_WITH_CARD)
-    cards = {one.requirement_id: cause[0] for cause in causes for one in cause}
+    cards = {verdict.requirement_id: cause[0] for cause in causes for verdict in cause}
     return environment.get_template("report.html.j2").render(
         result=result,
         title=f"Proctor conformance of {server}",
@@ -121,14 +121,16 @@ def _about(result: Result) -> dict[str, str]:
     settings = result.settings
     server = settings.service
     selection = [*settings.only, *(["--quick"] if settings.quick else [])]
-    known = [row.requirement_id for row in result.rows.values() if row.is_known_failure]
+    known_failures = [
+        row.requirement_id for row in result.rows.values() if row.is_known_failure
+    ]
     return {
         "server": f"{server.get('name', '?')} {server.get('version', '?')}",
         "url": settings.url,
         "specification": f"Proctor {load_spec().version}, sha256 {spec_sha256()}",
         "profiles": " · ".join(f"{p} {n}" for p, n in result.profiles().items()),
         "selection": " ".join(selection),
-        "known failures": ", ".join(known),
+        "known failures": ", ".join(known_failures),
         "started": f"{result.started_at}, took {result.elapsed_s:.1f} s",
         "round trip": f"{1000 * result.round_trip_p50_s:.1f} ms p50, "
         f"{1000 * settings.round_trip_s:.1f} ms p95; "
@@ -166,7 +168,7 @@ def _card(cause: list[Verdict], result: Result) -> _Card:
     requests, elapsed_s = _requests(verdict.exchanges, base_url)
     return _Card(
         rule=load_ledger()[verdict.requirement_id],
-        others=[load_ledger()[one.requirement_id] for one in others],
+        others=[load_ledger()[verdict.requirement_id] for verdict in others],
         verdict=verdict,
         word=_word(verdict),
         check=f"{verdict.check}: {' '.join(verdict.story.split())}",
@@ -184,22 +186,22 @@ def _requests(
     if not sent:
         return [], 0.0
     began_at = sent[0].started_at
-    ended_at = max(one.started_at + one.elapsed_s for one in sent)
+    ended_at = max(exchange.started_at + exchange.elapsed_s for exchange in sent)
     whole_s = max(ended_at - began_at, 1e-6)
     requests = [
         {
-            "number": one.number,
-            "method": one.method,
-            "url": one.url.removeprefix(base_url),
-            "outcome": outcome_of(one).partition(" after ")[0],
-            "elapsed_ms": 1000 * one.elapsed_s,
-            "started_after_s": one.started_at - began_at,
-            "left": 100 * (one.started_at - began_at) / whole_s,
-            "width": 100 * one.elapsed_s / whole_s,
-            "request_body": _body(one.request_body),
-            "response_body": _body(one.answer_body),
+            "number": exchange.number,
+            "method": exchange.method,
+            "url": exchange.url.removeprefix(base_url),
+            "outcome": outcome_of(exchange).partition(" after ")[0],
+            "elapsed_ms": 1000 * exchange.elapsed_s,
+            "started_after_s": exchange.started_at - began_at,
+            "left": 100 * (exchange.started_at - began_at) / whole_s,
+            "width": 100 * exchange.elapsed_s / whole_s,
+            "request_body": _body(exchange.request_body),
+            "response_body": _body(exchange.answer_body),
         }
-        for one in sent
+        for exchange in sent
     ]
     return requests, whole_s
 

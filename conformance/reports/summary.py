@@ -55,7 +55,9 @@ def _failures(result: Result) -> list[str]:
 
 
 def _row(first: Verdict, others: list[Verdict]) -> str:
-    ids = _shown([first.requirement_id, *(other.requirement_id for other in others)])
+    ids = _shown(
+        [first.requirement_id, *(verdict.requirement_id for verdict in others)]
+    )
     notes = [load_ledger()[first.requirement_id].level]
     if first.outcome == Outcome.KIT_ERROR:
         notes.append("kit error")
@@ -80,4 +82,4 @@ def _plain(text: str) -> str:
     one_line = " ".join(text.split())
     if len(one_line) > _TEXT:
         one_line = one_line[: _TEXT - 1] + "…"
-    return _MARKUP.sub(lambda found: f"&#{ord(found[0])};", one_line)
+    return _MARKUP.sub(lambda match: f"&#{ord(match[0])};", one_line)

@@ -66,8 +66,8 @@ class ResultCollector:
                 self.problem = self.problem or str(value)
 
     def _add(self, verdict: Verdict) -> None:
-        known = self.verdicts.get(verdict.requirement_id)
-        if known is not None and verdict.outcome == Outcome.PASSED:
+        earlier = self.verdicts.get(verdict.requirement_id)
+        if earlier is not None and verdict.outcome == Outcome.PASSED:
             return
         self.verdicts[verdict.requirement_id] = verdict
         self._progress(verdict, self._total)

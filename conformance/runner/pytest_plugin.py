@@ -241,11 +241,11 @@ def _interleave_files(items: list[pytest.Item]) -> list[pytest.Item]:
     would wait for timers at one time, and for the server at another.
     """
     counts = Counter(item.path for item in items)
-    seen = Counter[Path]()
+    placed = Counter[Path]()
     places: dict[str, float] = {}
     for item in items:
-        places[item.nodeid] = (seen[item.path] + 0.5) / counts[item.path]
-        seen[item.path] += 1
+        places[item.nodeid] = (placed[item.path] + 0.5) / counts[item.path]
+        placed[item.path] += 1
     return sorted(items, key=lambda item: places[item.nodeid])
 
 
@@ -318,8 +318,8 @@ def _end_if_violated(item: pytest.Function, background: BackgroundChecks) -> Non
     """With --fail-fast: leave a check out when a rule was violated before it."""
     if not item.config.stash[_SHARED].settings.fail_fast:
         return
-    known = item.config.stash.get(_FAILED_FAST, False)
-    if known or background.has_violation():
+    is_violated = item.config.stash.get(_FAILED_FAST, False)
+    if is_violated or background.has_violation():
         item.config.stash[_FAILED_FAST] = True
         raise expect.SetUpFailed(expect.VIOLATION_FOUND)
 
@@ -361,7 +361,11 @@ def pytest_runtest_makereport(
 
 def _stop_if_unreachable(item: pytest.Item, context: CheckContext) -> None:
     """End the kit run when the server does not respond any more."""
-    unanswered = [one for one in context.exchange_log.exchanges if one.status is None]
+    unanswered = [
+        exchange
+        for exchange in context.exchange_log.exchanges
+        if exchange.status is None
+    ]
     if not unanswered or _is_reachable(context.shared):
         return
     reason = f"server stopped responding during {context.name} ({unanswered[0].error})"

@@ -90,28 +90,28 @@ class Result:
     def profiles(self) -> dict[str, str]:
         """Give each profile with its MUST rules verified, of all that apply."""
         ledger = load_ledger()
-        found: dict[str, Counter[Outcome]] = {}
+        counts: dict[str, Counter[Outcome]] = {}
         for verdict in self.rows.values():
             rule = ledger[verdict.requirement_id]
             if rule.level == "MUST":
-                found.setdefault(rule.profile, Counter())[verdict.outcome] += 1
-        return {profile: _of_all(count) for profile, count in found.items()}
+                counts.setdefault(rule.profile, Counter())[verdict.outcome] += 1
+        return {profile: _of_all(count) for profile, count in counts.items()}
 
     def open_rules(self) -> dict[str, list[str]]:
         """Give the rules that were not verified, by verdict and reason, worst first."""
-        found: dict[tuple[Outcome, str], list[str]] = {}
+        by_reason: dict[tuple[Outcome, str], list[str]] = {}
         for verdict in self.rows.values():
             if verdict.outcome in WORST_FIRST[:-2]:
                 is_failed = verdict.outcome == Outcome.FAILED
                 reason = "" if is_failed else verdict.reason.split("\n")[0]
-                found.setdefault((verdict.outcome, reason), []).append(
+                by_reason.setdefault((verdict.outcome, reason), []).append(
                     verdict.requirement_id
                 )
         words = {Outcome.FAILED: "violated"}
         return {
             ", ".join(filter(None, (words.get(kind) or label(kind), reason))): ids
             for (kind, reason), ids in sorted(
-                found.items(),
+                by_reason.items(),
                 key=lambda item: (WORST_FIRST.index(item[0][0]), -len(item[1])),
             )
         }
@@ -122,7 +122,7 @@ class Result:
         The cause is taken for one where the same was expected and the same observed,
         or the same is given as the reason.
         """
-        found: dict[tuple[str, ...], list[Verdict]] = {}
+        by_cause: dict[tuple[str, ...], list[Verdict]] = {}
         for verdict in sorted(
             (row for row in self.rows.values() if row.outcome in outcomes),
             key=lambda row: WORST_FIRST.index(row.outcome),
@@ -132,8 +132,8 @@ class Result:
             excused = str(verdict.is_known_failure)
             alone = "" if is_known else verdict.requirement_id
             key = (verdict.outcome.value, excused, alone, *said)
-            found.setdefault(key, []).append(verdict)
-        return list(found.values())
+            by_cause.setdefault(key, []).append(verdict)
+        return list(by_cause.values())
 
     def conclusion(self) -> str:
         """Give the last line."""
@@ -155,11 +155,11 @@ class Result:
             return None
         levels = {row.id: row.level for row in load_ledger().values()}
         wrong = [
-            one.requirement_id
-            for one in self.rows.values()
-            if one.outcome not in (Outcome.PASSED, Outcome.NOT_APPLICABLE)
-            and not one.allowed
-            and levels[one.requirement_id] == "MUST"
+            verdict.requirement_id
+            for verdict in self.rows.values()
+            if verdict.outcome not in (Outcome.PASSED, Outcome.NOT_APPLICABLE)
+            and not verdict.allowed
+            and levels[verdict.requirement_id] == "MUST"
         ]
         is_done = self.exit_code == 0
         first = next(iter(wrong), None) if self.problem is None else None
@@ -198,7 +198,10 @@ def is_offered(row: Requirement, settings: Settings) -> bool:
 
 
 def conclude(
-    result: Result, verdicts: Mapping[str, Verdict], tally: Tally, known: set[str]
+    result: Result,
+    verdicts: Mapping[str, Verdict],
+    tally: Tally,
+    known_failures: set[str],
 ) -> None:
     """Fill in the rows of a result from the verdicts of the checks."""
     for row in result.settings.selected_rules:
@@ -210,7 +213,7 @@ def conclude(
     _note_breaches_of_later_stages(result, tally)
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
-        if row.id in known:
+        if row.id in known_failures:
             verdict.is_known_failure = verdict.outcome == Outcome.FAILED
             if verdict.outcome == Outcome.PASSED:
                 result.stale.append(row.id)
@@ -267,8 +270,10 @@ def _fail_rules_broken_in_set_ups(rows: dict[str, Verdict]) -> None:
     MODEL-001 is the rule on all answers together: it fails where nothing else explains
     a refusal.
     """
-    found = [v for v in rows.values() if v.outcome == Outcome.NOT_VERIFIED and v.breaks]
-    for verdict in sorted(found, key=lambda v: v.breaks == ANY_SEQUENCE):
+    witnesses = [
+        v for v in rows.values() if v.outcome == Outcome.NOT_VERIFIED and v.breaks
+    ]
+    for verdict in sorted(witnesses, key=lambda v: v.breaks == ANY_SEQUENCE):
         broken = rows.get(verdict.breaks)
         if broken is None or broken.outcome != Outcome.PASSED:
             continue

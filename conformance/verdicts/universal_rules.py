@@ -136,13 +136,13 @@ class Tally:
         if not isinstance(answer.value, dict):
             return f"body {answer.body[:200]!r}"
         code = answer.value.get("code")
-        known = self._spec.problems.get(code) if isinstance(code, str) else None
-        if known is None:
+        problem = self._spec.problems.get(code) if isinstance(code, str) else None
+        if problem is None:
             return f"code {format_value(code)}"
-        if answer.status != known["status"]:
-            return f"code `{code}`, whose status is {known['status']}"
+        if answer.status != problem["status"]:
+            return f"code `{code}`, whose status is {problem['status']}"
         for member in ("status", "retryable", "side_effects"):
-            if answer.value.get(member) != known[member]:
+            if answer.value.get(member) != problem[member]:
                 return f"code `{code}` with {member} {answer.value.get(member)!r}"
         return None
 

@@ -85,11 +85,11 @@ def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
     undecided = (Outcome.KIT_ERROR, Outcome.INCONCLUSIVE)
     if any(row.outcome in undecided for row in rows):
         return 2
-    known = {row.requirement_id for row in rows if row.is_known_failure}
+    known_failures = {row.requirement_id for row in rows if row.is_known_failure}
     if any(
         row.outcome == Outcome.NOT_VERIFIED
         and not row.allowed
-        and not known & rules_named_in(row.reason)
+        and not known_failures & rules_named_in(row.reason)
         for row in rows
     ):
         # A prerequisite failed, and not by what is known to fail.

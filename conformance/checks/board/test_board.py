@@ -117,7 +117,7 @@ def test_brd_004_private_entries_are_for_their_account(context: CheckContext) ->
 
     Expect it to be seen by its own account each time, and else while it is public.
     """
-    board, other = Board(context), context.second_account
+    board, second_account = Board(context), context.second_account
     run = board.play("11")
     entry_id = require_entry(run, is_public=False)["entry_id"]
     for is_public in (False, True, False):
@@ -125,20 +125,22 @@ def test_brd_004_private_entries_are_for_their_account(context: CheckContext) ->
         expect.ok(context.call("get_entry", entry_id=entry_id))
         own = listed_entries(context, {entry_id})
         expect.equal(own, [entry_id], "entries listed for its account")
-        seen = context.call("get_entry", entry_id=entry_id, http_client=other)
-        listed = listed_entries(context, {entry_id}, other, limit=1000)
+        answer = context.call(
+            "get_entry", entry_id=entry_id, http_client=second_account
+        )
+        listed = listed_entries(context, {entry_id}, second_account, limit=1000)
         ranked = board.ranked_ids()
         if is_public:
-            expect.ok(seen)
+            expect.ok(answer)
         else:
-            expect.refused(seen, "not_found")
+            expect.refused(answer, "not_found")
         expected = [entry_id] if is_public else []
         expect.equal(listed, expected, "entries listed for another account")
         expect.equal(ranked, expected, "entries in the ranking")
     expect.ok(run.call("withdraw_entry"))
     expect.ok(context.call("get_entry", entry_id=entry_id))
-    seen = context.call("get_entry", entry_id=entry_id, http_client=other)
-    expect.refused(seen, "not_found")
+    answer = context.call("get_entry", entry_id=entry_id, http_client=second_account)
+    expect.refused(answer, "not_found")
 
 
 @requirement("BRD-005")
@@ -190,12 +192,12 @@ def test_brd_007_entries_are_listed_newest_first(context: CheckContext) -> None:
     board = Board(context)
     ids = [board.add("1", is_public=bool(n % 2))["entry_id"] for n in range(3)]
     for params in ({}, {"limit": 1}, {"limit": 2}, {"benchmark_id": BENCHMARK}):
-        found = listed_entries(context, set(ids), **params)
-        expect.equal(found, ids[::-1], f"entries with {params}")
+        listed = listed_entries(context, set(ids), **params)
+        expect.equal(listed, ids[::-1], f"entries with {params}")
     page = expect.ok(context.call("list_entries", params={"limit": 2}))
     expect.equal(len(page["entries"]), 2, "entries on a page of two")
-    found = listed_entries(context, set(ids), benchmark_id=UNKNOWN_BENCHMARK)
-    expect.equal(found, [], "entries of another benchmark")
+    listed = listed_entries(context, set(ids), benchmark_id=UNKNOWN_BENCHMARK)
+    expect.equal(listed, [], "entries of another benchmark")
 
 
 def expect_replaced_row(context: CheckContext) -> None:
@@ -227,14 +229,14 @@ def test_brd_008_rows_are_in_their_order(context: CheckContext) -> None:
     Board(context).add("11111111")
     expected = [row["entry_id"] for row in board.expected()["rows"]]
     expect.equal(board.ranked_ids(), expected, "entries in the ranking")
-    found, params = [], {"limit": 3}
+    entry_ids, params = [], {"limit": 3}
     for _ in range(len(expected)):
         page = board.ranking(**params)
-        found += [row["entry"]["entry_id"] for row in page["rows"]]
+        entry_ids += [row["entry"]["entry_id"] for row in page["rows"]]
         if page["next_cursor"] is None:
             break
         params["cursor"] = page["next_cursor"]
-    expect.equal(found, expected, "entries on all pages of three")
+    expect.equal(entry_ids, expected, "entries on all pages of three")
 
 
 def expect_rows(context: CheckContext, *members: str) -> None:
@@ -253,7 +255,7 @@ def expect_rows(context: CheckContext, *members: str) -> None:
 
 def expect_members(board: Board, members: tuple[str, ...]) -> None:
     """Expect these members of each row, by the id of its entry."""
-    found = {
+    actual = {
         row["entry"]["entry_id"]: {name: row.get(name) for name in members}
         for row in board.ranking()["rows"]
     }
@@ -261,7 +263,7 @@ def expect_members(board: Board, members: tuple[str, ...]) -> None:
         row["entry_id"]: {name: row[name] for name in members}
         for row in board.expected()["rows"]
     }
-    expect.equal(found, expected, "rows by entry")
+    expect.equal(actual, expected, "rows by entry")
 
 
 @requirement("BRD-009")
@@ -274,7 +276,7 @@ def test_brd_009_a_rank_is_an_interval(context: CheckContext) -> None:
     expect_rows(context, "rank", "better", "worse")
     board = Board(context)
     for successes in PATTERNS[:3]:
-        board.add(successes, scores=[1 - int(one) / 2 for one in successes])
+        board.add(successes, scores=[1 - int(success) / 2 for success in successes])
         expect_members(board, ("rank", "better", "worse"))
 
 
@@ -296,14 +298,14 @@ def test_brd_011_a_ranking_says_what_it_can_distinguish(context: CheckContext) -
         board = Board(context)
         for count, successes in enumerate(patterns, start=1):
             board.add(successes)
-            found, expected = board.ranking(), board.expected()
+            ranking, expected = board.ranking(), board.expected()
             for member in ("ranked", "comparisons", "differing_min"):
-                expect.equal(found[member], expected[member], member)
-            enough = found["differing_enough"]
+                expect.equal(ranking[member], expected[member], member)
+            enough = ranking["differing_enough"]
             expect.equal(enough, expected["differing_enough"], "differing_enough")
-            expect.equal(found["episodes_total"], len(successes), "episodes_total")
-            expect.equal(found["alpha"], 0.05, "alpha")
-            expect.equal(found["ranked"], count, "ranked")
+            expect.equal(ranking["episodes_total"], len(successes), "episodes_total")
+            expect.equal(ranking["alpha"], 0.05, "alpha")
+            expect.equal(ranking["ranked"], count, "ranked")
 
 
 @requirement("BRD-019")
@@ -326,8 +328,10 @@ def test_brd_019_attempts_are_counted(context: CheckContext) -> None:
         shown = expect.ok(context.call("get_entry", entry_id=entry_id))
         after = context.submit("score", http_client=account)
         high = after.get()["attempts_by_submitter"]
-        found = shown["attempts"]
-        expect.true(low <= found < high, f"attempts from {low} to {high - 1}", found)
+        attempts = shown["attempts"]
+        expect.true(
+            low <= attempts < high, f"attempts from {low} to {high - 1}", attempts
+        )
         exact += high == low + 1
         if exact == COUNTS:
             return
@@ -361,9 +365,9 @@ def test_brd_021_rankings_of_nothing(context: CheckContext) -> None:
     expect.refused(unknown, "not_found")
     board = Board(context)
     board.manifest_sha256 = UNKNOWN_MANIFEST
-    found = board.ranking()
-    expect.equal(found["rows"], [], "rows")
-    expect.equal(found["ranked"], 0, "ranked")
+    ranking = board.ranking()
+    expect.equal(ranking["rows"], [], "rows")
+    expect.equal(ranking["ranked"], 0, "ranked")
     expect.ok(context.call("get_ranking", benchmark_id=BENCHMARK))
     entry = board.add("1")
     expect.equal(board.ranked_ids(), [entry["entry_id"]], "entries in the ranking")

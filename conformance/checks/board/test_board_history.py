@@ -37,15 +37,15 @@ PUBLISHED_MEMBERS = (
 
 def read_leaves(context: CheckContext, limit: int = 1000) -> list[bytes]:
     """Read all leaves, page by page."""
-    found: list[bytes] = []
+    leaves: list[bytes] = []
     params: dict[str, Any] = {"limit": limit}
     for _ in range(_PAGES_MAX):
         page = expect.ok(context.call("list_history", params=params))
         for leaf in page["leaves"]:
-            expect.equal(leaf["index"], len(found), "index of a leaf")
-            found.append(leaf["leaf"].encode())
+            expect.equal(leaf["index"], len(leaves), "index of a leaf")
+            leaves.append(leaf["leaf"].encode())
         if page["next_cursor"] is None:
-            return found
+            return leaves
         params["cursor"] = page["next_cursor"]
     raise SetUpFailed("`list_history` does not end", breaks="BRD-013")
 
@@ -93,18 +93,18 @@ def test_brd_013_every_change_of_a_public_entry_is_a_leaf(
     after = read_leaves(context, limit=100)
     expect.equal(after[: len(before)], before, "the leaves that were there before")
     expect.equal(leaves_of(after, hidden["entry_id"]), [], "leaves of a private entry")
-    found = leaves_of(after[len(before) :], entry["entry_id"])
-    kinds = [leaf["kind"] for leaf in found]
+    leaves = leaves_of(after[len(before) :], entry["entry_id"])
+    kinds = [leaf["kind"] for leaf in leaves]
     expected = ["publish", "change", "hide", "publish", "withdraw"]
     expect.equal(kinds, expected, "kinds of its leaves")
-    described = [leaf.get("description") for leaf in found]
+    described = [leaf.get("description") for leaf in leaves]
     notes = [description_of(notes=text) for text in "abd"]
     expect.equal(described, [*notes[:2], None, notes[2], None], "descriptions")
-    for leaf in (found[0], found[3]):
+    for leaf in (leaves[0], leaves[3]):
         expect.equal(leaf["successes"], "101", "successes")
         for member in PUBLISHED_MEMBERS:
             expect.equal(leaf[member], entry[member], member)
-    times = [leaf["at_ms"] for leaf in found]
+    times = [leaf["at_ms"] for leaf in leaves]
     expect.equal(times, sorted(times), "at_ms, in order")
 
 
@@ -206,12 +206,12 @@ def test_brd_018_a_public_board_is_read_without_a_token(context: CheckContext) -
     for operation_id, how in reads:
         body = expect.ok(context.call(operation_id, http_client=without_token, **how))
         if operation_id == "list_entries":
-            listed = [one["entry_id"] for one in body["entries"]]
+            listed = [listed_entry["entry_id"] for listed_entry in body["entries"]]
             expect.true(entry["entry_id"] in listed, "the public entry", listed)
             expect.true(private["entry_id"] not in listed, "no private one", listed)
         refused = context.call(operation_id, http_client=wrong_token, **how)
         expect.refused(refused, "unauthenticated")
-    seen = context.call(
+    refused = context.call(
         "get_entry", entry_id=private["entry_id"], http_client=without_token
     )
-    expect.refused(seen, "not_found")
+    expect.refused(refused, "not_found")

@@ -208,9 +208,11 @@ def test_atr_005_a_run_shows_whether_others_may_play(context: CheckContext) -> N
     """Runs with `any_policy` true, false and absent. Expect each to show it, in every
     operation that shows a run."""
     for sent, shown in ((True, True), (False, False), (None, False)):
-        _, seen = submit_and_show(context, any_policy=sent)
-        found = {name: view.get("any_policy") for name, view in seen.items()}
-        expect.equal(found, dict.fromkeys(seen, shown), f"any_policy, sent {sent}")
+        _, views = submit_and_show(context, any_policy=sent)
+        shown_values = {name: view.get("any_policy") for name, view in views.items()}
+        expect.equal(
+            shown_values, dict.fromkeys(views, shown), f"any_policy, sent {sent}"
+        )
 
 
 @requirement("ATR-006")
@@ -233,8 +235,8 @@ def test_atr_006_rewards_are_added_up(context: CheckContext) -> None:
     expect.true(
         len(added) == len(RETURNS)
         and all(
-            isinstance(seen, int | float) and abs(seen - wanted) <= 1e-9 * wanted
-            for seen, wanted in zip(added, RETURNS, strict=True)
+            isinstance(total, int | float) and abs(total - wanted) <= 1e-9 * wanted
+            for total, wanted in zip(added, RETURNS, strict=True)
         ),
         f"total_reward {RETURNS}",
         added,

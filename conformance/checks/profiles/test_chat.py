@@ -60,18 +60,18 @@ def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
         config = {"images": images, "model": "m-1", "generation": numbers}
         run = submit_chat_run(context, chat, "score", "echo", **config)
         expect_end(run, "completed")
-        found = {request.question: request for request in chat.requests}
+        requests = {request.question: request for request in chat.requests}
         due = [f"Calibration task {task}." for task in ("echo", "score")]
-        expect.equal(sorted(found), due, "questions")
+        expect.equal(sorted(requests), due, "questions")
         expect.equal(len(chat.requests), 2, "requests")
-        for request in found.values():
+        for request in requests.values():
             members = {"model": "m-1", **numbers}
             sent = {name: request.body.get(name) for name in members}
             expect.equal(sent, members, "members of the request")
             roles = [message["role"] for message in request.body["messages"]]
             expect.equal(roles, ["user"], "roles")
-        expect.equal(found[due[1]].image_urls, [], "pictures of the task score")
-        (url,) = found[due[0]].image_urls or [""]
+        expect.equal(requests[due[1]].image_urls, [], "pictures of the task score")
+        (url,) = requests[due[0]].image_urls or [""]
         head, _, data = url.partition(",")
         expect.equal(head, "data:image/png;base64", "the picture's URL")
         expect.true(base64.b64decode(data).startswith(PNG), "a png", data[:40])

@@ -70,9 +70,9 @@ def pairs_of(context: CheckContext) -> Iterator[tuple[HttpClient, HttpClient]]:
 
 def views_at(run: RunClient, http_client: HttpClient) -> dict[str, Any]:
     """Read all that is shown of a run at one base URL; none of it may be refused."""
-    seen = at(run, http_client)
+    run_there = at(run, http_client)
     names = ("get_run", "list_episodes", "get_score")
-    views = {name: expect.ok(seen.call(name)) for name in names}
+    views = {name: expect.ok(run_there.call(name)) for name in names}
     views["get_run"].pop("queue_position", None)
     return views
 
@@ -88,26 +88,28 @@ def test_clu_001_goes_by_what_another_base_url_has_answered(
     """
     for here, there in pairs_of(context):
         run = context.submit("score", "count", http_client=here)
-        seen = at(run, there)
+        run_there = at(run, there)
         worker = run.worker()
-        expect.equal(expect.ok(seen.call("get_run"))["state"], "ready", "state")
+        expect.equal(expect.ok(run_there.call("get_run"))["state"], "ready", "state")
         worker.attach()
-        expect.equal(expect.ok(seen.call("get_run"))["live_workers"], 1, "live_workers")
+        expect.equal(
+            expect.ok(run_there.call("get_run"))["live_workers"], 1, "live_workers"
+        )
         ended = worker.play(score=1, success=1)["episode_result"]
-        listed = expect.ok(seen.call("list_episodes"))["episodes"]
+        listed = expect.ok(run_there.call("list_episodes"))["episodes"]
         expect.equal(listed[0]["result"], ended, "the result of the first episode")
         turn = expect.ok(worker_at(worker, there).try_predict(context.action()))
         expect.equal(count(turn), [1], "count in the second episode")
         worker.seq += 1
         run.stop()
-        expect.equal(expect.ok(seen.call("get_run"))["state"], "stopped", "state")
+        expect.equal(expect.ok(run_there.call("get_run"))["state"], "stopped", "state")
         late = worker_at(worker, there).try_predict(context.action())
         expect.refused(late, "session_ended")
-        expect.ok(seen.call("resume_run"))
+        expect.ok(run_there.call("resume_run"))
         state = expect.ok(run.call("get_run"))["state"]
         expect.true(state != "stopped", "a run that was resumed", state)
         newest = expect.ok(context.call("list_runs", http_client=there))["runs"]
-        ids = [one["run_id"] for one in newest]
+        ids = [listed_run["run_id"] for listed_run in newest]
         expect.true(run.id in ids, "the run in `list_runs`", ids[:3])
 
 
@@ -120,21 +122,21 @@ def test_clu_002_shows_the_same_at_each_base_url(context: CheckContext) -> None:
     clients = context.clients_by_url
     for operation in ("describe_service", "list_benchmarks"):
         first, *others = [
-            expect.ok(context.call(operation, http_client=one)) for one in clients
+            expect.ok(context.call(operation, http_client=client)) for client in clients
         ]
         for answer in (first, *others):
             answer.pop("server_time", None)
-        for other in others:
-            expect.equal(other, first, f"the answer of `{operation}`")
+        for body in others:
+            expect.equal(body, first, f"the answer of `{operation}`")
     run = context.submit("score")
     worker = run.worker()
     for change in (None, worker.attach, worker.play):
         if change is not None:
             change()
-        first, *others = [views_at(run, one) for one in clients]
-        for other in others:
-            expect.equal(other, first, "the views of the run")
-        tags = {etag_of(at(run, one))["If-None-Match"] for one in clients}
+        first, *others = [views_at(run, client) for client in clients]
+        for body in others:
+            expect.equal(body, first, "the views of the run")
+        tags = {etag_of(at(run, client))["If-None-Match"] for client in clients}
         expect.equal(len(tags), 1, "different ETags of the run")
 
 
@@ -167,7 +169,8 @@ def expect_one_session(
     """Expect one session of attaches with one key, with which the worker goes on."""
     key = uuid.uuid4().hex
     attach = [
-        partial(worker_at(worker, one).try_attach, attach_key=key) for one in clients
+        partial(worker_at(worker, client).try_attach, attach_key=key)
+        for client in clients
     ]
     answers = [*context.call_concurrently(*attach), *[send() for send in attach]]
     sessions = {expect.ok(answer)["session_id"] for answer in answers}
@@ -181,12 +184,14 @@ def expect_one_execution(
     """Expect turns to be executed once, wherever they are sent and repeated."""
     for executed in range(1, ROUNDS + 1):
         action = context.action()
-        send = [partial(worker_at(worker, one).try_predict, action) for one in clients]
+        send = [
+            partial(worker_at(worker, client).try_predict, action) for client in clients
+        ]
         answers = [*context.call_concurrently(*send), *[again() for again in send]]
         first, *others = [expect.ok(answer) for answer in answers]
         expect.equal(count(first), [executed], "count after the turn")
-        for other in others:
-            expect.equal(other, first, "the repeated turn")
+        for turn in others:
+            expect.equal(turn, first, "the repeated turn")
         worker.seq += 1
 
 
@@ -201,14 +206,14 @@ def test_clu_004_decides_one_request_after_the_other(context: CheckContext) -> N
         both = (here, there)
         for _ in range(ROUNDS):
             run = context.submit("count", "count", max_workers=1)
-            attach = [worker_at(run.worker(), one).try_attach for one in both]
+            attach = [worker_at(run.worker(), client).try_attach for client in both]
             expect_one_of(context.call_concurrently(*attach), "worker_limit")
             run.stop()
     require_worker_limit(context, 2)
     for here, there in pairs_of(context):
         run = context.submit("count", "count", max_workers=2)
-        workers = [worker_at(run.worker(), one) for one in (here, there)]
-        answers = context.call_concurrently(*[one.try_attach for one in workers])
+        workers = [worker_at(run.worker(), client) for client in (here, there)]
+        answers = context.call_concurrently(*[worker.try_attach for worker in workers])
         turns = [expect.ok(answer) for answer in answers]
         played = {turn["episode"]["index"] for turn in turns}
         expect.equal(len(played), 2, "episodes of two workers")
@@ -216,8 +221,10 @@ def test_clu_004_decides_one_request_after_the_other(context: CheckContext) -> N
         worker.session_id = turns[0]["session_id"]
         for _ in range(ROUNDS):
             send = [
-                partial(worker_at(worker, one).try_predict, context.action(score=score))
-                for score, one in enumerate((here, there))
+                partial(
+                    worker_at(worker, client).try_predict, context.action(score=score)
+                )
+                for score, client in enumerate((here, there))
             ]
             expect_one_of(context.call_concurrently(*send), "seq_conflict")
             worker.seq += 1
@@ -242,9 +249,9 @@ def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
     """
     for extend in (WorkerClient.try_heartbeat, WorkerClient.try_next):
         worker, last = attach_with_lease(context)
-        for one in itertools.islice(itertools.cycle(context.clients_by_url), 4):
+        for client in itertools.islice(itertools.cycle(context.clients_by_url), 4):
             sleep_nearly_through(last, context)
-            away = worker_at(worker, one)
+            away = worker_at(worker, client)
             answer = extend(away)
             worker.seq = away.seq
             expect_inside_lease(answer, last, context)
@@ -265,17 +272,17 @@ def test_clu_006_changes_reach_every_base_url(context: CheckContext) -> None:
     limit_s = LATE_S + context.tolerance_s
     for here, there in pairs_of(context):
         run = context.submit("score", "score", http_client=here)
-        seen, worker = at(run, there), run.worker()
+        run_there, worker = at(run, there), run.worker()
         for change, state in ((worker.attach, "running"), (run.stop, "stopped")):
-            headers = etag_of(seen) | wait
+            headers = etag_of(run_there) | wait
             polled, changed_at = context.call_concurrently(
-                partial(seen.call, "get_run", headers=headers),
+                partial(run_there.call, "get_run", headers=headers),
                 partial(change_later, change),
             )
             took_s, what = polled.ended_at - changed_at, "the answer elsewhere"
             expect_changed(polled, state, took_s, limit_s, what)
         if context.offers("events"):
-            with follow_run(seen) as reader:
+            with follow_run(run_there) as reader:
                 reader.until(in_state("stopped"), "`run` that is stopped")
                 run.resume()
                 expect_change_in_time(context, reader, in_state("ready"), "ready")

@@ -81,18 +81,20 @@ def play_runs(
 
 
 def expect_close_means(
-    found: dict[str, Any], expected: dict[str, Any], what: str
+    actual: dict[str, Any], expected: dict[str, Any], what: str
 ) -> None:
     """Expect both means and their difference."""
     for member in MEANS:
-        expect_close(found[member], expected[member], f"{member} {what}")
+        expect_close(actual[member], expected[member], f"{member} {what}")
 
 
 def compare_long_runs(context: CheckContext) -> tuple[dict[str, Any], dict[str, Any]]:
     """Compare the long runs; give the entry and what is expected of it."""
-    base, other = long_run(context), other_long_run(context)
-    (entry,) = compare(context, base.run, other.run)
-    expected = expected_comparison(base.episodes(), other.episodes(), DEFAULT_TOLERANCE)
+    base, second = long_run(context), other_long_run(context)
+    (entry,) = compare(context, base.run, second.run)
+    expected = expected_comparison(
+        base.episodes(), second.episodes(), DEFAULT_TOLERANCE
+    )
     return entry, expected
 
 
@@ -123,9 +125,9 @@ def test_cmp_002_pairs_are_scored_in_both(context: CheckContext) -> None:
     base = PlannedRun(context, [SUCCESS, ABANDONED, FAILURE, UNPLAYED])
     planned_run = PlannedRun(context, [FAILURE, SUCCESS, ABANDONED, UNPLAYED])
     for steps in ((0, 1), (2, 0), (1, 1), (0, 1)):
-        for one, times in zip((base, planned_run), steps, strict=True):
+        for planned, times in zip((base, planned_run), steps, strict=True):
             for _ in range(times):
-                one.play_next()
+                planned.play_next()
         for pair in ((base, planned_run), (planned_run, base)):
             paired = compare_planned_runs(context, *pair)["paired"]
             expect.equal(paired, min(base.played, planned_run.played), "paired")
@@ -172,7 +174,9 @@ def test_cmp_004_difference_is_baseline_minus_run(context: CheckContext) -> None
         base = PlannedRun(context, [first for first, _ in pairs])
         planned = [replace(second, task=first.task) for first, second in pairs]
         played = max(0, len(pairs) - left)
-        planned[played:] = [replace(one, outcome=None) for one in planned[played:]]
+        planned[played:] = [
+            replace(episode, outcome=None) for episode in planned[played:]
+        ]
         planned_run = PlannedRun(context, planned)
         expect_close_means(
             compare_planned_runs(context, base, planned_run),
@@ -203,12 +207,12 @@ def test_cmp_004_difference_is_baseline_minus_run(context: CheckContext) -> None
     expect_close_means(*compare_long_runs(context), "of long runs")
 
 
-def expect_tasks(found: dict[str, Any], expected: dict[str, Any]) -> None:
+def expect_tasks(actual: dict[str, Any], expected: dict[str, Any]) -> None:
     """Expect each task once, with its numbers."""
-    expect.equal(sorted(found), sorted(expected), "tasks")
+    expect.equal(sorted(actual), sorted(expected), "tasks")
     for task, group in expected.items():
-        expect.equal(found[task]["paired"], group["paired"], f"paired of {task}")
-        expect_close_means(found[task], group, f"of {task}")
+        expect.equal(actual[task]["paired"], group["paired"], f"paired of {task}")
+        expect_close_means(actual[task], group, f"of {task}")
 
 
 @on_long_run
@@ -229,13 +233,13 @@ def test_cmp_005_groups_by_task(context: CheckContext) -> None:
         [SUCCESS, FAILURE, ABANDONED, *count, echo],
         [FAILURE, FAILURE, SUCCESS, *reversed(count), echo],
     )
-    found, expected = (
+    actual, expected = (
         compare_planned_runs(context, base, planned_run)["by_task"],
         expected_entry(base, planned_run)["by_task"],
     )
-    expect_tasks(found, expected)
-    found, expected = compare_long_runs(context)
-    expect_tasks(found["by_task"], expected["by_task"])
+    expect_tasks(actual, expected)
+    actual, expected = compare_long_runs(context)
+    expect_tasks(actual["by_task"], expected["by_task"])
 
 
 @on_long_run
@@ -346,8 +350,8 @@ def test_cmp_008_release_needs_every_difference_within_tolerance(
             expected = expected_entry(base, planned_run, allowed)
             text = f"release with difference {float(expected['difference']):+.4f}"
             text += f", tolerance {'absent' if tolerance is None else tolerance}"
-            found = entry_of(planned_run, entries)["release"]
-            expect.equal(found, expected["release"], text)
+            release = entry_of(planned_run, entries)["release"]
+            expect.equal(release, expected["release"], text)
     unfinished = compare_planned_runs(context, planned_runs[-1], base, 1.0)
     expect.equal(unfinished["release"], False, "release beside an incomplete baseline")
 
@@ -381,9 +385,9 @@ def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -
     The unknown ones are as short and as long as ids may be. Expect `not_found` for
     each, and success for the owner.
     """
-    other = context.second_account
+    second_account = context.second_account
     ours = context.submit("score", wait_ready=False)
-    theirs = context.submit("score", wait_ready=False, http_client=other)
+    theirs = context.submit("score", wait_ready=False, http_client=second_account)
     named = [(ours.id, ours.id), (theirs.id, ours.id), (theirs.id, f"{theirs.id},none")]
     named += [(ours.id, theirs.id), ("none", theirs.id)]
     named += [(theirs.id, f"{theirs.id},{ours.id}")]
@@ -392,10 +396,10 @@ def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -
         named += [(theirs.id, f"{theirs.id},{unknown}")]
     for baseline, runs in named:
         params = {"baseline": baseline, "runs": runs}
-        answer = context.call("compare_runs", params=params, http_client=other)
+        answer = context.call("compare_runs", params=params, http_client=second_account)
         expect.refused(answer, "not_found")
     params = {"baseline": theirs.id, "runs": theirs.id}
-    expect.ok(context.call("compare_runs", params=params, http_client=other))
+    expect.ok(context.call("compare_runs", params=params, http_client=second_account))
 
 
 @requirement("CMP-011")
@@ -408,8 +412,8 @@ def test_cmp_011_answers_in_every_state(context: CheckContext) -> None:
         run = make_run_in_state(context, state)
         (entry,) = compare(context, run, run)
         nothing = {"wins": 0, "losses": 0, "p_value": 1}
-        found = {name: entry[name] for name in nothing}
-        expect.equal(without(found), nothing, f"comparison when {state}")
+        members = {name: entry[name] for name in nothing}
+        expect.equal(without(members), nothing, f"comparison when {state}")
 
 
 @requirement("CMP-012")
@@ -419,15 +423,15 @@ def test_cmp_012_says_what_was_compared(context: CheckContext) -> None:
     Expect the id, the benchmark and the hash of the baseline, and the tolerance.
     """
     runs = [context.submit("echo", "score", max_steps=4) for _ in range(2)]
-    for base, other in (runs, reversed(runs)):
+    for base, compared in (runs, reversed(runs)):
         body = base.get()
         for tolerance in (None, 0, 1 / 3, 0.05, 1e-9, 1):
-            params: dict[str, Any] = {"baseline": base.id, "runs": other.id}
+            params: dict[str, Any] = {"baseline": base.id, "runs": compared.id}
             if tolerance is not None:
                 params["tolerance"] = tolerance
-            found = expect.ok(context.call("compare_runs", params=params))
-            expect.equal(found["baseline"], base.id, "baseline")
+            comparison = expect.ok(context.call("compare_runs", params=params))
+            expect.equal(comparison["baseline"], base.id, "baseline")
             for name in ("benchmark_id", "manifest_sha256"):
-                expect.equal(found[name], body[name], name)
+                expect.equal(comparison[name], body[name], name)
             applied = DEFAULT_TOLERANCE if tolerance is None else tolerance
-            expect.equal(found["tolerance"], applied, "tolerance")
+            expect.equal(comparison["tolerance"], applied, "tolerance")

@@ -161,7 +161,7 @@ def test_del_004_a_deleted_run_is_unknown(context: CheckContext) -> None:
         for pair in ((run.id, older.id), (older.id, run.id)):
             params = dict(zip(("baseline", "runs"), pair, strict=True))
             expect_unknown(older, "compare_runs", params=params)
-    listed = [one["run_id"] for one in newest_runs(context)]
+    listed = [run_body["run_id"] for run_body in newest_runs(context)]
     shown = [run_id for run_id in listed if run_id in (older.id, run.id, newer.id)]
     expect.equal(shown, [newer.id, older.id], "those of the three that are listed")
     expect.equal([older.snapshot(), newer.snapshot()], others, "the other runs")
@@ -187,7 +187,7 @@ def test_del_005_the_key_of_a_deleted_run_stays_used(context: CheckContext) -> N
         expect.refused(submit(context, bodies[0], headers=keys[0]), "not_found")
     again = expect.ok(submit(context, bodies[1], headers=keys[1]), 201)
     expect.equal(again["run_id"], runs[1].id, "run_id of the other key")
-    listed = [one["policy"]["name"] for one in newest_runs(context)]
+    listed = [run_body["policy"]["name"] for run_body in newest_runs(context)]
     expect.equal([n for n in listed if n in names], names[1:], "policies with a run")
 
 
@@ -201,12 +201,12 @@ def count_of(run: RunClient) -> int:
 
 def expect_own_runs_counted(context: CheckContext) -> None:
     """Expect the runs of one account not to count for another one."""
-    other = context.second_account
+    second_account = context.second_account
     for last_try in (number == TRIES - 1 for number in range(TRIES)):
-        before = count_of(play_one_action(context, other))
+        before = count_of(play_one_action(context, second_account))
         play_one_action(context)
-        after = count_of(play_one_action(context, other))
-        listed = newest_runs(context, other)
+        after = count_of(play_one_action(context, second_account))
+        listed = newest_runs(context, second_account)
         shown = {run.get("runs_played_before") for run in listed}
         missing = set(range(before + 1, after)) - shown
         if not missing:

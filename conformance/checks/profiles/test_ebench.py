@@ -39,9 +39,10 @@ def test_ebe_001_a_task_is_a_run(context: CheckContext) -> None:
     run = RunClient(context, expect.ok(shown), context.http_client)
     context.adopt(run.body)
     expect.equal(run.body["benchmark_id"], "calibration", "the run's benchmark_id")
-    other = expect_success(call_control_plane(context, "createTask", asked))["task_id"]
-    context.adopt(expect.ok(context.call("get_run", run_id=other)))
-    expect.true(other != task_id, "another task_id for another task", other)
+    again = call_control_plane(context, "createTask", asked)
+    second_id = expect_success(again)["task_id"]
+    context.adopt(expect.ok(context.call("get_run", run_id=second_id)))
+    expect.true(second_id != task_id, "another task_id for another task", second_id)
 
 
 @requirement("EBE-002")
@@ -421,20 +422,20 @@ def test_ebe_024_the_run_is_named_in_header_and_query(context: CheckContext) -> 
     Expect success, and `not_found`.
     """
     ebench_run = submit_ebench_run(context, "count")
-    other = context.submit("count").id
-    one = pickles.write({"0": action()})
+    second_id = context.submit("count").id
+    step = pickles.write({"0": action()})
     calls = [
         partial(ebench_run.try_get, "docs"),
         partial(ebench_run.try_get, "status"),
         partial(ebench_run.try_workers, "create_workers", "0"),
         partial(ebench_run.try_reset, "0"),
-        partial(ebench_run.try_send, "step", one),
+        partial(ebench_run.try_send, "step", step),
         partial(ebench_run.try_chunk, [{"0": action()}]),
         partial(ebench_run.try_workers, "kill", "0"),
     ]
     for call in calls:
-        expect.refused(call(params={"run_id": other}), "not_found")
-        expect.refused(call(headers={"run_id": other}, params={}), "not_found")
+        expect.refused(call(params={"run_id": second_id}), "not_found")
+        expect.refused(call(headers={"run_id": second_id}, params={}), "not_found")
         answer = call(**name_run(ebench_run))
         expect.equal(answer.status, 200, "the status with `run_id` in both places")
 
@@ -550,8 +551,8 @@ def test_ebe_030_a_killed_worker_costs_no_episode(context: CheckContext) -> None
     ebench_run.reset("0")
     ebench_run.step({"0": action(score=1, end=1)})
     [episode] = ebench_run.run.episodes()
-    seen = [episode["result"]["attempt"], episode["result"]["score"]]
-    expect.equal(seen, [3, 1.0], "attempt and score of the result")
+    attempt_and_score = [episode["result"]["attempt"], episode["result"]["score"]]
+    expect.equal(attempt_and_score, [3, 1.0], "attempt and score of the result")
 
 
 @requirement("EBE-031")
@@ -567,7 +568,7 @@ def test_ebe_031_a_lost_result_is_given_later(context: CheckContext) -> None:
         ebench_run.reset("0")  # waits for the end of the step
     given = []
     for number in range(2):
-        one = {"0": action(vector=[float(number)] * 8)}
-        shown = expect_workers(ebench_run.try_step(one))["0"]
+        step = {"0": action(vector=[float(number)] * 8)}
+        shown = expect_workers(ebench_run.try_step(step))["0"]
         given.append((shown["episode_result"] or {}).get("episode_id"))
     expect.true(lost in given, f"the result of {lost}", given)

@@ -170,9 +170,11 @@ def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
             for events in (received, late):
                 for number, event in enumerate(events):
                     if event.kind == "run":
-                        seen = len(set(episodes_in(events[:number])))
+                        episodes_before = len(set(episodes_in(events[:number])))
                         counted = event.body["progress"]["episodes_scored"]
-                        expect.equal(seen, counted, "episodes before the `run` event")
+                        expect.equal(
+                            episodes_before, counted, "episodes before the `run` event"
+                        )
 
 
 def has_workers(live: int) -> Callable[[Event], bool]:
@@ -209,8 +211,8 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
     worker = workers[0]
     with follow_run(run) as reader:
         expect_change_in_time(context, reader, in_state("ready"), "ready")
-        for live, one in enumerate(workers, start=1):
-            one.attach()
+        for live, joining in enumerate(workers, start=1):
+            joining.attach()
             text = f"running with {live} workers"
             expect_change_in_time(context, reader, has_workers(live), text)
         for _ in range(3):
@@ -218,8 +220,8 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
             reader.collect_for(PAUSE_S / 3)
         worker.play()
         expect_change_in_time(context, reader, counts_scored(1), "one scored episode")
-        for live, one in reversed(list(enumerate(workers))):
-            one.detach()
+        for live, leaving in reversed(list(enumerate(workers))):
+            leaving.detach()
             text = f"{live} workers left"
             expect_change_in_time(context, reader, has_workers(live), text)
         run.stop()
@@ -303,15 +305,15 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
             expect.equal(again.first_status(), 200, f"status at the last id, {state}")
 
 
-def altered_ids(known: str) -> Iterator[str]:
+def altered_ids(event_id: str) -> Iterator[str]:
     """Give ids that resemble an id of a run, and that no server gave to an event."""
-    for at in range(len(known)):
-        yield f"{known[:at]}_{known[at + 1 :]}"
-    beginning = known.rstrip(string.digits)
-    if beginning != known and beginning:
+    for at in range(len(event_id)):
+        yield f"{event_id[:at]}_{event_id[at + 1 :]}"
+    beginning = event_id.rstrip(string.digits)
+    if beginning != event_id and beginning:
         yield beginning
-    for found in re.finditer(r"[^A-Za-z0-9](?=.)", known):
-        yield from (known[: found.end()], known[found.end() :])
+    for match in re.finditer(r"[^A-Za-z0-9](?=.)", event_id):
+        yield from (event_id[: match.end()], event_id[match.end() :])
 
 
 @requirement("EVT-007")
@@ -328,13 +330,13 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
     run = runs[0].run
     run.stop()  # so that no event comes later
     with follow_run(run) as reader:
-        known = ids_of(reader.until(in_state("stopped"), "`run` that is stopped"))
-    own, foreign = known[-1], ids_of(read_events(runs[1].run, 5))
+        sent_ids = ids_of(reader.until(in_state("stopped"), "`run` that is stopped"))
+    own, foreign = sent_ids[-1], ids_of(read_events(runs[1].run, 5))
     # Ids may be numbers that each run counts: five episodes count beyond one.
-    others = [foreign[-1], *(id_ for id_ in foreign[:1] if id_ not in known)]
-    others += [re.sub(r"\d+", lambda found: str(int(found[0]) + 1000), own, count=1)]
+    others = [foreign[-1], *(id_ for id_ in foreign[:1] if id_ not in sent_ids)]
+    others += [re.sub(r"\d+", lambda match: str(int(match[0]) + 1000), own, count=1)]
     others += altered_ids(own)
-    others += ids_to_come(known)
+    others += ids_to_come(sent_ids)
     for wrong in (uuid.uuid4().hex, "no such event", "x" * 129, *others):
         if wrong == own:
             continue  # of letters alone
@@ -344,12 +346,14 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
         expect.equal(reader.first_status(), 200, "status at an id of the run")
 
 
-def ids_to_come(known: list[str]) -> list[str]:
+def ids_to_come(sent_ids: list[str]) -> list[str]:
     """Give ids that a later event could have, if ids end in a number that counts."""
-    numbers = [int(found[-1]) for id_ in known if (found := re.findall(r"\d+", id_))]
+    numbers = [
+        int(digits[-1]) for id_ in sent_ids if (digits := re.findall(r"\d+", id_))
+    ]
     following = str(max(numbers, default=0) + 1)
-    made = [re.sub(r"\d+(?=\D*$)", following, id_) for id_ in known]
-    return [id_ for id_ in made if id_ not in known]
+    made = [re.sub(r"\d+(?=\D*$)", following, id_) for id_ in sent_ids]
+    return [id_ for id_ in made if id_ not in sent_ids]
 
 
 @background
@@ -374,9 +378,9 @@ def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
     """Expect two comments or events of each, while the worker plays on."""
     context = worker.run.context
     limit_s = SILENCE_S + SILENCE_MARGIN_S + context.tolerance_s
-    known = [len(reader.signs_at) for reader in readers]
+    signs_before = [len(reader.signs_at) for reader in readers]
     for number in range(2):
-        for reader, before in zip(readers, known, strict=True):
+        for reader, before in zip(readers, signs_before, strict=True):
             place = before + number
             last = reader.signs_at[place - 1]
             while len(reader.signs_at) <= place and time.monotonic() < last + limit_s:
@@ -405,7 +409,7 @@ def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
         worker = submit_and_attach(server.context, "score", "score", "score")
         run = worker.run
         worker.play(score=0.25)
-        seen = [read_ended(run) for run in ended_runs(server.context)]
+        read_runs = [read_ended(run) for run in ended_runs(server.context)]
         mixed = second_scored_first(server.context)
         with follow_run(run) as reader:
             kill_server = partial(kill_after_second_episode, server, reader)
@@ -417,7 +421,7 @@ def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
         for id_ in ids_of(reader.received):
             with follow_run(run, id_) as again:
                 expect.equal(again.first_status(), 200, "status at an id from before")
-        for ended, events in seen:
+        for ended, events in read_runs:
             expect_the_same_places(ended, events)
         if mixed is not None:
             expect_the_others_after(*mixed)

@@ -151,8 +151,8 @@ def test_fle_005_questions_carry_the_requested_parameters(
         for request in chat.requests:
             due: dict[str, object] = {"temperature": 0.5, "top_k": 20, "max_tokens": 64}
             due["model"] = "the-model"
-            found = {name: request.body.get(name) for name in due}
-            expect.equal(found, due, "members of the question")
+            sent = {name: request.body.get(name) for name in due}
+            expect.equal(sent, due, "members of the question")
             header = request.headers.get("authorization")
             expect.equal(header, f"Bearer {KEY}", "the key")
         chat.requests.clear()
@@ -193,9 +193,9 @@ def test_fle_007_accuracy_is_the_mean_of_a_task(context: CheckContext) -> None:
             score = expect.ok(context.call("get_score", run_id=run_id))
             due = {task: group["mean"] for task, group in score["by_task"].items()}
             details = results[name]["details"]
-            found = {detail["dataset"]: detail["accuracy"] for detail in details}
-            expect.equal(found, due, "accuracy")
-            expect.equal(sorted(found), sorted(DATASETS), "datasets")
+            accuracies = {detail["dataset"]: detail["accuracy"] for detail in details}
+            expect.equal(accuracies, due, "accuracy")
+            expect.equal(sorted(accuracies), sorted(DATASETS), "datasets")
 
 
 @requirement("FLE-008")
@@ -252,9 +252,9 @@ def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
         infos = [info(chat, f"{base}-nvidia-origin"), info(chat, later)]
         beside = evaluate(context, *infos).results()[later]
         for result in (beside, done.results()[alone]):
-            found = {d["dataset"]: d["diff"] for d in result["details"]}
-            expect.true(is_close(found.get("score"), 0.25), "diff of score 0.25", found)
-            expect.true(is_close(found.get("count"), 1.0), "diff of count 1", found)
+            diffs = {d["dataset"]: d["diff"] for d in result["details"]}
+            expect.true(is_close(diffs.get("score"), 0.25), "diff of score 0.25", diffs)
+            expect.true(is_close(diffs.get("count"), 1.0), "diff of count 1", diffs)
 
 
 @requirement("FLE-011")
@@ -269,8 +269,8 @@ def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> No
         base = unique_name("base")
         names = [f"{base}-{end}" for end in ("nvidia-origin", "twin", "worse", "bad")]
         done = evaluate(context, *(info(chat, name) for name in names))
-        found = [done.results()[name]["release"] for name in names]
-        expect.equal(found, [True, True, False, False], "release")
+        releases = [done.results()[name]["release"] for name in names]
+        expect.equal(releases, [True, True, False, False], "release")
         alone_name = unique_name("alone")
         alone = evaluate(context, info(chat, alone_name))
         expect.equal(
@@ -300,8 +300,10 @@ def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None
             pass
         both.command("/stop_evaluation")
         released.set()
-        found = {name: one["status"] for name, one in both.results().items()}
-        expect.equal(found, {fast: "S", slow: "C"}, "status")
+        statuses = {
+            name: evaluation["status"] for name, evaluation in both.results().items()
+        }
+        expect.equal(statuses, {fast: "S", slow: "C"}, "status")
         states = [context.call("get_run", run_id=i).json["state"] for i in both.run_ids]
         expect.equal(states, ["completed", "stopped"], "states of the runs")
 
@@ -366,52 +368,60 @@ def test_fle_015_requests_compared_with_the_first(context: CheckContext) -> None
     with chat_server(context, reply_by_model(base="1", twin="1", worse="0.5")) as chat:
         ends = ("base", "twin", "worse")
         done = [evaluate(context, info(chat, unique_name(end))) for end in ends]
-        ids = [one.request_id for one in done]
+        ids = [entry.request_id for entry in done]
         body = {"request_ids": ids}
         answer = expect_success(
             call_flageval(context, "/evaluation_diffs", body, method="GET")
         )
-        found = answer["eval_diffs"]
-        expect.equal(sorted(found), sorted(ids[1:]), "request ids")
-        releases = [found[name]["release"] for name in ids[1:]]
+        diffs = answer["eval_diffs"]
+        expect.equal(sorted(diffs), sorted(ids[1:]), "request ids")
+        releases = [diffs[name]["release"] for name in ids[1:]]
         expect.equal(releases, [True, False], "release")
-        details = {d["dataset"]: d for d in found[ids[2]]["details"]}
+        details = {d["dataset"]: d for d in diffs[ids[2]]["details"]}
         score = [details["score"][n] for n in ("base_acc", "accuracy", "diff")]
         expect.equal(score, [1, 0.5, 0.5], "base_acc, accuracy and diff of score")
         listed = expect_success(call_flageval(context, "/evaluation_diffs", body))[
             "eval_diffs"
         ]
         expect.true(isinstance(listed, list), "a list with POST", listed)
-        expect.equal([one["request_id"] for one in listed], ids[1:], "request ids")
-        for one in listed:
-            expect.equal(one["details"], found[one["request_id"]]["details"], "details")
+        expect.equal([entry["request_id"] for entry in listed], ids[1:], "request ids")
+        for entry in listed:
+            expect.equal(
+                entry["details"], diffs[entry["request_id"]]["details"], "details"
+            )
 
 
 @requirement("FLE-016")
 def test_fle_016_cannot_use_requests_of_another_account(context: CheckContext) -> None:
     """Another account reads, stops, resumes and compares. Expect refusals."""
-    other = context.second_account
+    second_account = context.second_account
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
         ours = begin(context, info(chat, unique_name("ours")))
         arrived.wait(END_TIMEOUT_S)
         named = {"request_id": ours.request_id}
         for path in ("/stop_evaluation", "/resume_evaluation"):
-            expect_refused(call_flageval(context, path, named, http_client=other))
+            expect_refused(
+                call_flageval(context, path, named, http_client=second_account)
+            )
         expect_refused(
             call_flageval(
                 context,
                 "/evaluation_progress",
                 named | {"domain": "MM"},
-                http_client=other,
+                http_client=second_account,
             )
         )
         expect_refused(
-            call_flageval(context, "/evaldiffs", named, method="GET", http_client=other)
+            call_flageval(
+                context, "/evaldiffs", named, method="GET", http_client=second_account
+            )
         )
         both = {"request_ids": [ours.request_id, ours.request_id]}
         expect_refused(
-            call_flageval(context, "/evaluation_diffs", both, http_client=other)
+            call_flageval(
+                context, "/evaluation_diffs", both, http_client=second_account
+            )
         )
         expect.equal(ours.progress()["status"], "R", "status of ours")
         released.set()
@@ -491,8 +501,8 @@ def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -
             base = unique_name("base")
             names = [f"{base}-nvidia-origin", f"{base}-twin"]
             done = evaluate(context, *(info(chat, name) for name in names))
-            other = evaluate(context, info(chat, unique_name("other")))
-            body = {"request_ids": [done.request_id, other.request_id]}
+            compared = evaluate(context, info(chat, unique_name("other")))
+            body = {"request_ids": [done.request_id, compared.request_id]}
             answer = expect_success(call_flageval(context, "/evaluation_diffs", body))
             for result in (*done.results().values(), *answer["eval_diffs"]):
                 expect.equal(result["release"], releases, "release")
@@ -509,7 +519,7 @@ def test_fle_022_answers_are_read_from_sentences(context: CheckContext) -> None:
     with chat_server(context, reply=lambda ask: names[ask.body["model"]]) as chat:
         results = evaluate(context, *(info(chat, name) for name in names)).results()
         for name, text in names.items():
-            found = {d["dataset"]: d["accuracy"] for d in results[name]["details"]}
+            accuracies = {d["dataset"]: d["accuracy"] for d in results[name]["details"]}
             due = ANSWERS_IN_TEXT[text]
             message = f"{due} read from {text!r}"
-            expect.true(is_close(found.get("score"), due), message, found)
+            expect.true(is_close(accuracies.get("score"), due), message, accuracies)

@@ -152,12 +152,12 @@ def test_pol_010_broken_json_is_refused(context: CheckContext) -> None:
 @requirement("POL-011")
 def test_pol_011_missing_member_is_refused(context: CheckContext) -> None:
     """Bodies lack a member. Expect `invalid_request`; complete bodies succeed."""
-    session, other = PolicySession(context), PolicySession(context)
+    session, second = PolicySession(context), PolicySession(context)
     expect.ok(session.try_reset())
     expect.ok(session.try_predict())
     lacking = [
-        ("reset", other.reset_body(), "session_id"),
-        ("reset", other.reset_body(), "episode"),
+        ("reset", second.reset_body(), "session_id"),
+        ("reset", second.reset_body(), "episode"),
         ("predict", session.turn(), "session_id"),
         ("predict", session.turn(), "seq"),
     ]

@@ -181,7 +181,9 @@ def test_push_005_key_is_in_no_response(context: CheckContext) -> None:
             expect_end(run, "failed")
             answers = [run.call(name).body for name in ("get_run", "list_episodes")]
             answers.append(context.call("list_runs").body)
-            answers += [one.answer_body for one in context.exchange_log.exchanges]
+            answers += [
+                exchange.answer_body for exchange in context.exchange_log.exchanges
+            ]
             leaks = sum(key.encode() in body for body in answers)
             expect.equal(leaks, 0, "answers that have the key")
 
@@ -305,16 +307,18 @@ def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
 
     A call that is not answered may be repeated. Expect a fault, and no call there.
     """
-    with policy_server(context) as policy, policy_server(context) as other:
+    with policy_server(context) as policy, policy_server(context) as target:
 
         def redirect(call: PolicyCall) -> PolicyReply:
             if len(policy.calls_of("predict")) > 1:
                 return policy.final_action_reply(call)
-            return PolicyReply(b"", 307, {"Location": f"{other.url}/v1/policy/predict"})
+            return PolicyReply(
+                b"", 307, {"Location": f"{target.url}/v1/policy/predict"}
+            )
 
         policy.on("predict", redirect)
         expect_policy_fault(submit_push_run(context, policy, max_retries=2))
-        expect.equal(len(other.calls), 0, "calls of the other server")
+        expect.equal(len(target.calls), 0, "calls of the other server")
 
 
 @requirement("PUSH-012")
@@ -421,13 +425,15 @@ def test_push_017_continues_after_a_crash(context: CheckContext) -> None:
         config = {"max_concurrent": 1, "api_key": key}
         run = submit_push_run(server.context, policy, *["score"] * 4, **config)
         policy.wait_for("predict", 3)
-        before = [one for one in run.episodes() if one["status"] == "scored"]
+        before = [
+            episode for episode in run.episodes() if episode["status"] == "scored"
+        ]
         server.kill9()
         released.set()
         server.restart()
         expect_end(run, "completed")
-        after = {one["episode_id"]: one for one in run.episodes()}
-        same = [after[one["episode_id"]] for one in before]
+        after = {episode["episode_id"]: episode for episode in run.episodes()}
+        same = [after[episode["episode_id"]] for episode in before]
         expect.equal(same, before, "the episodes that were scored")
         kept = policy.calls[-1].headers.get("authorization") == f"Bearer {key}"
         expect.true(kept, "the key in the last call")

@@ -238,10 +238,10 @@ def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
     """
     played = play_everything(context)
     for index, turns in played.turns.items():
-        found = played.recording(index).turns
+        recorded = played.recording(index).turns
         what = f"episode {index}"
-        expect.equal(len(found), len(turns), f"number of turns, {what}")
-        for turn, expected in zip(found, turns, strict=True):
+        expect.equal(len(recorded), len(turns), f"number of turns, {what}")
+        for turn, expected in zip(recorded, turns, strict=True):
             expect.equal(turn["actions"], expected.actions, f"actions, {what}")
             expect.equal(turn["rewards"], expected.rewards, f"rewards, {what}")
             expect.equal(turn["steps"], len(expected.actions), f"steps, {what}")
@@ -346,13 +346,13 @@ def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
     Expect `not_found` each time, and both for its own account.
     """
     run, unplayed = play_everything(context).run, context.submit("score")
-    other = context.second_account
+    second_account = context.second_account
     for operation_id, how in [
         ("fetch_record", {}),
         ("fetch_recording", {"episode_id": "e0000"}),
     ]:
-        for one in (run, unplayed):
-            refused = one.call(operation_id, http_client=other, **how)
+        for own_run in (run, unplayed):
+            refused = own_run.call(operation_id, http_client=second_account, **how)
             expect.refused(refused, "not_found")
         expect.ok(run.call(operation_id, **how))
 
@@ -364,12 +364,12 @@ def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
     Expect the same bytes, and another record of the other run.
     """
     runs = [play_everything(context).run, play_everything(context).run]
-    first, other, again = (
+    first, second, again = (
         file_of(run.call("fetch_record")) for run in (runs[0], runs[1], runs[0])
     )
     expect.true(first, "a record")
     expect.true(first == again, "the same bytes")
-    expect.true(first != other, "other bytes of another run")
+    expect.true(first != second, "other bytes of another run")
 
 
 @requirement("REC-110")
@@ -437,9 +437,9 @@ def test_rec_124_turns_outlive_a_crash(context: CheckContext) -> None:
         played.predict(worker, context.action(score=1, success=1, end=1))
         played.run.until("completed")
         recording = played.recording(0)
-        found = [(turn["actions"], turn["rewards"]) for turn in recording.turns]
+        recorded = [(turn["actions"], turn["rewards"]) for turn in recording.turns]
         received = [(turn.actions, turn.rewards) for turn in played.turns[0]]
-        expect.equal(found, received, "turns that were received")
+        expect.equal(recorded, received, "turns that were received")
         starts = [start["attempt"] for start in recording.started]
         expect.equal(starts, [1, 1, 1], "attempts that started")
         line = played.record().lines[0]["recording"]

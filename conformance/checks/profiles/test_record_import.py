@@ -76,9 +76,9 @@ def test_rec_112_a_whole_record_is_taken_in(context: CheckContext) -> None:
     """
     record = play_everything(context).record()
     answer = send_record(context, record.data)
-    one = expect.ok(answer, 202)
+    imported = expect.ok(answer, 202)
     again = context.http_client.request("GET", answer.headers.get("location", ""))
-    expect.equal(expect.ok(again)["import_id"], one["import_id"], "id at Location")
+    expect.equal(expect.ok(again)["import_id"], imported["import_id"], "id at Location")
     said = record.predicate
     shown = {
         "run_id": said["run"]["run_id"],
@@ -93,8 +93,8 @@ def test_rec_112_a_whole_record_is_taken_in(context: CheckContext) -> None:
         "statement_sha256": hashlib.sha256(record.files[STATEMENT]).hexdigest(),
     }
     for name, value in shown.items():
-        expect.equal(one[name], value, name)
-    expect.equal(one["policy"]["name"], said["policy"]["name"], "policy.name")
+        expect.equal(imported[name], value, name)
+    expect.equal(imported["policy"]["name"], said["policy"]["name"], "policy.name")
 
 
 @requirement("REC-113")
@@ -113,9 +113,9 @@ def test_rec_113_a_broken_record_is_refused(context: CheckContext) -> None:
         expect.equal(pointers, [f"record:{file}"], f"pointers of `errors`, {what}")
     good = accepted(context, pack(without_verdicts(record.files)))
     of_the_run = [
-        one["import_id"]
-        for one in listed_imports(context)
-        if one["run_id"] == good["run_id"]
+        imported["import_id"]
+        for imported in listed_imports(context)
+        if imported["run_id"] == good["run_id"]
     ]
     expect.equal(of_the_run, [good["import_id"]], "imports that were made of the run")
 
@@ -129,17 +129,17 @@ def test_rec_114_imports_of_others_do_not_exist(context: CheckContext) -> None:
     the other one an import of its own.
     """
     archive = played_record(context).data
-    one = accepted(context, archive)["import_id"]
-    other = context.second_account
+    import_id = accepted(context, archive)["import_id"]
+    second_account = context.second_account
     for operation in ("get_import", "fetch_imported_record", "delete_import"):
-        for id_ in (one, "imp_never"):
-            refused = context.call(operation, import_id=id_, http_client=other)
+        for id_ in (import_id, "imp_never"):
+            refused = context.call(operation, import_id=id_, http_client=second_account)
             expect.refused(refused, "not_found")
-    seen = listed_ids(context, http_client=other)
-    expect.true(one not in seen, "no import of another account", seen)
-    expect.ok(context.call("get_import", import_id=one))
-    own = accepted(context, archive, http_client=other)["import_id"]
-    expect.ok(context.call("get_import", import_id=own, http_client=other))
+    listed = listed_ids(context, http_client=second_account)
+    expect.true(import_id not in listed, "no import of another account", listed)
+    expect.ok(context.call("get_import", import_id=import_id))
+    own = accepted(context, archive, http_client=second_account)["import_id"]
+    expect.ok(context.call("get_import", import_id=own, http_client=second_account))
     expect.refused(context.call("get_import", import_id=own), "not_found")
 
 
@@ -151,11 +151,11 @@ def test_rec_115_an_honest_record_is_replayed(context: CheckContext) -> None:
     Expect every episode to be simulated again with the recorded result.
     """
     for record in (play_everything(context).record(), played_record(context)):
-        one = finished(context, accepted(context, record.data)["import_id"])
-        expect.equal(one["level"], "replayed", f"level ({one['reason']})")
-        replay, total = one["replay"], len(record.lines)
+        imported = finished(context, accepted(context, record.data)["import_id"])
+        expect.equal(imported["level"], "replayed", f"level ({imported['reason']})")
+        replay, total = imported["replay"], len(record.lines)
         expect.equal(replay["episodes"], total, "number of episodes in the replay")
-        expect.equal(one["episodes_replayed"], total, "episodes_replayed")
+        expect.equal(imported["episodes_replayed"], total, "episodes_replayed")
         expect.equal(replay["diverged"], 0, "number of episodes that diverged")
         expect.equal(replay["exact"] + replay["outcome"], total, "episodes alike")
 
@@ -173,9 +173,9 @@ def test_rec_116_a_false_record_is_found(context: CheckContext) -> None:
 
     last = record.recording(1).turns[-1]["seq"]
     archive = pack(with_changed_turn(record, 1, last, change))
-    one = finished(context, accepted(context, archive)["import_id"])
-    expect.equal(one["level"], "diverged", f"level ({one['reason']})")
-    replay = one["replay"]
+    imported = finished(context, accepted(context, archive)["import_id"])
+    expect.equal(imported["level"], "diverged", f"level ({imported['reason']})")
+    replay = imported["replay"]
     expect.equal(replay["result"], "diverged", "result")
     expect.equal(replay["diverged"], 1, "number of episodes that diverged")
     where = replay["first_divergence"]
@@ -199,17 +199,17 @@ def test_rec_117_an_unknown_key_has_no_name(context: CheckContext) -> None:
     foreign = accepted(context, pack(signed_again(record, {})))
     keyid = keyid_of(KEY.public_key().public_bytes_raw())
     expect.equal(foreign["keyid"], keyid, "keyid")
-    for one, level in ((own, "signed"), (foreign, "reported")):
-        if "replay" not in one:
-            expect.equal(one["level"], level, "level before the replay")
+    for imported, level in ((own, "signed"), (foreign, "reported")):
+        if "replay" not in imported:
+            expect.equal(imported["level"], level, "level before the replay")
     again = finished(context, foreign["import_id"])
     expect.equal(again["signer"], None, "signer of a record by a key of the kit")
 
 
 def expect_sent_with_verdict(context: CheckContext, handed_in: RecordFiles) -> Any:
     """Expect a record that is handed in to be sent with a verdict; give that one."""
-    one = finished(context, accepted(context, handed_in.data)["import_id"])
-    answer = context.call("fetch_imported_record", import_id=one["import_id"])
+    imported = finished(context, accepted(context, handed_in.data)["import_id"])
+    answer = context.call("fetch_imported_record", import_id=imported["import_id"])
     sent = fetched_record(answer)
     expect.true(
         handed_in.files.items() <= sent.files.items()
@@ -225,7 +225,7 @@ def expect_sent_with_verdict(context: CheckContext, handed_in: RecordFiles) -> A
         if verdict["predicate"]["verifier"]["keyid"] in keys
         and verdict["subject"][0]["digest"]["sha256"] == digest
     ]
-    expected = {name: one["replay"][name] for name in COUNTS}
+    expected = {name: imported["replay"][name] for name in COUNTS}
     replays = [verdict["predicate"]["replay"] for verdict in said]
     shown = [{name: replay[name] for name in COUNTS} for replay in replays]
     expect.true(expected in shown, f"a verdict that says {expected}", shown)
@@ -254,8 +254,8 @@ def test_rec_119_the_same_bytes_are_one_import(context: CheckContext) -> None:
     first, again = (accepted(context, record.data)["import_id"] for _ in range(2))
     expect.equal(again, first, "import_id of the same bytes")
     finished(context, first)
-    other = accepted(context, pack(signed_again(record, {})))["import_id"]
-    expect.true(other != first, "another import of other bytes", other)
+    second = accepted(context, pack(signed_again(record, {})))["import_id"]
+    expect.true(second != first, "another import of other bytes", second)
 
 
 @requirement("REC-120")
@@ -275,14 +275,18 @@ def test_rec_120_the_list_has_what_was_not_deleted(context: CheckContext) -> Non
         ids.append(accepted(context, archive)["import_id"])
         finished(context, ids[-1])
     for limit in (100, 2, 1):
-        seen = [one for one in listed_ids(context, limit=limit) if one in ids]
-        expect.equal(seen, ids[::-1], f"imports by pages of {limit}, newest first")
+        listed = [
+            import_id
+            for import_id in listed_ids(context, limit=limit)
+            if import_id in ids
+        ]
+        expect.equal(listed, ids[::-1], f"imports by pages of {limit}, newest first")
     expect.ok(context.call("delete_import", import_id=ids[1]), 204)
     for operation in ("get_import", "fetch_imported_record", "delete_import"):
         refused = context.call(operation, import_id=ids[1])
         expect.refused(refused, "not_found")
-    seen = [one for one in listed_ids(context) if one in ids]
-    expect.equal(seen, [ids[2], ids[0]], "imports after one was deleted")
+    listed = [import_id for import_id in listed_ids(context) if import_id in ids]
+    expect.equal(listed, [ids[2], ids[0]], "imports after one was deleted")
 
 
 @requirement("REC-121")
@@ -324,8 +328,8 @@ def wait_until_replayed(context: CheckContext, import_id: str) -> None:
     """Wait until the replay of an import has begun."""
     until = time.monotonic() + BEGIN_S
     while time.monotonic() < until:
-        found = expect.ok(context.call("get_import", import_id=import_id))
-        if found["state"] in ("replaying", "finished"):
+        imported = expect.ok(context.call("get_import", import_id=import_id))
+        if imported["state"] in ("replaying", "finished"):
             return
         time.sleep(POLL_S)
 
@@ -343,11 +347,11 @@ def expect_all_finished(context: CheckContext, ids: list[str], archive: bytes) -
     until = time.monotonic() + BEGIN_S + (time.monotonic() - began_at)
     for id_ in ids:
         while True:
-            found = expect.ok(context.call("get_import", import_id=id_))
-            if found["state"] == "finished":
+            imported = expect.ok(context.call("get_import", import_id=id_))
+            if imported["state"] == "finished":
                 break
             what = "an import to go on after a restart"
-            expect.true(time.monotonic() < until, what, found["state"])
+            expect.true(time.monotonic() < until, what, imported["state"])
             time.sleep(POLL_S)
 
 
@@ -376,8 +380,8 @@ def test_rec_123_imports_outlive_a_crash(context: CheckContext) -> None:
         server.restart()
         expect_all_finished(server.context, ids, played_record(server.context).data)
         for id_, archive in zip(ids, archives, strict=False):
-            one = finished(server.context, id_)
-            expect.equal(one["level"], "replayed", f"level ({one['reason']})")
+            imported = finished(server.context, id_)
+            expect.equal(imported["level"], "replayed", f"level ({imported['reason']})")
             digest = hashlib.sha256(archive).hexdigest()
-            expect.equal(one["archive_sha256"], digest, "archive_sha256")
+            expect.equal(imported["archive_sha256"], digest, "archive_sha256")
             fetched_record(server.context.call("fetch_imported_record", import_id=id_))

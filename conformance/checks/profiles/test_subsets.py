@@ -30,12 +30,12 @@ def expect_selected_episodes(context: CheckContext) -> None:
     for select, wanted in SELECTIONS:
         run = submit_part(context, select)
         episodes = expect.ok(run.call("list_episodes"))["episodes"]
-        found = [(e["index"], e["task"], e["split"]) for e in episodes]
+        actual = [(e["index"], e["task"], e["split"]) for e in episodes]
         expected = [
             (index, TASKS[place], ("even", "odd")[place % 2])
             for index, place in enumerate(wanted)
         ]
-        expect.equal(found, expected, f"episodes of {select}")
+        expect.equal(actual, expected, f"episodes of {select}")
         total = expect.ok(run.call("get_run"))["progress"]["episodes_total"]
         expect.equal(total, len(wanted), f"episodes_total of {select}")
 
@@ -50,8 +50,8 @@ def expect_selection_is_played(context: CheckContext) -> None:
     seeds = [result and result["seed"] for result in results(run)]
     expect.equal(seeds, [1001, 1002], "seeds of the episodes")
     score = expect.ok(run.call("get_score"))
-    found = (score["complete"], score["score"], score["counts"]["total"])
-    expect.equal(found, (True, 0.5, 2), "complete, score and total")
+    actual = (score["complete"], score["score"], score["counts"]["total"])
+    expect.equal(actual, (True, 0.5, 2), "complete, score and total")
     expect.equal(run.get()["state"], "completed", "state")
 
 
@@ -99,10 +99,10 @@ def test_sub_003_a_selection_is_shown(context: CheckContext) -> None:
     both = {"tasks": ["score", "echo"], "splits": ["even"]}
     for select in (both, {"tasks": ["count"]}, {}, None):
         options = {"tasks": list(TASKS)}
-        run, seen = submit_and_show(context, options=options, select=select)
-        seen["get_score"] = expect.ok(run.call("get_score"))
-        found = {name: view.get("select") for name, view in seen.items()}
-        expect.equal(found, dict.fromkeys(seen, select), f"select, sent {select}")
+        run, views = submit_and_show(context, options=options, select=select)
+        views["get_score"] = expect.ok(run.call("get_score"))
+        selections = {name: view.get("select") for name, view in views.items()}
+        expect.equal(selections, dict.fromkeys(views, select), f"select, sent {select}")
 
 
 @requirement("SUB-004")
@@ -120,7 +120,7 @@ def test_sub_004_the_digest_is_of_the_episodes(context: CheckContext) -> None:
     ]
     digests = []
     for ways in same:
-        found = [submit_part(context, way).body["manifest_sha256"] for way in ways]
-        expect.equal(len(set(found)), 1, f"number of digests of {ways}")
-        digests.append(found[0])
+        of_ways = [submit_part(context, way).body["manifest_sha256"] for way in ways]
+        expect.equal(len(set(of_ways)), 1, f"number of digests of {ways}")
+        digests.append(of_ways[0])
     expect.equal(len(set(digests)), len(same), "number of digests of all selections")

@@ -195,7 +195,7 @@ def listed_ids(context: CheckContext, runs: list[RunClient]) -> list[str]:
 def shown_manifests(context: CheckContext) -> dict[str, str]:
     """Read the hashes of the benchmarks and of a new run, sealed where offered."""
     listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
-    shown = {one["benchmark_id"]: one["manifest_sha256"] for one in listed}
+    shown = {summary["benchmark_id"]: summary["manifest_sha256"] for summary in listed}
     sealed: dict[str, Any] = {"sealed": True} if context.offers("sealed_seeds") else {}
     run = context.submit("score", "count", **sealed)
     return shown | {"a new run": run.body["manifest_sha256"]}
@@ -217,8 +217,8 @@ def expect_alike_in_all_views(context: CheckContext, runs: list[RunClient]) -> N
     """Expect `list_runs` and the events of runs to show what the other reads show."""
     listed = find_listed(context, {run.id for run in runs})
     for run in runs:
-        for one in (listed[run.id], run.get()):
-            one.pop("updated_at", None)
+        for view in (listed[run.id], run.get()):
+            view.pop("updated_at", None)
         expect.equal(listed[run.id], run.body, "the run in `list_runs`")
         if context.offers("events") and run.body["state"] == "completed":
             with follow_run(run) as reader:
@@ -244,11 +244,11 @@ def expect_key_in_use(context: CheckContext, key: str, first: dict[str, Any]) ->
     For another account it is a new key.
     """
     body = context.submit_body(options={"tasks": ["score", "count"]})
-    other = context.submit_body(options={"tasks": ["count", "score"]})
+    second_body = context.submit_body(options={"tasks": ["count", "score"]})
     headers = {"Idempotency-Key": key}
     again = expect.ok(submit(context, body, headers=headers), 201)
     expect.equal(again["run_id"], first["run_id"], "run_id for the same key")
-    conflict = submit(context, other, headers=headers)
+    conflict = submit(context, second_body, headers=headers)
     expect.refused(conflict, "idempotency_conflict")
     new = {"Idempotency-Key": uuid.uuid4().hex}
     another = expect.ok(submit(context, body, headers=new), 201)
@@ -311,8 +311,8 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         expect.equal(listed_ids(server.context, runs), order, "runs listed")
         expect_alike_in_all_views(server.context, runs)
         expect_key_in_use(server.context, key, first)
-        found = shown_manifests(server.context)
-        expect.equal(found, manifests, "manifest_sha256 after the restart")
+        manifests_after = shown_manifests(server.context)
+        expect.equal(manifests_after, manifests, "manifest_sha256 after the restart")
         if played.run.get()["state"] == "stopped":
             played.run.resume()
         played.run.until("ready")

@@ -303,10 +303,10 @@ def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
 def find_seeds(value: Any, seeds: list[int], path: str = "") -> list[str]:
     """Find members named `seed`, or equal to a seed, in a turn."""
     if isinstance(value, dict):
-        found = [f"{path}/{name}" for name in value if name == "seed"]
+        pointers = [f"{path}/{name}" for name in value if name == "seed"]
         for name, item in value.items():
-            found += find_seeds(item, seeds, f"{path}/{name}")
-        return found
+            pointers += find_seeds(item, seeds, f"{path}/{name}")
+        return pointers
     if isinstance(value, list):
         return [leak for item in value for leak in find_seeds(item, seeds, f"{path}/-")]
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
@@ -327,8 +327,8 @@ def test_epi_007_seeds_are_not_in_turns(context: CheckContext) -> None:
     seeds = [turn["episode_result"]["seed"] for turn in turns[2::2]]
     for turn in turns:
         # A lease may well be as long as a seed is large.
-        found = find_seeds(without(turn, "episode_result", "lease", "timing"), seeds)
-        expect.true(not found, "no seed in the turn", found)
+        pointers = find_seeds(without(turn, "episode_result", "lease", "timing"), seeds)
+        expect.true(not pointers, "no seed in the turn", pointers)
 
 
 @requirement("EPI-008")
@@ -349,10 +349,10 @@ def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
         context.call_concurrently(*[worker.play for worker in attached_workers])
         held = sorted([*held, *map(index_of, attached_workers)])
         expect.equal(held, sorted(set(held)), f"episodes held after {number + 1}")
-    first, other, *_ = sorted(attached_workers, key=index_of)
+    first, second, *_ = sorted(attached_workers, key=index_of)
     first.attach(takeover=True)
-    other.detach()
-    again = expect.ok(other.try_attach())
+    second.detach()
+    again = expect.ok(second.try_attach())
     both = [index_of(first), again["episode"]["index"]]
     expect.true(both[0] != both[1], "another episode than after the takeover", both)
 
@@ -404,8 +404,8 @@ def test_epi_010_result_of_an_abandoned_episode(context: CheckContext) -> None:
         if result is None:
             raise SetUpFailed("the episode is not abandoned; see EPI-004")
         expected = {"attempt": 2, "steps": 3, "terminated": False, "truncated": False}
-        found = {name: result[name] for name in expected}
-        expect.equal(found, expected, f"the result after {close.__name__}")
+        members = {name: result[name] for name in expected}
+        expect.equal(members, expected, f"the result after {close.__name__}")
         worker.attach()
 
 

@@ -163,12 +163,13 @@ def concurrent_commands() -> st.SearchStrategy[list[ClientCommand]]:
 
 def format_history(history: list[TimedExchange]) -> str:
     """Format a history in the order of sending."""
-    ordered = sorted(history, key=lambda one: one.started_at)
+    ordered = sorted(history, key=lambda timed: timed.started_at)
     first = ordered[0].started_at
     return "; ".join(
-        f"{1000 * (one.started_at - first):.0f}-{1000 * (one.ended_at - first):.0f} ms "
-        f"{one.request} -> {one.summary.code or one.summary.status}"
-        for one in ordered
+        f"{1000 * (timed.started_at - first):.0f}-"
+        f"{1000 * (timed.ended_at - first):.0f} ms "
+        f"{timed.request} -> {timed.summary.code or timed.summary.status}"
+        for timed in ordered
     )
 
 
@@ -192,7 +193,7 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
 
         def send_commands(client: ModelClient, wanted: list[ClientCommand]) -> None:
             done = (modelled_run.send_timed(client, command) for command in wanted)
-            history.extend(one for one in done if one is not None)
+            history.extend(call for call in done if call is not None)
 
         pairs = zip(modelled_run.copy_first_client(len(threads)), threads, strict=True)
         context.call_concurrently(

@@ -140,8 +140,8 @@ def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> Non
     body["options"] |= {"tasks": body["options"]["tasks"] * 20, "queue_s": 1.0001}
     first = expect.ok(submit(context, body, headers=key), 201)
     unique = uniquely_named_body(context)
-    for other in [unique, *other_bodies(context, body)]:
-        refused = submit(context, other, headers=key)
+    for other_body in [unique, *other_bodies(context, body)]:
+        refused = submit(context, other_body, headers=key)
         expect.refused(refused, "idempotency_conflict")
     expect.equal(runs_of(context, unique), [], "the runs made of another body")
     repeated = expect.ok(submit(context, body, headers=key), 201)
@@ -273,7 +273,9 @@ def test_run_028_same_body_may_be_written_otherwise(context: CheckContext) -> No
         json.dumps(turned),
         f"\r\n\t {json.dumps(body, separators=(',', ':'))} \n",
     ]
-    texts += [texts[0].replace('"queue_s": 1', f'"queue_s": {one}') for one in ONES]
+    texts += [
+        texts[0].replace('"queue_s": 1', f'"queue_s": {number}') for number in ONES
+    ]
     first = expect.ok(submit(context, body, headers=key), 201)
     for text in texts:
         repeated = expect.ok(send_text(context, text, key), 201)

@@ -138,12 +138,12 @@ def expect_ready(context: CheckContext, run: RunClient) -> None:
     try:
         expect_state_soon(run, "ready")
     except expect.Violation:
-        other = context.submit(wait_ready=False)
+        second = context.submit(wait_ready=False)
         with contextlib.suppress(SetUpFailed):
-            other.until("ready")
+            second.until("ready")
         listed = expect.ok(context.call("list_runs", params={"limit": 100}))["runs"]
-        held = sum(one["state"] in HOLDING_STATES for one in listed)
-        if other.body["state"] == "queued" and held:
+        held = sum(run_body["state"] in HOLDING_STATES for run_body in listed)
+        if second.body["state"] == "queued" and held:
             raise SetUpFailed(
                 f"no run becomes ready while {held} others of the kit's account are: "
                 "the checks need places for about fifty runs at once"

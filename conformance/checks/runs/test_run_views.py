@@ -50,10 +50,10 @@ def now_of(context: CheckContext) -> datetime:
 def expect_shown(run: Mapping[str, Any], expected: dict[str, Any], what: str) -> None:
     """Expect the members of a submission; answers may have further ones."""
     for name, value in expected.items():
-        found = run[name]
-        if isinstance(value, dict) and isinstance(found, dict):
-            found = {member: found.get(member) for member in value}
-        expect.equal(found, value, f"{name} {what}")
+        shown = run[name]
+        if isinstance(value, dict) and isinstance(shown, dict):
+            shown = {member: shown.get(member) for member in value}
+        expect.equal(shown, value, f"{name} {what}")
 
 
 @requirement("RUN-018")
@@ -162,19 +162,19 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     worker.predict(context.action())
     worker.detach()
     after = now_of(context)
-    listed = [found for found in results(run) if found is not None]
+    listed = [read for read in results(run) if read is not None]
     if len(listed) != 2:
         raise SetUpFailed("an episode has no result; see EPI-004")
-    for found in (result, *listed):
-        expect_between(found["finished_at"], before, after, "finished_at")
+    for read in (result, *listed):
+        expect_between(read["finished_at"], before, after, "finished_at")
     run.stop()
     run.resume()
     expect.equal(run.get()["created_at"], created_at, "created_at at last")
-    for found, before_stop in zip(results(run), listed, strict=False):
-        if found is None:
+    for read, before_stop in zip(results(run), listed, strict=False):
+        if read is None:
             raise SetUpFailed("a result is lost; see STOP-001, RES-001")
         finished_at = before_stop["finished_at"]
-        expect.equal(found["finished_at"], finished_at, "finished_at at last")
+        expect.equal(read["finished_at"], finished_at, "finished_at at last")
     worker = submit_and_attach(context, "delay")
     earliest = now_of(context) + timedelta(seconds=_LONG_TURN_S)
     turn = worker.predict(context.action(delay_s=_LONG_TURN_S, end=1))
@@ -210,8 +210,8 @@ def expect_progress(run: RunClient, what: str) -> None:
     expected = {"episodes_total": len(statuses)}
     for status in ("scored", "in_progress", "pending"):
         expected[f"episodes_{status}"] = statuses.count(status)
-    found = {name: progress[name] for name in expected}
-    expect.equal(found, expected, f"progress {what}")
+    members = {name: progress[name] for name in expected}
+    expect.equal(members, expected, f"progress {what}")
 
 
 @requirement("RUN-022")

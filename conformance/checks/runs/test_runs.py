@@ -156,38 +156,40 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
     everywhere.
     """
     is_given = context.shared.settings.token_2 is not None
-    other = context.second_account if is_given else None
+    second_account = context.second_account if is_given else None
     ids = []
     for number in range(12):
         ids.append(context.submit(wait_ready=False).id)
-        if other is not None and number < 6:
-            submit(context, context.submit_body(), http_client=other)
+        if second_account is not None and number < 6:
+            submit(context, context.submit_body(), http_client=second_account)
     for number in (0, 6):
         context.require(
             partial(context.call, "stop_run", run_id=ids[number], json={}), 200, "stop"
         )
-    seen: list[dict[str, Any]] = []
+    listed: list[dict[str, Any]] = []
     params: dict[str, Any] = {"limit": 5}
     for _ in range(_PAGES_READ):
-        if set(ids) <= {run["run_id"] for run in seen}:
+        if set(ids) <= {run["run_id"] for run in listed}:
             break
         page = expect.ok(context.call("list_runs", params=params))
-        seen += page["runs"]
-        if page["next_cursor"] is None or len(seen) > _RUNS_READ:
+        listed += page["runs"]
+        if page["next_cursor"] is None or len(listed) > _RUNS_READ:
             break
         params["cursor"] = page["next_cursor"]
         context.submit(wait_ready=False).stop()
-    found = [run["run_id"] for run in seen]
-    expect.equal([id_ for id_ in found if id_ in ids], ids[::-1], "the twelve runs")
-    expect.equal(len(set(found)), len(found), "runs that are listed once")
+    listed_ids = [run["run_id"] for run in listed]
+    expect.equal(
+        [id_ for id_ in listed_ids if id_ in ids], ids[::-1], "the twelve runs"
+    )
+    expect.equal(len(set(listed_ids)), len(listed_ids), "runs that are listed once")
     page = expect.ok(context.call("list_runs", params={"limit": _RUNS_READ}))
-    for runs in (seen, page["runs"]):
+    for runs in (listed, page["runs"]):
         times = [datetime.fromisoformat(run["created_at"]) for run in runs]
         for newer, older in itertools.pairwise(times):
             # Runs that are submitted at the same time may come in either order.
             is_sorted = older - newer <= _SAME_TIME
             expect.true(is_sorted, f"a run not newer than {newer}", f"{older}")
-    expect_last_run_on_a_page(context, other or context.http_client)
+    expect_last_run_on_a_page(context, second_account or context.http_client)
     if not context.shared.settings.quick:
         expect_long_pages_without_a_gap(context)
 
@@ -230,9 +232,9 @@ def test_run_025_page_is_no_longer_than_its_limit(context: CheckContext) -> None
         for name, call in calls.items():
             if name == "runs" and (limit or 0) > _RUNS_READ:
                 continue  # many, and no shorter list proves anything
-            found = len(expect.ok(call(params=params))[name])
+            length = len(expect.ok(call(params=params))[name])
             most = limit or _DEFAULT_LIMIT
-            expect.true(found <= most, f"at most {most} {name} on a page", found)
+            expect.true(length <= most, f"at most {most} {name} on a page", length)
 
 
 @requirement("RUN-010")
@@ -315,12 +317,14 @@ def test_run_017_cannot_choose_images_that_are_not_offered(
     offered = {"codec": codecs[0], **sizes[-1]}
     wrong = [offered | {"width": offered["width"] + 1}]
     wrong += [offered | {"height": offered["height"] + 1}]
-    for one, two in itertools.permutations(sizes, 2):
-        mixed = {"width": one["width"], "height": two["height"]}
+    for first, second in itertools.permutations(sizes, 2):
+        mixed = {"width": first["width"], "height": second["height"]}
         if mixed not in sizes:
             wrong.append(offered | mixed)
-    known = context.spec.schema("ImageCodec")["x-extensible-enum"]
-    wrong += [offered | {"codec": codec} for codec in known if codec not in codecs]
+    codec_names = context.spec.schema("ImageCodec")["x-extensible-enum"]
+    wrong += [
+        offered | {"codec": codec} for codec in codec_names if codec not in codecs
+    ]
     for images in wrong:
         answer = submit(context, context.submit_body(images=images))
         expect_pointer(expect.refused(answer, "invalid_request"), "/images")

@@ -43,13 +43,13 @@ def play_patterns(
     worker = submit_and_attach(
         context, *["score"] * len(patterns), max_steps=3, success_rule=rule
     )
-    found: list[str] = []
+    outcomes: list[str] = []
     for pattern in patterns:
         chunk = [context.action(success=goal) for goal in pattern]
         chunk[-1]["values"]["end"] = [float(len(pattern) < 3)]
         turn = worker.predict(*chunk)
-        found.append(turn["episode_result"]["outcome"])
-    return found
+        outcomes.append(turn["episode_result"]["outcome"])
+    return outcomes
 
 
 @requirement("SCORE-001")
@@ -75,8 +75,8 @@ def test_score_002_any_step(context: CheckContext) -> None:
     Expect a success exactly where `success` was 1 in some step.
     """
     patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
-    found = play_patterns(context, "any_step", patterns)
-    expect.equal(found, ["success"] * 3 + ["failure"] * 2, "outcomes")
+    outcomes = play_patterns(context, "any_step", patterns)
+    expect.equal(outcomes, ["success"] * 3 + ["failure"] * 2, "outcomes")
     worker = submit_and_attach(context, "score", success_rule="any_step")
     worker.predict(context.action(success=1), context.action())
     worker.attach(takeover=True)
@@ -91,8 +91,8 @@ def test_score_003_last_step(context: CheckContext) -> None:
     Expect a success exactly where `success` was 1 in the last step.
     """
     patterns = [[1, 0], [1, 1, 0], [0, 0], [0, 1], [0, 0, 1], [1]]
-    found = play_patterns(context, "last_step", patterns)
-    expect.equal(found, ["failure"] * 3 + ["success"] * 3, "outcomes")
+    outcomes = play_patterns(context, "last_step", patterns)
+    expect.equal(outcomes, ["failure"] * 3 + ["success"] * 3, "outcomes")
 
 
 @requirement("SCORE-004")
@@ -196,9 +196,9 @@ def test_score_008_counts_every_outcome(context: CheckContext) -> None:
     for name, number in planned_run.expected()["counts"].items():
         expect.equal(counts[name], number, f"counts.{name}")
     long = long_run(context)
-    found = long.run.score()["counts"]
+    counts = long.run.score()["counts"]
     for name, number in expected_score(long.episodes())["counts"].items():
-        expect.equal(found[name], number, f"counts.{name} of a long run")
+        expect.equal(counts[name], number, f"counts.{name} of a long run")
 
 
 @requirement("SCORE-009")
@@ -235,11 +235,11 @@ def expect_groups(score: dict[str, Any], expected: dict[str, Any]) -> None:
     for member in ("by_task", "by_split"):
         expect.equal(sorted(score[member]), sorted(expected[member]), member)
         for name, group in expected[member].items():
-            found, what = score[member][name], f"{member}.{name}"
-            counts = {one: found["counts"][one] for one in group["counts"]}
+            actual, what = score[member][name], f"{member}.{name}"
+            counts = {outcome: actual["counts"][outcome] for outcome in group["counts"]}
             expect.equal(counts, group["counts"], f"{what}.counts")
             for number in ("mean", "success_rate"):
-                expect_close(found[number], group[number], f"{what}.{number}")
+                expect_close(actual[number], group[number], f"{what}.{number}")
 
 
 @on_long_run
@@ -281,8 +281,8 @@ def expect_interval_of_many(context: CheckContext, member: str) -> None:
     """Expect the interval of forty-five episodes, where others are close to it."""
     plan = [*[SUCCESS] * 4, FAILURE, PlannedEpisode("failure", 0.9)] * 7
     planned_run = PlannedRun(context, [*plan, ABANDONED, SUCCESS, SUCCESS])
-    found = planned_run.play_all()[member]
-    expect_close_interval(found, planned_run.expected()[member], f"{member} of many")
+    interval = planned_run.play_all()[member]
+    expect_close_interval(interval, planned_run.expected()[member], f"{member} of many")
 
 
 @requirement("SCORE-012")

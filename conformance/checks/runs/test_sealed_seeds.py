@@ -60,11 +60,11 @@ def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
 
 def splits_with_a_seed(read: list[Any]) -> dict[str, set[bool]]:
     """Give for each split whether its results have a seed: all, none, or both."""
-    found: dict[str, set[bool]] = {}
+    by_split: dict[str, set[bool]] = {}
     for entry in results_in(read):
         if "outcome" in entry:
-            found.setdefault(entry["split"], set()).add("seed" in entry)
-    return found
+            by_split.setdefault(entry["split"], set()).add("seed" in entry)
+    return by_split
 
 
 def sealed_seeds_in_record(context: CheckContext) -> list[dict[str, Any]]:
@@ -77,15 +77,17 @@ def sealed_seeds_in_record(context: CheckContext) -> list[dict[str, Any]]:
     for name, content in record.files.items():
         if name == "manifest.json":
             entries += json.loads(content).get("episodes", [])
-    return [one for one in entries if one.get("split") == "odd" and "seed" in one]
+    return [
+        entry for entry in entries if entry.get("split") == "odd" and "seed" in entry
+    ]
 
 
 @requirement("SEAL-001")
 def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
     """A run of both splits without sealing. Expect `seed` in every result."""
     read = play_and_read(context)
-    found = splits_with_a_seed(read)
-    expect.equal(found, {"even": {True}, "odd": {True}}, "results with a `seed`")
+    by_split = splits_with_a_seed(read)
+    expect.equal(by_split, {"even": {True}, "odd": {True}}, "results with a `seed`")
 
 
 @requirement("SEAL-002")
@@ -95,8 +97,8 @@ def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
     Expect no `seed` of that split, and one in every result of the other.
     """
     read = play_and_read(context, sealed=True)
-    found = splits_with_a_seed(read)
-    expect.equal(found, {"even": {True}, "odd": {False}}, "results with a `seed`")
+    by_split = splits_with_a_seed(read)
+    expect.equal(by_split, {"even": {True}, "odd": {False}}, "results with a `seed`")
     for entry in results_in(read):
         shown = entry.get("split") == "odd" and "seed" in entry
         expect.true(not shown, "no seed of the split `odd`", entry)

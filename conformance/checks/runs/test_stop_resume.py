@@ -270,14 +270,14 @@ class InterruptedRun:
 
     def outcome(self) -> dict[str, Any]:
         """Give score and results of the run, without ids and volatile members."""
-        found = {
+        members = {
             f"result of episode {index}": without(
                 result or {}, *VOLATILE_RESULT_MEMBERS
             )
             for index, result in enumerate(results(self.run))
         }
         score = without(self.run.score(), "run_id", "manifest_sha256", "state")
-        return {**found, "score": score}
+        return {**members, "score": score}
 
 
 OFTEN_STOPPED = ["0", "abort", "0", "drain", "0", "abort", "0", "drain", "abort"]

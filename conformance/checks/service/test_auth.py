@@ -96,14 +96,14 @@ def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
 
 def unknown_ids(run: RunClient) -> list[str]:
     """Find two ids of no run that look like the id of a run, if there are such."""
-    found: list[str] = []
+    names: list[str] = []
     for last in "0123456789abcdefghijklmnopqrstuvwxyz":
         name = run.id[:-1] + last
         if run.context.call("get_run", run_id=name).code == "not_found":
-            found.append(name)
-        if len(found) == 2:
+            names.append(name)
+        if len(names) == 2:
             break
-    return found
+    return names
 
 
 def without_id(value: Any, run_id: str) -> Any:
@@ -132,22 +132,26 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
     Expect `not_found` from every operation, equal in every part to the answer for a
     run that does not exist, and the run unchanged.
     """
-    other = context.second_account
+    second_account = context.second_account
     worker = attach_live_worker(context)
     run_id, before = worker.run.id, worker.run.snapshot()
     unknown = unknown_ids(worker.run)
     for operation_id, how in operation_samples(worker):
         if "{run_id}" not in context.spec.operations[operation_id].path:
             continue
-        seen = []
+        appearances = []
         for name in (*unknown[:1], run_id, *unknown[1:]):
             sample = (operation_id, how | {"run_id": name})
-            answer = send(worker.run, sample, other)
+            answer = send(worker.run, sample, second_account)
             expect.refused(answer, "not_found")
-            seen.append(appearance(answer, name))
+            appearances.append(appearance(answer, name))
         # Parts that differ between two unknown runs differ at random, such as times:
         # they cannot show that the run in between exists.
-        before_it, foreign, after_it = seen[0], seen[len(seen) // 2], seen[-1]
+        before_it, foreign, after_it = (
+            appearances[0],
+            appearances[len(appearances) // 2],
+            appearances[-1],
+        )
         steady = [p for p in before_it if after_it.get(p) == before_it[p]]
         expect.equal(
             {part: foreign.get(part) for part in steady},
@@ -177,12 +181,12 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
         page = expect.ok(
             context.call("list_runs", http_client=http_client, params=params)
         )
-        seen = {run["run_id"] for run in page["runs"]}
-        if shown.id not in seen:
+        listed = {run["run_id"] for run in page["runs"]}
+        if shown.id not in listed:
             text = "`list_runs` does not show a run to its owner"
             raise expect.SetUpFailed(text, breaks="RUN-009")
-        expect.true(hidden.id not in seen, "no run of another account", hidden.id)
-        owned.append(seen)
+        expect.true(hidden.id not in listed, "no run of another account", hidden.id)
+        owned.append(listed)
     cursors = [
         expect.ok(context.call("list_runs", http_client=client, params={"limit": 1}))
         for client in wires
@@ -194,8 +198,8 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
         answer = context.call("list_runs", http_client=http_client, params=params)
         if answer.code == "invalid_request":
             continue
-        seen = {run["run_id"] for run in expect.ok(answer)["runs"]}
-        expect.true(not seen & foreign, "no run of another account", seen & foreign)
+        listed = {run["run_id"] for run in expect.ok(answer)["runs"]}
+        expect.true(not listed & foreign, "no run of another account", listed & foreign)
 
 
 @requirement("AUTH-005")

@@ -36,8 +36,8 @@ def test_ben_002_cannot_get_an_unknown_benchmark(context: CheckContext) -> None:
     """An unknown id, then a known one. Expect `not_found`, then the benchmark."""
     unknown = context.call("get_benchmark", benchmark_id="no_such_benchmark")
     expect.refused(unknown, "not_found")
-    known = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
-    expect.equal(known["benchmark_id"], "calibration", "benchmark_id")
+    control = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
+    expect.equal(control["benchmark_id"], "calibration", "benchmark_id")
 
 
 @requirement("BEN-003")
@@ -125,9 +125,9 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
         {"policy": {"name": "another"}, "max_workers": 1, "images": images},
         {"idle_timeout_s": context.limits["idle_timeout_s_min"]},
     ):
-        found = digest_of(context, **({"options": {"tasks": tasks}} | members))
-        expect.equal(found, first, f"manifest_sha256 with {members}")
-    seen = {first: "the first choices"}
+        digest = digest_of(context, **({"options": {"tasks": tasks}} | members))
+        expect.equal(digest, first, f"manifest_sha256 with {members}")
+    choices = {first: "the first choices"}
     for options in (
         *sealed_choices(context, tasks),
         {"tasks": ["count", "score"]},
@@ -141,9 +141,11 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
         {"tasks": tasks, "max_attempts": 4},
         {"tasks": tasks, "max_faults": 4},
     ):
-        found = digest_of(context, options=options)
-        expect.true(found not in seen, f"another hash for {options}", seen.get(found))
-        seen[found] = f"the same as for {options}"
+        digest = digest_of(context, options=options)
+        expect.true(
+            digest not in choices, f"another hash for {options}", choices.get(digest)
+        )
+        choices[digest] = f"the same as for {options}"
     expect.equal(
         digest_of(context, options={"tasks": ["score"], **defaults}),
         digest_of(context),

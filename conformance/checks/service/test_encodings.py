@@ -218,9 +218,9 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
         for first in range(0, len(numbers), 8):
             sent = numbers[first : first + 8]
             answer = worker.try_predict(context.action(vector=sent), msgpack=is_msgpack)
-            seen = expect.ok(answer)["observation"]["state"]["vector"]
+            observed = expect.ok(answer)["observation"]["state"]["vector"]
             worker.seq += 1
-            bits = [struct.pack("<d", number).hex() for number in (*sent, *seen)]
+            bits = [struct.pack("<d", number).hex() for number in (*sent, *observed)]
             expect.equal(bits[8:], bits[:8], f"the bits of {sent}")
     body = {"session_id": worker.session_id, "seq": worker.seq + 1}
     body["actions"] = [context.action(vector=[-0.0] * 8)]
@@ -231,8 +231,10 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
         content=short,
         headers={"Content-Type": "application/json"},
     )
-    seen = expect.ok(answer)["observation"]["state"]["vector"]
-    expect.equal([math.copysign(1, zero) for zero in seen], [-1] * 8, "signs of `-0`")
+    observed = expect.ok(answer)["observation"]["state"]["vector"]
+    expect.equal(
+        [math.copysign(1, zero) for zero in observed], [-1] * 8, "signs of `-0`"
+    )
 
 
 @requirement("ENC-004")
@@ -246,13 +248,13 @@ def test_enc_004_tensors_arrive_bit_for_bit(context: CheckContext) -> None:
     if context.speaks_msgpack:
         turns.append(worker.predict(context.action(), msgpack=True))
     for turn in turns:
-        seen = turn["observation"]["tensors"]
+        observed = turn["observation"]["tensors"]
         for name, tensor in tensors():
-            expect.true(name in seen, f"a tensor `{name}`", sorted(seen))
+            expect.true(name in observed, f"a tensor `{name}`", sorted(observed))
             for member in ("dtype", "shape"):
                 what = f"{member} of `{name}`"
-                expect.equal(seen[name][member], tensor[member], what)
-            data = blob(seen[name]["data"])
+                expect.equal(observed[name][member], tensor[member], what)
+            data = blob(observed[name]["data"])
             expect.equal(data.hex(), tensor["data"].hex(), f"data of `{name}`")
 
 
@@ -292,11 +294,11 @@ def expect_images(
     """Expect the image in every size that is offered."""
     for size in context.benchmark["image_sizes"][:3]:
         for data, count in images_of(context, codec, size):
-            seen = read(data)
+            numbers = read(data)
             expected = pattern(size["width"], size["height"], count)
             what = f"bytes of the {codec} image, {size}, count {count}"
-            expect.equal(len(seen), len(expected), f"number of {what}")
-            wrong = [n for n in range(len(expected)) if seen[n] != expected[n]]
+            expect.equal(len(numbers), len(expected), f"number of {what}")
+            wrong = [n for n in range(len(expected)) if numbers[n] != expected[n]]
             expect.true(not wrong, f"the {what}", f"wrong at {wrong[:5]}")
 
 
@@ -321,8 +323,8 @@ def test_enc_007_jpeg_image_decodes_to_its_size(context: CheckContext) -> None:
     """Jpeg images of every offered size. Expect them to decode to that size."""
     for size in context.benchmark["image_sizes"][:3]:
         for data, _ in images_of(context, "jpeg", size):
-            seen = decode_image(data, "jpeg").size
-            expect.equal(seen, (size["width"], size["height"]), "the decoded size")
+            decoded = decode_image(data, "jpeg").size
+            expect.equal(decoded, (size["width"], size["height"]), "the decoded size")
 
 
 @requirement("ENC-008")

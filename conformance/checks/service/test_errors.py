@@ -336,10 +336,22 @@ def test_err_009_unknown_paths_are_not_found(context: CheckContext) -> None:
     Expect `not_found`.
     """
     run = context.submit()
-    one, many = f"/v1/runs/{run.id}", "/v1/benchmarks"
+    run_path, many = f"/v1/runs/{run.id}", "/v1/benchmarks"
     # With a slash at the end, a segment at the end, or capital letters.
-    near = ["/v1/", f"{many}/", f"{many}/calibration/", f"{one}/", f"{one}/score/"]
-    near += ["/v1/runs/", f"{one}/score/x", f"{one}/Score", "/v1/Runs", "/V1/runs"]
+    near = [
+        "/v1/",
+        f"{many}/",
+        f"{many}/calibration/",
+        f"{run_path}/",
+        f"{run_path}/score/",
+    ]
+    near += [
+        "/v1/runs/",
+        f"{run_path}/score/x",
+        f"{run_path}/Score",
+        "/v1/Runs",
+        "/V1/runs",
+    ]
     paths = [
         *near,
         "/v2",
@@ -347,7 +359,7 @@ def test_err_009_unknown_paths_are_not_found(context: CheckContext) -> None:
         f"/v1/{uuid.uuid4().hex}",
         "/v1/runs/nothing/at/all",
     ]
-    paths += [f"{one}/{name}" for name in ("nothing", "workers")]
+    paths += [f"{run_path}/{name}" for name in ("nothing", "workers")]
     for path in paths:
         for method in ("GET", "POST"):
             expect.refused(context.http_client.request(method, path), "not_found")
@@ -422,8 +434,8 @@ def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None
     Expect no status of 500 or above except 503, here and in all other checks.
     """
     expect_no_server_error_for_paths(context)
-    worker, other = attach_live_worker(context), context.submit()
-    fuzz_operations(worker, other, 2 if context.shared.settings.quick else 12)
+    worker, second = attach_live_worker(context), context.submit()
+    fuzz_operations(worker, second, 2 if context.shared.settings.quick else 12)
     alive = context.call("describe_service")
     expect.ok(alive)
 

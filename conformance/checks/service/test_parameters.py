@@ -116,8 +116,8 @@ def expect_no_conditional_reads(
         operation = worker.run.context.spec.operations[operation_id]
         if operation_id == "get_run" or operation.method != "GET":
             continue
-        for known in (etag, "*"):
-            headers = {"If-None-Match": known}
+        for etag_sent in (etag, "*"):
+            headers = {"If-None-Match": etag_sent}
             answer = worker.run.call(operation_id, headers=headers, **how)
             expect.ok(answer, SUCCESSES.get(operation_id, 200))
 
@@ -146,8 +146,8 @@ def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) 
         body: Any = {} if operation_id == "stop_run" else None
         expect.ok(run.call(operation_id, headers=key, json=body))
     expect.equal(run.get()["state"], "stopped", "state after the second stop")
-    known = worker.run.call("get_run", headers={"If-None-Match": "*"})
-    if known.status != 304:
+    conditional = worker.run.call("get_run", headers={"If-None-Match": "*"})
+    if conditional.status != 304:
         raise SetUpFailed("`get_run` ignores If-None-Match; see RUN-011")
 
 

@@ -81,8 +81,8 @@ def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None
             expect_pointer(expect.refused(answer, "invalid_request"), pointer)
         for pointer, parent, wrong in missing_members(schema, body):
             answer = send_json(worker.run, operation_id, wrong, **others)
-            found = expect.refused(answer, "invalid_request")["errors"]
-            places = [error["pointer"] for error in found]
+            errors = expect.refused(answer, "invalid_request")["errors"]
+            places = [error["pointer"] for error in errors]
             expect.true({pointer, parent} & {*places}, f"a pointer {pointer}", places)
     schema, whole = schema_of(context, "submit_run")["properties"], [submission]
     for end in ("min", "max"):

@@ -45,38 +45,42 @@ _PATH_NAMES = ("worker_id", "benchmark_id")
 _LONG_POLL = re.compile(r"wait=[0-9]+")
 
 
-def fuzz_operations(worker: WorkerClient, other: RunClient, per_operation: int) -> None:
+def fuzz_operations(
+    worker: WorkerClient, second_run: RunClient, per_operation: int
+) -> None:
     """Send wrong and right requests to every operation.
 
-    Requests that end sessions and runs are sent to `other`, so that the worker stays
-    alive.
+    Requests that end sessions and runs are sent to `second_run`, so that the worker
+    stays alive.
     """
     generator = _RequestGenerator(worker.run.context.random)
     samples = list(operation_samples(worker))
     order = generator.random.sample(range(len(samples)), len(samples))
     for index in order:  # first of all, one request of every operation
-        _try(worker, other, generator.change(samples[index]))
+        _try(worker, second_run, generator.change(samples[index]))
     for sample in samples:
         for body in _edge_value_bodies(sample[1].get("json")):
-            _try(worker, other, (sample[0], sample[1] | {"json": body}))
+            _try(worker, second_run, (sample[0], sample[1] | {"json": body}))
         for root in _ROOTS if "json" in sample[1] else []:
-            _try(worker, other, _with_body(sample, json.dumps(root).encode(), JSON))
+            _try(
+                worker, second_run, _with_body(sample, json.dumps(root).encode(), JSON)
+            )
     for _ in range(per_operation):
         # Anew in each round: the seq of the session goes on.
         for sample in operation_samples(worker):
-            _try(worker, other, generator.change(sample))
+            _try(worker, second_run, generator.change(sample))
             if "json" in sample[1]:
-                _try(worker, other, generator.flip_bytes(sample, worker))
+                _try(worker, second_run, generator.flip_bytes(sample, worker))
 
 
-def _try(worker: WorkerClient, other: RunClient, sample: OperationSample) -> None:
+def _try(worker: WorkerClient, second_run: RunClient, sample: OperationSample) -> None:
     """Send one request; HTTP or a proxy may not be able to carry it."""
     operation_id, how = sample
     if operation_id == "submit_run" and _HALF in json.dumps(how.get("json")):
         return  # a server may store the name, and show it in every list
     ends = operation_id in ("stop_run", "resume_run", "detach_worker")
     try:
-        answer = send(other if ends else worker.run, (operation_id, how))
+        answer = send(second_run if ends else worker.run, (operation_id, how))
     except (httpx.LocalProtocolError, httpx.InvalidURL, AnsweredByProxy):
         return
     _expect_no_server_error(answer)

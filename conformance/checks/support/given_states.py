@@ -96,8 +96,8 @@ def submit_and_attach(
 
 def count(turn: Mapping[str, Any]) -> list[float]:
     """How many actions were executed in the attempt that the turn shows."""
-    seen: list[float] = turn["observation"]["state"]["count"]
-    return seen
+    steps: list[float] = turn["observation"]["state"]["count"]
+    return steps
 
 
 def without(body: Mapping[str, Any], *members: str) -> dict[str, Any]:
@@ -112,11 +112,11 @@ def results(run: RunClient) -> list[dict[str, Any] | None]:
 
 def expect_pointer(problem: Mapping[str, Any], *pointers: str) -> None:
     """Expect an entry of `errors` at one of the pointers or below it."""
-    found = [str(item.get("pointer")) for item in problem["errors"]]
+    named = [str(item.get("pointer")) for item in problem["errors"]]
     expect.true(
-        any(f == p or f.startswith(f"{p}/") for f in found for p in pointers),
+        any(f == p or f.startswith(f"{p}/") for f in named for p in pointers),
         f"an entry of `errors` pointing at {' or '.join(pointers)}",
-        found,
+        named,
     )
 
 

@@ -75,10 +75,10 @@ def _stored(context: CheckContext, name: str, *, is_other: bool) -> LongRun:
             stored[name] = _play(context, is_other)
         except SetUpFailed as error:
             stored[name] = error
-    found: LongRun | SetUpFailed = stored[name]
-    if isinstance(found, SetUpFailed):
-        raise found
-    return found
+    entry: LongRun | SetUpFailed = stored[name]
+    if isinstance(entry, SetUpFailed):
+        raise entry
+    return entry
 
 
 def _plan(index: int, is_other: bool) -> PlannedEpisode:

@@ -156,8 +156,8 @@ class ModelClient:
             return
         if isinstance(request, Attach):
             session = str(answer.json.get("session_id"))
-            known = self.handles.get(request.worker)
-            if known is None or known.session != session:
+            handle = self.handles.get(request.worker)
+            if handle is None or handle.session != session:
                 self.handles[request.worker] = SessionHandle(session, request.key)
         elif isinstance(request, Predict):
             handle = self.handles[request.worker]

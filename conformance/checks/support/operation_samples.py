@@ -91,13 +91,15 @@ def profile_samples(run: RunClient) -> Iterator[OperationSample]:
 
 def board_samples(context: RequestContext) -> Iterator[OperationSample]:
     """Give the operations on a leaderboard; `flag_entry` needs a scope of the host."""
-    run, other = completed_run(context), completed_run(context)
+    run, second = completed_run(context), completed_run(context)
     description = {"model_name": "conformance kit", "is_public": True}
     entries = [
         context.require(
-            partial(one.call, "publish_entry", json=description), 201, "publish_entry"
+            partial(published.call, "publish_entry", json=description),
+            201,
+            "publish_entry",
         )
-        for one in (run, other)
+        for published in (run, second)
     ]
     yield "publish_entry", {"run_id": run.id, "json": description}
     yield "list_entries", {"params": {"limit": 1}}
@@ -107,7 +109,7 @@ def board_samples(context: RequestContext) -> Iterator[OperationSample]:
     yield "get_checkpoint", {}
     yield "prove_inclusion", {"params": {"leaf_index": 0, "tree_size": 1}}
     yield "prove_consistency", {"params": {"old_size": 1, "new_size": 1}}
-    yield "withdraw_entry", {"run_id": other.id}
+    yield "withdraw_entry", {"run_id": second.id}
 
 
 def needs_token(context: RequestContext, sample: OperationSample) -> bool:

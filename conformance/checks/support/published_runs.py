@@ -92,7 +92,7 @@ class Board:
 
     def expected(self) -> dict[str, Any]:
         """Compute the ranking of what was published."""
-        episodes = [len(one.successes or "") for one in self.published[:1]]
+        episodes = [len(entry.successes or "") for entry in self.published[:1]]
         return expected_ranking(self.published, sum(episodes))
 
 
@@ -131,16 +131,16 @@ def listed_entries(
     Gives the wanted ids as often and in the order that they came; entries of other
     checks come and go meanwhile.
     """
-    found: list[str] = []
+    listed: list[str] = []
     for _ in range(_PAGES_MAX):
         answer = context.call("list_entries", params=params, http_client=http_client)
         page = expect.ok(answer)
-        found += [
+        listed += [
             entry["entry_id"]
             for entry in page["entries"]
             if entry["entry_id"] in wanted
         ]
-        if page["next_cursor"] is None or wanted <= set(found):
-            return found
+        if page["next_cursor"] is None or wanted <= set(listed):
+            return listed
         params = params | {"cursor": page["next_cursor"]}
     raise SetUpFailed("`list_entries` does not end", breaks="BRD-007")

@@ -47,9 +47,9 @@ def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
         return context.require(call, 200, "list_runs")
 
     for runs in _pages_of_runs(read, _NEWEST_PAGES):
-        found = [r["run_id"] for r in runs if r["policy"]["name"] == name]
-        if found:
-            return found
+        ids = [r["run_id"] for r in runs if r["policy"]["name"] == name]
+        if ids:
+            return ids
     return []
 
 
@@ -86,19 +86,19 @@ def whole_submission(context: CheckContext) -> dict[str, Any]:
 
 def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any]]:
     """Find runs in the pages of `list_runs`, newest first."""
-    found: dict[str, dict[str, Any]] = {}
+    listed: dict[str, dict[str, Any]] = {}
 
     def read(params: dict[str, Any]) -> Any:
         return expect.ok(context.call("list_runs", params=params))
 
     for runs in _pages_of_runs(read, _PAGES_MAX):
-        found |= {r["run_id"]: r for r in runs if r["run_id"] in ids}
-        if ids <= set(found):
+        listed |= {r["run_id"]: r for r in runs if r["run_id"] in ids}
+        if ids <= set(listed):
             break
-    missing = ids - set(found)
+    missing = ids - set(listed)
     if missing:
         raise SetUpFailed(f"`list_runs` does not show {missing}", breaks="RUN-009")
-    return found
+    return listed
 
 
 def submit_and_show(

@@ -66,7 +66,7 @@ def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> N
 
 def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
     """Expect the names, sizes and ranges of actions and observations."""
-    actions, seen = benchmark["action_space"], benchmark["observation_space"]
+    actions, observations = benchmark["action_space"], benchmark["observation_space"]
     expect.equal(sorted(actions), sorted(ACTIONS), "names of the actions")
     plain = {"rotation": "none", "frame": "none", "relative": False}
     for name, (size, unit, low, high, beyond) in ACTIONS.items():
@@ -76,14 +76,18 @@ def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
             expect.equal(action[member], value, f"{member} of the action {name}")
         bounds = [action.get("minimum"), action.get("maximum")]
         expect.equal(bounds, [low, high], f"bounds of the action {name}")
-    expect.equal(sorted(seen["state"]), sorted(STATES), "names of the states")
+    expect.equal(sorted(observations["state"]), sorted(STATES), "names of the states")
     for name, size in STATES.items():
         members = plain | {"size": size, "unit": "1", "out_of_range": "unbounded"}
         for member, value in members.items():
-            expect.equal(seen["state"][name][member], value, f"{member} of {name}")
-    channels = {name: image["channels"] for name, image in seen["images"].items()}
+            expect.equal(
+                observations["state"][name][member], value, f"{member} of {name}"
+            )
+    channels = {
+        name: image["channels"] for name, image in observations["images"].items()
+    }
     expect.equal(channels, {"pattern": 3}, "channels of the images")
-    tensors = {n: (t["dtype"], t["shape"]) for n, t in seen["tensors"].items()}
+    tensors = {n: (t["dtype"], t["shape"]) for n, t in observations["tensors"].items()}
     expected: dict[str, tuple[str, list[int]]] = {d: (d, [2, 3]) for d in DTYPES}
     expected["empty"] = ("float64", [0, 3])
     expect.equal(tensors, expected, "tensors")
@@ -126,7 +130,7 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
 
 def listed_scores(worker: WorkerClient) -> dict[int, float]:
     """Read the score of each episode that has a result, by its index."""
-    listed = [found for found in results(worker.run) if found is not None]
+    listed = [result for result in results(worker.run) if result is not None]
     return {result["index"]: result["score"] for result in listed}
 
 
@@ -221,9 +225,9 @@ def test_cal_005_end_ends_every_task(context: CheckContext) -> None:
 def expect_pictures(observation: Mapping[str, Any], task: str) -> None:
     """Expect the image and the tensors in the task `echo`, and none elsewhere."""
     for kind, names in (("images", IMAGES), ("tensors", TENSORS)):
-        found = [name for name in names if name in observation[kind]]
+        named = [name for name in names if name in observation[kind]]
         expected = names if task == "echo" else []
-        expect.equal(found, expected, f"{kind} of an observation in {task}")
+        expect.equal(named, expected, f"{kind} of an observation in {task}")
 
 
 @requirement("CAL-006")
@@ -247,8 +251,8 @@ def expect_echoed(
 ) -> None:
     """Expect the vectors of the last action in the states."""
     state = turn["observation"]["state"]
-    found = {name: state[name] for name in ("vector", "clipped")}
-    expect.equal(found, {"vector": vector, "clipped": clipped}, f"states {what}")
+    echoed = {name: state[name] for name in ("vector", "clipped")}
+    expect.equal(echoed, {"vector": vector, "clipped": clipped}, f"states {what}")
 
 
 @requirement("CAL-007")

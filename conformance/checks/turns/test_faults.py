@@ -99,15 +99,15 @@ def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> Non
     Expect the other worker to play step by step, in one attempt, without a fault.
     """
     run = context.submit("fault", "count", max_faults=10, max_steps=100)
-    unlucky, other = attach_workers(run, 2)
-    before = other.turn["episode"]
+    unlucky, second = attach_workers(run, 2)
+    before = second.turn["episode"]
     for step in range(1, 4):
         _, answer = context.call_concurrently(
             lambda: unlucky.predict(context.action(fault=1)),
-            lambda: other.try_predict(context.action()),
+            lambda: second.try_predict(context.action()),
         )
         turn = expect.ok(answer)
-        other.seq += 1
+        second.seq += 1
         expect.true("fault" not in turn, "no fault of the other", turn.get("fault"))
         expect.equal(turn["episode"], before | {"step": step}, "episode of the other")
         expect.equal(count(turn), [step], "count of the other")
@@ -314,8 +314,8 @@ def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> No
     for _ in range(2):
         again = expect.ok(worker.try_predict(*chunk, seq=worker.seq))
         expect.equal(without(again, "lease", "timing"), turn, "the turn")
-    other = worker.try_predict(context.action(), seq=worker.seq)
-    expect.refused(other, "seq_conflict")
+    refused = worker.try_predict(context.action(), seq=worker.seq)
+    expect.refused(refused, "seq_conflict")
     expect.equal(worker.run.episodes()[0]["faults"], 1, "faults")
     expect.equal(expect.ok(worker.try_predict(context.action()))["seq"], 2, "seq")
 

@@ -355,12 +355,12 @@ def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
     old, _ = attach_with_lease(context)
     worker = old.run.worker(old.id)
     worker.attach(takeover=True)
-    action, other = context.action(), context.action(score=0.5)
+    action, second_action = context.action(), context.action(score=0.5)
     turn = play_turn(worker)
     sleep_until(turn.started_at + 0.6 * lease_of(context))
     refused = [
         worker.try_predict(action, seq=7),
-        worker.try_predict(other, seq=1),
+        worker.try_predict(second_action, seq=1),
         worker.try_predict(context.action(vector=[])),
         worker.try_attach(),
         worker.try_attach(takeover=True, assumes={"control_rate_hz": 20}),
@@ -543,17 +543,17 @@ def expect_others_unaffected(context: CheckContext) -> None:
     if context.limits["max_workers"] < 2:
         return
     done, _ = attach_with_lease(context, "score", "score")
-    other = done.run.worker("other")
-    other.attach()
+    second = done.run.worker("other")
+    second.attach()
     last = done.try_predict(context.action(end=1))
     if not expect.require(last, 200, "predict")["done"]:
         raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
     sleep_until(last.started_at + 0.6 * lease_of(context))
-    other.try_heartbeat()
-    began = play_turn(other)
+    second.try_heartbeat()
+    began = play_turn(second)
     sleep_past(last, context)
     run = done.run.get()
-    expect_inside_lease(other.try_next(), began, context)
+    expect_inside_lease(second.try_next(), began, context)
     expect.equal(run["state"], "running", "state beside a session that plays")
 
 

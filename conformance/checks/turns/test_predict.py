@@ -47,17 +47,17 @@ def play_in_chunks(
 ) -> dict[int, Any]:
     """Play actions in chunks; give the observations at the cuts, and the end."""
     worker = submit_and_attach(context, "score", max_steps=7)
-    seen: dict[int, Any] = {}
+    shown: dict[int, Any] = {}
     first, rewards = 0, 0.0
     for length in lengths:
         if not worker.turn["done"]:
             turn = worker.predict(*actions[first : first + length])
             first += length
             rewards += sum(turn["rewards"])
-            seen[first] = [turn.get("observation"), rewards]
+            shown[first] = [turn.get("observation"), rewards]
     result = results(worker.run)[0]
-    seen[-1] = [without(result, *VOLATILE_RESULT_MEMBERS) if result else None, rewards]
-    return seen
+    shown[-1] = [without(result, *VOLATILE_RESULT_MEMBERS) if result else None, rewards]
+    return shown
 
 
 @requirement("PRED-006")
@@ -77,9 +77,9 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
             for n in range(sum(cuts))
         ]
         single = play_in_chunks(context, actions, [1] * len(actions))
-        for cut, seen in play_in_chunks(context, actions, cuts).items():
+        for cut, shown in play_in_chunks(context, actions, cuts).items():
             if cut in single:
-                expect.equal(seen, single[cut], f"what was seen after {cut} actions")
+                expect.equal(shown, single[cut], f"what was seen after {cut} actions")
 
     longest = min(4, context.limits["max_chunk"])
     for example in (([longest, longest], 9), ([1, longest], 2)):
@@ -169,7 +169,9 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
         expect.equal([s["count"] for s in states], [[n] for n in counts], "counts")
         vectors = [action["values"]["vector"] for action in actions[: len(counts)]]
         expect.equal([s["vector"] for s in states], vectors, "vectors")
-        images = [seen["images"]["pattern"] for seen in turn["observations"]]
+        images = [
+            observation["images"]["pattern"] for observation in turn["observations"]
+        ]
         # The first byte of the image is the number of actions before it.
         first = [base64.b64decode(image["data"][:4])[0] for image in images]
         expect.equal(first, counts, "first bytes of the images")

@@ -39,7 +39,9 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
         for disturb in (
             worker.heartbeat,
             lambda: worker.try_predict(context.action(), seq=worker.seq),
-            lambda: [other.predict(context.action()) for other in others],
+            lambda: [
+                worker_beside.predict(context.action()) for worker_beside in others
+            ],
             lambda: worker.try_attach(attach_key=worker.attach_key),
         ):
             again = expect.ok(worker.try_predict(action, action, seq=worker.seq))
@@ -60,7 +62,7 @@ def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None
     changed = context.action(vector=[0.0] * 7 + [math.nextafter(0.25, 1)])
     for chunk in ([first, second], [second, context.action(end=1)]):
         worker.predict(*chunk)
-        for other in (
+        for actions in (
             [context.action(score=1), *chunk[1:]],
             [changed if action is second else action for action in chunk],
             [chunk[0], context.action(success=1)],
@@ -68,7 +70,7 @@ def test_pred_003_cannot_repeat_with_another_body(context: CheckContext) -> None
             chunk[:1],
             [*chunk, first],
         ):
-            answer = worker.try_predict(*other, seq=worker.seq)
+            answer = worker.try_predict(*actions, seq=worker.seq)
             expect.refused(answer, "seq_conflict")
         answer = worker.try_predict(*chunk, seq=worker.seq, observe="all")
         expect.refused(answer, "seq_conflict")
@@ -365,9 +367,11 @@ def test_pred_018_clips_where_declared(context: CheckContext) -> None:
             answer = worker.try_predict(*actions[part], observe="all")
             turn = expect.ok(answer)
             worker.seq += 1
-            found = [seen["state"]["clipped"] for seen in turn["observations"]]
+            clipped = [
+                observation["state"]["clipped"] for observation in turn["observations"]
+            ]
             executed = [executed for _, executed in cases[part]]
-            expect.equal(found, executed, "clipped")
+            expect.equal(clipped, executed, "clipped")
             last = turn["observation"]["state"]["clipped"]
             expect.equal(last, executed[-1], "clipped of the last action")
 
@@ -440,8 +444,8 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
     if context.speaks_msgpack:
         again = worker.run.call("predict", json=body, msgpack=True, **how)
         expect.equal(expect.ok(again), turn, "the turn repeated in MessagePack")
-    other = {**body, "actions": [context.action(score=1), action]}
-    answer = worker.run.call("predict", json=reversed_members(other), **how)
+    other_body = {**body, "actions": [context.action(score=1), action]}
+    answer = worker.run.call("predict", json=reversed_members(other_body), **how)
     expect.refused(answer, "seq_conflict")
 
 

@@ -101,8 +101,8 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
     worker.attach(attach_key=key)
     worker.predict(context.action())
     others = [key[:-1] + "\t", key[:-2] + "z ", key[:-1], "\u00e9" + key[2:]]
-    for other in (*others, "E" + key[1:]):
-        answer = require_not_state_refusal(worker.try_attach(attach_key=other))
+    for other_key in (*others, "E" + key[1:]):
+        answer = require_not_state_refusal(worker.try_attach(attach_key=other_key))
         expect.refused(answer, "worker_busy")
     again = expect.ok(worker.try_attach(attach_key=key))
     expect.equal(again["session_id"], worker.session_id, "session_id of the repeat")
@@ -196,11 +196,11 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
 
     Expect nothing to happen to any session; under the right worker it plays on.
     """
-    first, other = (submit_and_attach(context, "count", "count") for _ in range(2))
-    runs = [first.run, other.run]
-    for own in (first, other):
+    first, second = (submit_and_attach(context, "count", "count") for _ in range(2))
+    runs = [first.run, second.run]
+    for own in (first, second):
         own.predict(context.action())
-    workers = [first.run.worker("free"), other]
+    workers = [first.run.worker("free"), second]
     if context.limits["max_workers"] > 1:
         workers.append(first.run.worker("second"))
         workers[-1].attach()
@@ -208,7 +208,7 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
         expect_no_effect(wrong, first.session_id, runs)
         expect_no_effect(wrong, "unknown-session", runs)
     expect_no_effect(first, first.session_id + "0", runs)
-    for worker in (first, other):
+    for worker in (first, second):
         turn = expect.ok(worker.try_predict(context.action()))
         expect.equal(count(turn), [2], "count in the session's next turn")
 

@@ -72,17 +72,17 @@ def test_att_017_refused_takeover_changes_nothing(context: CheckContext) -> None
     a takeover with the right assumption is accepted.
     """
     run = context.submit("count", "count")
-    worker, other = run.worker("same"), run.worker("same")
+    worker, successor = run.worker("same"), run.worker("same")
     worker.attach()
     worker.attach(takeover=True, assumes={"control_rate_hz": 10})
-    answer = other.try_attach(takeover=True, assumes={"control_rate_hz": 20})
+    answer = successor.try_attach(takeover=True, assumes={"control_rate_hz": 20})
     expect.refused(answer, "convention_mismatch")
     expect_next_step(worker, 0)
     start_drain(run)
     if run.worker().try_attach().status == 200:
         raise SetUpFailed("a `stopping` run accepts an attach; see LIFE-401")
     before = run.snapshot()
-    expect.refused(other.try_attach(takeover=True), "illegal_transition")
+    expect.refused(successor.try_attach(takeover=True), "illegal_transition")
     expect.equal(run.snapshot(), before, "the run afterwards")
     expect_next_step(worker, 1)
 
@@ -138,7 +138,9 @@ def test_att_020_can_take_over_whatever_there_is(context: CheckContext) -> None:
     expect_next_step(first, 0)
 
 
-def take_over_during_turn(worker: WorkerClient, other: WorkerClient) -> list[Answer]:
+def take_over_during_turn(
+    worker: WorkerClient, successor: WorkerClient
+) -> list[Answer]:
     """Take a worker over in the middle of a turn; give both answers."""
     context = worker.run.context
     turn_s = long_turn_s(context)
@@ -146,7 +148,7 @@ def take_over_during_turn(worker: WorkerClient, other: WorkerClient) -> list[Ans
 
     def take_over() -> Answer:
         time.sleep(turn_s / 4)
-        return other.try_attach(takeover=True)
+        return successor.try_attach(takeover=True)
 
     turn, attach = context.call_concurrently(
         lambda: worker.try_predict(*chunk), take_over
@@ -167,14 +169,14 @@ def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
     refused; its next turn goes on from there.
     """
     run = context.submit("delay", "delay", max_steps=100)
-    worker, other = run.worker("same"), run.worker("same")
+    worker, successor = run.worker("same"), run.worker("same")
     worker.attach()
     worker.predict(context.action())
-    turn, attach = take_over_during_turn(worker, other)
-    other.turn = opened = expect.ok(require_not_state_refusal(attach))
-    other.session_id = opened["session_id"]
+    turn, attach = take_over_during_turn(worker, successor)
+    successor.turn = opened = expect.ok(require_not_state_refusal(attach))
+    successor.session_id = opened["session_id"]
     due = 4 if turn.code is None else 1
     step = opened["episode"]["step"]
     expect.equal(step, due, f"episode.step after a turn answered {turn.status}")
     expect.equal(opened["episode"]["attempt"], 1, "attempt")
-    expect_next_step(other, step)
+    expect_next_step(successor, step)

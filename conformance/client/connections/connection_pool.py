@@ -76,22 +76,22 @@ class ConnectionPool:
         After an error they are closed: nothing is known about them.
         """
         with self._lock:
-            one = self._idle.pop() if self._idle else None
-        one = one or Connections(is_behind_proxy=self._is_behind_proxy)
+            connections = self._idle.pop() if self._idle else None
+        connections = connections or Connections(is_behind_proxy=self._is_behind_proxy)
         try:
-            yield one
+            yield connections
         except BaseException:
-            one.close()
+            connections.close()
             raise
         with self._lock:
-            self._idle.append(one)
+            self._idle.append(connections)
 
     def close(self) -> None:
         """Close all that are not in use."""
         with self._lock:
             idle, self._idle = self._idle, []
-        for one in idle:
-            one.close()
+        for connections in idle:
+            connections.close()
 
 
 @functools.cache

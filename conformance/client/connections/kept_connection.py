@@ -42,17 +42,17 @@ class HttpRequest:
     def all_headers(self) -> list[tuple[str, str]]:
         """Give the headers with those that a client adds, where they are missing."""
         host = ("Host", self.url.netloc.decode("ascii"))
-        found = [self.headers.get("host", host)]
-        found += [pair for name, pair in self.headers.items() if name != "host"]
+        headers = [self.headers.get("host", host)]
+        headers += [pair for name, pair in self.headers.items() if name != "host"]
         if "content-length" in self.headers or "transfer-encoding" in self.headers:
-            return found
+            return headers
         if isinstance(self.content, bytes | None):
             size = len(self.content or b"")
             if size or self.method in ("POST", "PUT", "PATCH"):
-                found.append(("Content-Length", str(size)))
+                headers.append(("Content-Length", str(size)))
         else:
-            found.append(("Transfer-Encoding", "chunked"))
-        return found
+            headers.append(("Transfer-Encoding", "chunked"))
+        return headers
 
 
 class BodySource(Protocol):

@@ -51,5 +51,5 @@ def _integer(value: int, width: int, is_signed: bool) -> bytes:
 def _head(formats: dict[int, int], width: int, length: int) -> bytes:
     if width == 0 and length < _FIT[formats[0]]:
         return bytes([formats[0] | length])
-    width = min(other for other in formats if other and other >= min(width, 4))
+    width = min(offered for offered in formats if offered and offered >= min(width, 4))
     return bytes([formats[width]]) + struct.pack(_UNSIGNED[width], length)
