@@ -1,9 +1,9 @@
-"""Which episode a video shows, written into its file.
+"""Writes into the file of a video which episode it shows, and reads it again.
 
-The name and the folder of a file say nothing that can be relied on: both change when
-it is copied. So each video has a box of its own at the end of the MP4 file, which
-players skip, with the digest of the recording that was drawn. It is no signature: who
-writes a video can write any origin.
+The name and the folder of a file prove nothing, because both change when it is copied.
+So each video has a box of its own at the end of the MP4 file, which players skip, with
+the digest of the recording that was drawn. The box is not signed: the author of a video
+can write any origin.
 """
 
 from __future__ import annotations
@@ -21,16 +21,18 @@ from msgspec import Struct
 _HEAD = struct.Struct(">I4s")
 _LONG_SIZE = struct.Struct(">Q")
 _TYPE: Final = uuid.uuid5(uuid.NAMESPACE_URL, "urn:proctor:video-origin:v1").bytes
-# Of a file of unknown origin: more boxes are not looked at, and no longer one is read.
+# A file of unknown origin may have any number of boxes of any size: so many are looked
+# at, and a longer origin is not read.
 BOXES_MAX: Final = 10_000
 ORIGIN_BYTES_MAX: Final = 2**14
 
 
 class VideoOrigin(Struct, frozen=True, kw_only=True):
-    """statement_sha256: what the record is known by. recording_sha256: of the episode.
+    """The episode that a video shows.
 
-    replay: how what was drawn compares with the recording; turn: the first one whose
-    state is another, None if all are equal.
+    statement_sha256: the digest that names the record. recording_sha256: the digest of
+    the episode's recording. replay: how the drawn episode compares with the recording.
+    turn: the first turn with another state; None if all states are equal.
     """
 
     run_id: str
@@ -50,7 +52,7 @@ def append_origin(path: Path, origin: VideoOrigin) -> None:
 
 
 def read_origin(path: Path) -> VideoOrigin | None:
-    """None for a file that does not say it once. Raises OSError."""
+    """The origin; None unless the file holds exactly one. Raises OSError."""
     with path.open("rb") as file:
         contents = _origins(file, path.stat().st_size)
     if len(contents) != 1:
@@ -62,7 +64,7 @@ def read_origin(path: Path) -> VideoOrigin | None:
 
 
 def _origins(file: BinaryIO, size: int) -> list[bytes]:
-    """What stands in the boxes of our type."""
+    """The contents of the boxes of our type."""
     contents: list[bytes] = []
     position = 0
     for _ in range(BOXES_MAX):
@@ -80,7 +82,7 @@ def _origins(file: BinaryIO, size: int) -> list[bytes]:
             head_size += _LONG_SIZE.size
         box_size = box_size or size - position
         if box_size < head_size or position + box_size > size:
-            break  # this is no MP4 file, or it is cut
+            break  # this is not an MP4 file, or it is cut
         if type_ == b"uuid" and file.read(len(_TYPE)) == _TYPE:
             left = box_size - head_size - len(_TYPE)
             contents.append(file.read(left) if left <= ORIGIN_BYTES_MAX else b"")

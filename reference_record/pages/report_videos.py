@@ -1,7 +1,7 @@
-"""The videos that a report takes in, each beside the episode that it is of.
+"""Adds videos to a report, each beside the episode that it shows.
 
 A video is shown where the recording that it was drawn from is shown, and nowhere else,
-whatever its file and its folder are called. What is left out is said.
+whatever its file and its folder are called. The report lists the videos left out.
 """
 
 from __future__ import annotations

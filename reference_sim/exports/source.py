@@ -101,7 +101,7 @@ class Source:
 def video_origin(
     source: Source, line: EpisodeLine, found: EpisodeReplay, camera: str
 ) -> VideoOrigin:
-    """What a video says of the episode that it shows, which has a recording."""
+    """The origin that is written into a video of this episode, which was recorded."""
     assert line.recording is not None
     return VideoOrigin(
         run_id=source.evaluation.run.run_id,

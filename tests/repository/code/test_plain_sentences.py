@@ -26,8 +26,8 @@ LEFT_MAX = {
     "benchmarks": 14,
     "examples": 4,
     "reference_server": 275,
-    "tests": 275,
-    "tools": 40,
+    "tests": 266,
+    "tools": 39,
 }
 
 BEGIN = r"(?:\A|[.!?:]\s+|\n\s*\n|\n\s*- )\s*"
