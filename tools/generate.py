@@ -119,11 +119,11 @@ TURNS_OPTIONS = (
 
 
 class GenerationError(Exception):
-    """What a generator said when it failed."""
+    """A generator failed; the text is its output."""
 
 
 def run(*command: str | Path) -> str:
-    """What the command wrote; GenerationError if it failed."""
+    """Run a command and give its output; GenerationError if it failed."""
     environment = os.environ | {"JDK_JAVA_OPTIONS": JAVA_OPTIONS}
     done = subprocess.run(
         command,
@@ -398,7 +398,7 @@ def tidy(target: Path, dropped: list[str], patches: list[dict[str, str]]) -> Non
 def apply_patch(target: Path, patch: dict[str, str]) -> None:
     """Replace a text (`find`) or what a regular expression matches (`pattern`).
 
-    What replaces a match may name its groups: \\1.
+    The text that replaces a match may name its groups: \\1.
     """
     by = patch["replace"]
     new: str | Callable[[re.Match[str]], str] = (

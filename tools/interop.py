@@ -2,9 +2,9 @@
 
 Runs from the repository's root as `python -m tools.interop`. Without --url it judges
 the clients at a reference server of its own. The matrix goes to the console, as JUnit
-to report/interop.xml and to build/interop.md. What was not run is never green; the last
-line names the languages that were not played. Ends with 1 if something failed, 2 if
-something or all was not run, else with 0.
+to report/interop.xml and to build/interop.md. A scenario that was not run is never
+green; the last line names the languages that were not played. Ends with 1 if something
+failed, 2 if something or all was not run, else with 0.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class Matrix:
     toolchains: dict[str, str] = field(default_factory=dict)
 
     def outcomes(self) -> list[str]:
-        """Of what the programs have a part in; what is no part of one was not seen."""
+        """The outcomes of the scenarios that the programs have a part in."""
         cells = [cell for row in self.cells.values() for cell in row.values()]
         return [cell.outcome for cell in cells if cell.outcome != NO_PART]
 

@@ -158,7 +158,7 @@ def _names_by_line(source: str) -> dict[int, str]:
 
 
 def _name_of(node: ast.stmt) -> str:
-    """What a statement defines: a function, a class, or the target of an assignment."""
+    """The name of the function, class or variable that a statement defines."""
     match node:
         case ast.FunctionDef() | ast.AsyncFunctionDef() | ast.ClassDef():
             return node.name
@@ -245,7 +245,7 @@ def traces() -> dict[str, Trace]:
 
 
 def gaps() -> list[str]:
-    """What is missing between the specification and the code, a line each."""
+    """One line for each gap between the specification and the code."""
     return [
         *(gap for trace in traces().values() for gap in _gaps_of(trace)),
         *_unknown_ids(),

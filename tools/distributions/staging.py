@@ -1,7 +1,7 @@
-"""What each wheel is made of, copied into a folder that setuptools can build.
+"""Copies the files of each wheel into a folder that setuptools can build.
 
 Files that git ignores are left out, and no module stands in two wheels. Modes are
-written anew: what the umask of a machine made of them must not reach the wheel.
+written anew, so that a wheel does not depend on the umask of a machine.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ VERSION: str = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
     "version"
 ]
 _MODE = 0o644
-# Of spec/, what an installed kit reads; its vectors are for who writes a server.
+# The files of spec/ that an installed kit reads; only authors of servers need vectors.
 _SPECIFICATION = ("*.md", "*.yaml", "profiles/*.yaml")
 
 

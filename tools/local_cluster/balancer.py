@@ -128,7 +128,7 @@ class Balancer:
 
 
 async def _is_ready(port: int) -> bool:
-    """What the node says. Raises OSError if it is not reached or says nothing."""
+    """Whether the node says that it is ready. Raises OSError without an answer."""
     reader, writer = await asyncio.open_connection(HOST, port)
     try:
         writer.write(_QUESTION)

@@ -1,7 +1,7 @@
 """All parts of a local cluster, in the order in which they start and end.
 
-What has to be equal on all nodes and is not set otherwise is set here: the database,
-the simulators, the token, the keys and the folder of recordings.
+Settings that must be equal on all nodes have their defaults here: the database, the
+simulators, the token, the keys and the folder of recordings.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ CONNECTIONS_OF_NODE = 20  # to PostgreSQL; a node has 13 at most
 
 @dataclass(frozen=True)
 class Plan:
-    """What to start. The balancer is at the port, the nodes are at those behind it.
+    """The parts to start. The balancer is at the port, the nodes at those behind it.
 
     database: `sqlite`, or `postgresql` for one of its own. simulators: `local`, or
     `ray` for a Ray cluster of its own. PROCTOR_DATABASE and PROCTOR_SIMULATORS, where
@@ -57,9 +57,9 @@ class Plan:
 
 @dataclass
 class Parts:
-    """What has been started. vital: what all nodes need, by name. settings: of nodes.
+    """The parts that were started. vital: by name, those that all nodes need.
 
-    lines: for people, what it is.
+    settings: those of the nodes. lines: a description for people.
     """
 
     nodes: list[asyncio.subprocess.Process] = field(default_factory=list)

@@ -139,7 +139,7 @@ def _is_ready(data: Path, process: Process) -> bool:
 
 
 def _reason(log: Path, logged: int) -> str:
-    """What its log says since it had so many bytes."""
+    """The reason that the log gives behind its first `logged` bytes."""
     lines = log.read_bytes()[logged:].decode(errors="replace").splitlines()
     found = (
         next((line.partition(mark)[2].strip() for line in lines if mark in line), "")
@@ -149,5 +149,5 @@ def _reason(log: Path, logged: int) -> str:
 
 
 def _name() -> str:
-    """Of this process's account; that of PostgreSQL's user is the same."""
+    """The name of this process's account; PostgreSQL's user has the same."""
     return pwd.getpwuid(os.geteuid()).pw_name

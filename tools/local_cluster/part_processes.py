@@ -1,7 +1,7 @@
 """Programs that the cluster runs, and how they end: nothing of them is left.
 
-What a program has started is found in /proc. Where there is none, as on macOS, it has
-to end by itself.
+The children of a program are found in /proc. Where there is none, as on macOS, they
+must end by themselves.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class NotStarted(Exception):
 
 
 async def at_once(*starts: Coroutine[Any, Any, Made]) -> list[Made]:
-    """What they return. When one fails, the others are cancelled; raises its error."""
+    """Run all and give their results. If one fails, the others are cancelled."""
     try:
         async with asyncio.TaskGroup() as group:
             tasks = [group.create_task(start) for start in starts]
@@ -47,8 +47,8 @@ async def start_apart(
     """Start a program whose messages are appended to a file, and which `ends` ends.
 
     It has a session of its own: a terminal's Ctrl-C is not for it, as it ends after the
-    nodes that need it. end_signal: what lets it end in order, if that is a signal. What
-    is left of its session after end_s is killed.
+    nodes that need it. end_signal: the signal that lets it end in order, if there is
+    one. Processes of its session that are left after end_s are killed.
     """
     streams: dict[str, Any] = {"stdin": asyncio.subprocess.DEVNULL}
     with log.open("ab") as output:
@@ -75,7 +75,7 @@ async def start_apart(
 
 
 async def end_children(processes: Collection[Process]) -> None:
-    """Terminate them. What they have started is killed if it does not end by itself."""
+    """Terminate the processes; their children are killed unless they end themselves."""
     living = _living()
     started = {process.pid for process in processes}
     while more := {one.pid for one in living if one.parent in started} - started:

@@ -39,7 +39,7 @@ ADD, LIST = "add", "list"
 async def start_ray(
     ends: contextlib.AsyncExitStack, folder: Path, temporary: Path
 ) -> tuple[asyncio.subprocess.Process, str]:
-    """What started it, and its address; `ends` ends it. Raises NotStarted.
+    """Start Ray, and give its process and address; `ends` ends it. Raises NotStarted.
 
     folder: of its log. temporary: for files that are not needed after it, among them
     the logs of Ray; its path is short, because that of a socket has 107 bytes at most.

@@ -3,14 +3,14 @@
 Runs the kit again and again, each time with another seed, against every server of this
 repository; every second time all processors are kept busy meanwhile. With `--load
 halted` the kit and its servers are stopped together instead, again and again, as a
-machine does that waits for its disk: what counts on time by the clock shows itself.
+machine does that waits for its disk: checks that rely on the clock then fail.
 Options of the kit, behind `--`, are measured for themselves: `-- --quick`. Whatever is
 violated, inconclusive, a kit error, or unverified without need is a false alarm.
 
-Prints a line for each run and adds it to var/false-alarms/runs.jsonl. What is there is
-not run again until the kit, the text or a server changes, so that an interrupted
-measurement goes on. What the kit and the server wrote in a run with a false alarm is
-kept beside it. The figures go to build/false-alarms.md. Exit code 1 after a false
+Prints a line for each run and adds it to var/false-alarms/runs.jsonl. Runs in it are
+not repeated until the kit, the text or a server changes, so that an interrupted
+measurement goes on. The output of the kit and the server in a run with a false alarm
+is kept beside it. The figures go to build/false-alarms.md. Exit code 1 after a false
 alarm. Knows no rule and no server but by its command.
 """
 
@@ -41,7 +41,7 @@ from tools.measurements.git_commit import read_commit
 ROOT = Path(__file__).resolve().parents[2]
 ALARMED = ROOT / "var" / "false-alarms"  # reports of the runs with an alarm
 RESULTS = ALARMED / "runs.jsonl"
-# What a run depends on: the results are those of the last commit that changed it.
+# The paths that a run depends on: results hold for the last commit that changed them.
 JUDGED = (
     *("spec", "conformance", "reference_server", "reference_sim", "reference_record"),
     *("generated_clients/python", "examples/server_go", "examples/server_js"),

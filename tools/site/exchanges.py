@@ -1,8 +1,8 @@
 """Worked exchanges: for each rule a request and its answer, as the kit saw them.
 
-The requests and answers are read from a report of the kit. Of the requests of a check,
-the one is shown that the rule is about, and beside a refusal the same operation where
-it is accepted. Long bodies and lists are cut.
+The requests and answers are read from a report of the kit. A check makes several
+requests; a page shows the one that the rule is about, and beside a refusal the same
+operation where it is accepted. Long bodies and lists are cut.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Turns a page of the repository into a page of the site.
 
-Links between pages stay; links to files that are no pages become the file's name, for
+Links between pages stay; links to files without a page become the file's name, for
 the site stands alone. Ids of rules in running text become links to their pages. Knows
 nothing of what the pages say.
 """

@@ -1,6 +1,6 @@
 """The pages that no file of the repository holds: start, pictures, numbers, verdicts.
 
-What can be read from spec/ is read from there; the other text is written here.
+Texts are read from spec/ where it has them; the others are written here.
 """
 
 from __future__ import annotations

@@ -155,7 +155,7 @@ def _sentences() -> list[str]:
 
 
 def sentences_about(id_: str) -> list[str]:
-    """What the descriptions say where they name the rule."""
+    """The sentences of the descriptions that name the rule."""
     found = [text for text in _sentences() if re.search(rf"\b{id_}\b", text)]
     return [_linked(text) for text in found]
 
@@ -228,7 +228,7 @@ def _body(body: Any) -> str:
     if isinstance(body, str):
         return _block("text", body)
     text = compact(body)
-    # NaN and such, which a check sends on purpose, are no JSON.
+    # A check may send NaN on purpose, which JSON does not have.
     return _block("text" if re.search(r"\b(NaN|Infinity)\b", text) else "json", text)
 
 

@@ -1,4 +1,4 @@
-"""What is compared: a benchmark file, and the same environment without a server."""
+"""The two sides compared: a benchmark file, and its environment without a server."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy.typing as npt
 
-# Of an observation by name: vectors as float64 (n,), pictures as uint8 (h, w, 3).
+# Parts of an observation, by name: vectors are float64 (n,), pictures uint8 (h, w, 3).
 Parts: TypeAlias = Mapping[str, npt.NDArray[Any]]
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples" / "benchmarks"
@@ -28,7 +28,7 @@ class DirectEpisode(Protocol):
 
     @property
     def observed(self) -> Parts:
-        """What there is to see now."""
+        """The current observation."""
 
     def step(self, action: npt.NDArray[Any]) -> tuple[float, bool]:
         """Reward and success; `observed` is then the next observation."""

@@ -50,7 +50,7 @@ class HandOver:
         if self._plan is None:
             self._plan = _plan(seen["pixels.top"], seen["agent_pos"])
         action: Floats = self._plan[min(self._step, len(self._plan) - 1)].copy()
-        # What is seen steers a little, so that no difference goes unnoticed.
+        # The observation steers a little, so that a difference in it shows.
         action += 1e-3 * (seen["agent_pos"] - action)
         self._step += 1
         return action

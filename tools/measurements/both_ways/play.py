@@ -31,7 +31,7 @@ ROOT = Path(__file__).resolve().parents[3]
 
 
 class BothWaysOutcome(NamedTuple):
-    """What must agree, to the last bit.
+    """The figures of an episode that must agree to the last bit.
 
     observations: SHA-256 of all that the policy saw, in order, pictures included.
     """
@@ -43,7 +43,7 @@ class BothWaysOutcome(NamedTuple):
 
 
 class Sight:
-    """What a policy saw in one episode, and when."""
+    """The observations of a policy in one episode, as a digest, and their times."""
 
     def __init__(self) -> None:
         self._digest = hashlib.sha256()
@@ -196,7 +196,7 @@ def _serving(file: Path) -> Iterator[str]:
 
 
 def max_steps_of(compared: ComparedBenchmark) -> int:
-    """Of its benchmark file."""
+    """The step limit in the benchmark file."""
     limit: int = tomllib.loads(compared.file.read_text())["max_steps"]
     return limit
 
