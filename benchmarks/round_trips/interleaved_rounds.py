@@ -36,7 +36,7 @@ class Contender:
 
 @dataclass(slots=True)
 class TurnTimes:
-    """What one contender's turns took: each in ns, CPU in seconds of all of them."""
+    """The time of one contender's turns: each in ns, and seconds of CPU for all."""
 
     ns: list[int] = field(default_factory=list)
     server_cpu_s: float = 0.0

@@ -97,7 +97,7 @@ def make_env(
     use_async_envs: bool = False,  # noqa: ARG001 - a batch of one is synchronous
     cfg: Any = None,  # noqa: ARG001 - LeRobot passes it to some files
 ) -> dict[str, dict[int, gymnasium.vector.VectorEnv[Any, Any, Any]]]:
-    """What LeRobot calls. ValueError for more than one environment at a time.
+    """Make the environment, for LeRobot; ValueError for more than one at a time.
 
     LeRobot plays a batch until its last episode ends, and resets those that ended
     before: on a server these would be attempts that count.

@@ -3,7 +3,7 @@
     proctor run --policy examples/ros2/policy_bridge.py:RosPolicy --benchmark tabletop
 
 Publishes each observation below /proctor and waits for the action of the node. The
-stamp of a message names an observation and is no time: `sec` counts episodes,
+stamp of a message is not a time; it names an observation: `sec` counts episodes,
 `nanosec` steps. An action carries the stamp of the observation that it answers, so that
 a late one is never executed. README.md lists the topics.
 """

@@ -8,8 +8,8 @@ At each step gym-aloha draws three cameras and returns the picture of one. Here 
 other two are not drawn, and a step takes a third of the time.
 
 Where a policy drives the arms so hard that the simulation diverges, gym-aloha raises.
-Here the episode ends without success: it is no fault of the simulator, which would cost
-the policy no attempt.
+Here the episode ends without success. It does not count as a fault of the simulator,
+which would cost the policy no attempt.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class TwoArms(AlohaEnv):  # type: ignore[misc]
         """task: `transfer_cube` or `insertion`."""
         super().__init__(task, obs_type="pixels_agent_pos")
         limits = self._env.physics.model.actuator_ctrlrange
-        # Of each arm: six joints, and two fingers that the gripper's number moves.
+        # Each arm has six joints, and two fingers that the gripper's number moves.
         left, right = limits[:ARM_JOINTS], limits[ARM_JOINTS + 2 :][:ARM_JOINTS]
         low, high = np.concatenate([left, GRIPPER, right, GRIPPER]).T
         self.action_space = Box(low, high, dtype=np.float64)
