@@ -203,7 +203,7 @@ def _add_attestation(parser: argparse.ArgumentParser) -> None:
 
 
 def read_processes(options: argparse.Namespace) -> int:
-    """How many processes judge: one keeps the order that --only asks for."""
+    """The number of processes that judge; one process keeps the order of --only."""
     if options.n is not None:
         return int(options.n)
     is_ordered = bool(options.only or options.fail_fast)
@@ -312,7 +312,7 @@ def check_summary(path: str | None) -> None:
 
 
 def _read_attestation(options: argparse.Namespace, settings: Settings) -> None:
-    """Refuse early what could only fail after the whole run."""
+    """Refuse arguments early that would otherwise fail only after the whole run."""
     settings.attest = options.attest
     settings.attest_key = options.attest_key
     settings.attest_subject = options.attest_subject

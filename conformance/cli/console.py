@@ -113,7 +113,7 @@ class Terminal:
         self._console.print(line, soft_wrap=True)
 
     def _open_rules(self, result: Result) -> None:
-        """Name what is not green, but for profiles that are not announced."""
+        """Name the rules that are not green, except those of profiles not announced."""
         for why, ids in result.open_rules().items():
             shown, left = ids[:_IDS_SHOWN], len(ids) - _IDS_SHOWN
             more = f" and {left} more" if left > 0 else ""

@@ -1,4 +1,4 @@
-"""How long the kit waits for a state or for capacity: less after each miss."""
+"""Timeouts for a state or for capacity, which get shorter after each miss."""
 
 from collections import Counter
 

@@ -35,7 +35,7 @@ class BaseUrls:
         return self.urls[number] + rest
 
     def path_of(self, url: str) -> str | None:
-        """Give what follows the base URL; None of an address that is elsewhere."""
+        """Give the path behind the base URL; None for an address elsewhere."""
         for base_url in self.urls:
             rest = url.removeprefix(base_url)
             if rest != url and rest[:1] in ("", "/", "?"):

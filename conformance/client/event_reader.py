@@ -27,7 +27,7 @@ from conformance.verdicts.expect import (
     describe_answer,
 )
 
-# For what has no limit of its own: longer than a busy machine needs.
+# The limit where a caller names none: longer than a busy machine needs.
 ANSWER_TIMEOUT_S = 5.0
 # Within this time a change is sent (EVT-004).
 _DUE_S = 1.0

@@ -27,7 +27,7 @@ class OwnCauses:
         self.begin()
 
     def begin(self) -> None:
-        """Forget what was: the check begins, or begins again."""
+        """Forget all effects: the check begins, or begins again."""
         with self._lock:
             self._runs: set[str] = set()  # with the lease that the server chose
             self._leases: dict[str, tuple[float, float]] = {}  # their end, length
@@ -75,7 +75,7 @@ class OwnCauses:
     def excuse(
         self, rule: str, error: Violation | SetUpFailed
     ) -> SetUpFailed | Inconclusive | None:
-        """Give what to report instead of what the check saw, if that proves nothing."""
+        """Give the verdict that replaces the check's own, if that proves nothing."""
         with self._lock:
             is_step = isinstance(error, SetUpFailed) and error.breaks is None
             if is_step and self._late_for_s is not None:

@@ -87,7 +87,7 @@ def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
         if media_type in _FILES:
             return body.decode(_BYTES_AS_TEXT), True
         if media_type == EVENT_STREAM:
-            # The end of what was kept may be half a character.
+            # The bytes that were kept may end in the middle of a character.
             return codecs.getincrementaldecoder("utf-8")().decode(body), True
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
         pass

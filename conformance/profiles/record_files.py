@@ -76,7 +76,7 @@ class RecordFiles:
 
     @property
     def predicate(self) -> dict[str, Any]:
-        """Give what the host states of the run."""
+        """Give the predicate of the host's statement on the run."""
         predicate = self.statement.get("predicate")
         expect.true(isinstance(predicate, dict), "a predicate", predicate)
         assert isinstance(predicate, dict)
@@ -142,7 +142,7 @@ def verdicts_of(record: RecordFiles) -> list[dict[str, Any]]:
 
 
 def signed_bytes(payload: bytes) -> bytes:
-    """Give what DSSE signs."""
+    """Give the bytes that DSSE signs."""
     kind = PAYLOAD_TYPE.encode()
     return b"DSSEv1 %d %s %d %s" % (len(kind), kind, len(payload), payload)
 

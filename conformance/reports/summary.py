@@ -68,7 +68,7 @@ def _row(first: Verdict, others: list[Verdict]) -> str:
 
 
 def _open(result: Result) -> list[tuple[str, list[str]]]:
-    """Give what was not verified by reason; violated rules are in the table."""
+    """Give the rules that were not verified, by reason; the table has violated ones."""
     reasons = result.open_rules().items() if result.problem is None else ()
     return [(reason, ids) for reason, ids in reasons if reason != "violated"]
 

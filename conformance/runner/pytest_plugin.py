@@ -157,7 +157,7 @@ def _call_check(check: Callable[[CheckContext], None], context: CheckContext) ->
 
 
 def _call_once(check: Callable[[CheckContext], None], context: CheckContext) -> None:
-    """Call a check; what it has caused itself proves nothing about the server."""
+    """Call a check; effects that it caused itself prove nothing about the server."""
     context.own_causes.begin()
     try:
         check(context)

@@ -231,7 +231,7 @@ def in_time(
 
 
 def missed(expected: str, observed: str) -> TooLate:
-    """Give what to raise when something has not come after a long wait.
+    """Give the exception to raise when something has not come after a long wait.
 
     It is waited for again: not even a machine that is much too busy misses it always.
     """

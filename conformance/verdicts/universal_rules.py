@@ -32,7 +32,7 @@ class Breach:
 
 
 class Tally:
-    """How often each rule was exercised, and the first breaches of it."""
+    """Counts how often each rule was exercised, and keeps its first breaches."""
 
     def __init__(self, spec: Spec) -> None:
         self._spec = spec
@@ -53,7 +53,7 @@ class Tally:
         }
 
     def add_plain(self, plain: dict[str, Any]) -> None:
-        """Add what another tally counted."""
+        """Add the counts of another tally."""
         self.exercised.update(plain["exercised"])
         self.broken.update(plain["broken"])
         for breach in plain["breaches"]:

@@ -20,7 +20,7 @@ _RULE_ID = re.compile(r"\b[A-Z]{2,6}-[0-9]{3}\b")
 
 
 class Outcome(StrEnum):
-    """How the judgement of one requirement ended."""
+    """The result of the judgement of one requirement."""
 
     PASSED = "passed"
     FAILED = "failed"
@@ -92,7 +92,7 @@ def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
         and not known_failures & rules_named_in(row.reason)
         for row in rows
     ):
-        # A prerequisite failed, and not by what is known to fail.
+        # A prerequisite failed, for another reason than a known failure.
         return 2
     judged = (Outcome.PASSED, Outcome.FAILED)
     return 0 if any(row.outcome in judged for row in rows) else 2

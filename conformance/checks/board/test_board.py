@@ -38,7 +38,7 @@ COUNTS, TRIES = 3, 12
 
 
 def shown_description(entry: dict[str, Any]) -> dict[str, Any]:
-    """Give what an entry shows of its description."""
+    """Give the members of an entry that show its description."""
     return {name: entry[name] for name in DESCRIPTION_MEMBERS if name in entry}
 
 

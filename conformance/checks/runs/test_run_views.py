@@ -69,7 +69,7 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     chosen: dict[str, Any] = {
         "benchmark_id": "calibration",
         "policy": {
-            # Who bounds nesting by counting brackets has to know what is in a string.
+            # A server that counts brackets to bound nesting must skip strings.
             "name": _NAME.ljust(200, "["),
             "version": "",
             "submitter": f" A. N. Other {'{' * 150} ",

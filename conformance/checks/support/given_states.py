@@ -151,7 +151,7 @@ def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunC
 
 @contextlib.contextmanager
 def unless_left_the_queue(state: str) -> Iterator[None]:
-    """Excuse what a kit sees that is too slow for a run it has made in a state.
+    """Excuse a failure of a kit that is too slow for a run which it put into a state.
 
     The state may be another one than `queued`: then nothing is excused.
     """

@@ -14,7 +14,7 @@ _OWN_ERRORS = frozenset(
         *(errno.ENOBUFS, errno.ENOMEM, errno.EADDRNOTAVAIL),
     }
 )
-# By the texts of their rules, a repeat of these finds what the first one did.
+# The rules of these operations say that a repeat has the effect of the first request.
 _REPEATABLE_METHODS = frozenset({"GET", "HEAD", "OPTIONS", "DELETE"})
 _REPEATABLE_OPERATIONS = frozenset(
     {"attach_worker", "predict", "heartbeat", "stop_run", "resume_run"}
