@@ -129,7 +129,7 @@ def how_to_resume(run_id: str, *, takeover: bool = False) -> str:
 
 
 def from_failure(error: Exception, url: str) -> ProctorError:
-    """The ProctorError for what a request to the server at `url` raised."""
+    """The ProctorError for the error of a request to the server at `url`."""
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url)
     if (tls := _tls_error(error)) is not None and _is_final(tls):

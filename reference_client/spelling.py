@@ -1,4 +1,4 @@
-"""Names that were probably meant, for what was probably mistyped."""
+"""Suggests the name that was probably meant by a mistyped one."""
 
 from __future__ import annotations
 

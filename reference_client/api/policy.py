@@ -148,7 +148,7 @@ def _numbers(at: str, vector: Vector, layout: ActionLayout | None) -> list[float
 def _inspect_vector(
     at: str, vector: Vector, layout: ActionLayout | None
 ) -> list[float]:
-    """The numbers of any other array-like vector; raises what is wrong with it."""
+    """The numbers of any other array-like vector; raises an error for a bad one."""
     try:
         numbers = np.asarray(vector, dtype=np.float64)
     except (TypeError, ValueError) as error:

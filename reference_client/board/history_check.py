@@ -132,7 +132,7 @@ def check_leaves(signed: Checkpoint, leaves: Sequence[str]) -> None:
 
 
 def entries_of(leaves: Iterable[str]) -> dict[str, dict[str, Any]]:
-    """entry_id → what the leaves say of each entry that is public now.
+    """entry_id → the entry by its leaves, for each entry that is public now.
 
     A flag stays while an entry is private: hiding does not get rid of it. Leaves of a
     kind that this version does not know change nothing.

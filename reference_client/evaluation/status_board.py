@@ -43,7 +43,7 @@ class TurnSnapshot:
 
     observation: input of the policy. turn: the response to its actions. think_s: time
     of the policy, seconds. turn_s: time of the request; `turn.timing` is the server's
-    share of it. actions: what the policy answered.
+    share of it. actions: the answer of the policy.
     """
 
     worker_id: str

@@ -30,6 +30,6 @@ def describe_policy_error(error: BaseException) -> str:
 
 
 def policy_failure(error: BaseException) -> PolicyFailed:
-    """The failure to report for what the policy's own code raised."""
+    """The failure to report for an error of the policy's own code."""
     whole = "".join(traceback.format_exception(error))
     return PolicyFailed(describe_policy_error(error), whole)

@@ -23,7 +23,7 @@ from reference_client.policies.mapping import (
     RequestEntry,
 )
 
-# LeRobot's names for what every policy may read.
+# LeRobot's names for the inputs that every policy may have.
 _TASK = "task"
 _STATE = "observation.state"
 _IMAGES = "observation.images."

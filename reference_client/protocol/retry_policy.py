@@ -43,7 +43,7 @@ class Interrupted(Exception):
 
 @dataclass(frozen=True, slots=True)
 class RetryPolicy:
-    """How long failing requests to `url` are repeated.
+    """Decides how long failing requests to `url` are repeated.
 
     total_s: limit for failures with the same code. stop: ends every wait immediately.
     report_waiting: called with the reason of a wait, and with None when it is over.

@@ -314,7 +314,11 @@ def episode_list(episodes: Sequence[Episode]) -> TextTable:
             str(episode.attempt),
             *_of_attempt(result),
         )
-    for name in ("clipped", "return", "played by"):  # what the server does not say
+    for name in (
+        "clipped",
+        "return",
+        "played by",
+    ):  # facts that the server does not send
         if {row[table.names.index(name)] for row in table.rows} <= {"–"}:
             table = table.without(name)
     return table

@@ -278,7 +278,7 @@ def _as_json(report: Report) -> dict[str, Any]:
 
 
 def keys_of(texts: list[str]) -> dict[str, str]:
-    """keyid → name, of what was given as --key."""
+    """keyid → name, of the keys given as --key."""
     keys = {}
     for text in texts:
         found = _KEY.fullmatch(text)

@@ -487,7 +487,7 @@ def _policy_name(
 
 
 def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
-    """Wraps what a policy's constructor raises in PolicyFailed."""
+    """Wraps the error of a policy's constructor in PolicyFailed."""
 
     def make_policy() -> Policy:
         try:
