@@ -45,7 +45,7 @@ from reference_record.statement import (
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A record that can be sent or saved. contents: name → what stands in the file."""
+    """A record that can be sent or saved. contents: name → content of the file."""
 
     contents: Mapping[str, Content]
     statement_sha256: str

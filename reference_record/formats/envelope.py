@@ -1,4 +1,4 @@
-"""DSSE envelopes around in-toto statements: what is signed, and its one form in bytes.
+"""DSSE envelopes around in-toto statements: the signed bytes, and the one valid form.
 
 The envelope has exactly one form for its content (REC-005), so that a changed byte is
 found even where a lenient reader would read the same.
@@ -26,7 +26,7 @@ _FORM = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Envelope:
-    """file: its name in the record, for what is said of it."""
+    """file: its name in the record, for errors."""
 
     file: str
     payload: bytes

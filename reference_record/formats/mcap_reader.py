@@ -35,7 +35,7 @@ class _Malformed(Exception):
 
 
 class McapReader:
-    """Gives the messages of one file; `name` is what an error says of it."""
+    """Gives the messages of one file; errors call it `name`."""
 
     def __init__(self, name: str, file: BinaryIO, size: int) -> None:
         self._name = name

@@ -37,7 +37,7 @@ class OpenedSeeds(msgspec.Struct, frozen=True):
 
     @property
     def commitment(self) -> str:
-        """REC-015: what `seeds_sha256` must be."""
+        """REC-015: the value that `seeds_sha256` must have."""
         seeds = json.dumps([episode.seed for episode in self.episodes])
         return hashlib.sha256(bytes.fromhex(self.salt) + seeds.encode()).hexdigest()
 

@@ -52,8 +52,8 @@ _RESULT = msgspec.json.Decoder(_Result)
 def check_recording(file: BinaryIO, size: int, line: EpisodeLine) -> int:
     """The number of its turns; raises BrokenRecord unless it fits the line.
 
-    REC-010: what the line says is what the recording says. REC-012: its messages come
-    in an order in which an episode can have been played.
+    REC-010: the line and the recording agree. REC-012: its messages come in an order in
+    which an episode can have been played.
     """
     assert line.recording is not None
     name = line.recording.path

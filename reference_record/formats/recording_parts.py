@@ -190,7 +190,7 @@ def read_part(path: Path) -> Iterator[PartMessage]:
             if kind == CAMERA_TOPIC:
                 topics[channel] = data[_NAME_AT:].decode(errors="replace")
             elif crc32(data) != checksum or channel not in topics:
-                return  # what a power cut leaves of a file
+                return  # the end that a power cut leaves of a file
             elif kind == EXECUTED_TURN:
                 yield "/turn", at_ns, _turn_of(data, at_ns)
             elif kind == MESSAGE:

@@ -21,7 +21,7 @@ UNREADABLE = (msgspec.MsgspecError, ValueError, RecursionError)
 def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
     """The structure in a text; raises BrokenRecord that names the file.
 
-    where: begins what is said of an error, such as `line 3: `.
+    where: the beginning of an error's text, such as `line 3: `.
     """
     try:
         value = msgspec.json.decode(data, type=type_)

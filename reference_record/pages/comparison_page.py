@@ -19,7 +19,7 @@ from reference_record.comparison.sequential_comparison import (
 )
 from reference_record.pages.run_page import Document
 
-# In this order they are shown: what changed stands first.
+# The order of the kinds on the page: changed pairs stand first.
 KINDS: Final = {
     "lost": "only the baseline succeeds",
     "won": "only this run succeeds",

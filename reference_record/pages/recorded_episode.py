@@ -91,7 +91,7 @@ class RecordedEpisode:
 def read_recorded_episode(
     file: BinaryIO, size: int, name: str, *, pictures: bool = True
 ) -> RecordedEpisode:
-    """Raises BrokenRecord; `name` is what the error calls the file."""
+    """Raises BrokenRecord, which calls the file `name`."""
     episode = RecordedEpisode()
     reader = _Reader(episode, pictures=pictures)
     try:

@@ -17,7 +17,7 @@ from reference_record.formats.video_origin import VideoOrigin, read_origin
 
 @dataclass(frozen=True, slots=True)
 class ReportVideo:
-    """A file that says what it shows."""
+    """A video whose file names the episode that it shows."""
 
     path: Path
     origin: VideoOrigin
