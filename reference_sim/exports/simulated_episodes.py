@@ -34,7 +34,7 @@ FAILED = ("failure", "abandoned")
 
 @dataclasses.dataclass(frozen=True, slots=True)
 class SimulatedStep:
-    """One executed action, and what it came to."""
+    """One executed action, with its reward and the state of success after it."""
 
     action: Action
     reward: float

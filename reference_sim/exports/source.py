@@ -46,7 +46,7 @@ class ExportedManifest(msgspec.Struct):
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A record in which nothing is wrong. statement_sha256: what it is known by."""
+    """A record that was verified. statement_sha256: the digest that names it."""
 
     path: Path
     bundle: Bundle

@@ -67,7 +67,7 @@ class VideoFile:
         self.pictures += 1
 
     def close(self) -> None:
-        """Write what the encoder still has, and the index."""
+        """Write the frames that the encoder still holds, and the index."""
         with self._encoding():
             self._container.mux(self._stream.encode())
             self._container.close()

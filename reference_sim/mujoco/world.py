@@ -152,7 +152,7 @@ class World:
         self._data.qpos[self._qpos_addresses(joints)] = positions
 
     def set_free_pose(self, joint: str, pose: Sequence[float] | Vector) -> None:
-        """Moves what a free joint carries: position, quaternion wxyz, world frame."""
+        """Moves the body of a free joint: position, quaternion wxyz, world frame."""
         start = int(self._model.joint(joint).qposadr[0])
         self._data.qpos[start : start + 7] = pose
 
@@ -179,7 +179,7 @@ class World:
         return np.concatenate([view.xpos, view.xquat])
 
     def body_error(self, body: str, pose: Vector) -> Vector:
-        """(6,): what leads from the body to a pose, m and rotation vector, world."""
+        """(6,): the way from the body to a pose, m and rotation vector, world."""
         view = self._data.body(body)
         back, turn, rotation = np.empty(4), np.empty(4), np.empty(3)
         self._mj.mju_negQuat(back, view.xquat)
@@ -246,7 +246,7 @@ class World:
         self._edit("light_diffuse")[index] = diffuse
 
     def _edit(self, field: str) -> Any:
-        """A field of the model to write into; what it was is kept for `reset`."""
+        """A field of the model to write into; its old value is kept for `reset`."""
         values = getattr(self._model, field)
         self._originals.setdefault(field, values.copy())
         return values

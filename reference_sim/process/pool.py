@@ -194,7 +194,7 @@ class SimulatorPool:
         return self._size_max
 
     def is_full_for(self, world: SimulatorConfig) -> bool:
-        """Whether it needs what another session gives back."""
+        """Whether a caller has to wait until another session returns its simulator."""
         return self.busy >= self._size_max
 
     def makes_room(self, lent: SimulatorConfig, world: SimulatorConfig) -> bool:

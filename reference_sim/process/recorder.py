@@ -1,4 +1,4 @@
-"""Appends what a simulator executes to the recording of its episode.
+"""Appends the actions that a simulator executes to the recording of its episode.
 
 In the simulator's own process: a turn is recorded before it is reported, and recording
 costs nothing in the event loop of the server. A recording that cannot be written is an

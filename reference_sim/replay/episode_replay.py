@@ -30,8 +30,10 @@ _TURN = msgspec.json.Decoder(Turn)
 
 @dataclass(frozen=True, slots=True)
 class EpisodeReplay:
-    """where, seq: of the first state digest that differs, the step and the turn (0: the
-    start of the attempt). error: why it ended early.
+    """The result of a replay.
+
+    where, seq: the step and the turn of the first state digest that differs (seq 0: the
+    start of the attempt). error: why the replay ended early.
     """
 
     result: Result
@@ -41,13 +43,13 @@ class EpisodeReplay:
 
 
 class Watcher(Protocol):
-    """Sees what is simulated, after the simulator did it."""
+    """Watches the replay; each method is called after its event."""
 
     def started(self, attempt: int, episode: Episode) -> None:
         """The attempt is at step 0, also again after a fault."""
 
     def stepped(self, action: Action, reward: float) -> None:
-        """The action was executed; `episode` of the last start has what came of it."""
+        """The action was executed; the `episode` of the last start has its effects."""
 
 
 class _Unwatched:
@@ -99,7 +101,7 @@ def replay_episode(
 ) -> EpisodeReplay:
     """Simulate one recording of a verified record again. before_turn: is called.
 
-    Raises what the watcher raises.
+    Raises the errors of the watcher.
     """
     messages = read_messages(open_bundle(path), recorded.recording)
     replayer = Replayer(simulator, lambda: plan.begin(simulator), recorded, watcher)

@@ -106,7 +106,7 @@ def sha256_of(manifest: dict[str, Any]) -> str:
 
 
 def without_sealed_seeds(manifest: dict[str, Any]) -> dict[str, Any]:
-    """The manifest but for what the host of a sealed split keeps secret."""
+    """The manifest without the seeds that the host of a sealed split keeps secret."""
     sealed = manifest.get("sealed_splits", ())
     episodes = [
         {

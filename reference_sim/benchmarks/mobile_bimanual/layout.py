@@ -85,7 +85,7 @@ def _seen_pose(name: str, meaning: str, frame: str) -> Channel:
     return Channel(name, 7, "m,1", meaning, frame=frame, rotation="quaternion_wxyz")
 
 
-# Control mode → what is sent at every step. The gripper's and the base's parts are the
+# Control mode → the vectors of each action. The gripper's and the base's parts are the
 # same; a run has one mode, because every declared name is in every action.
 ACTION_CHANNELS = {
     "joint_position": (

@@ -38,8 +38,9 @@ _FOLDED_RAD = (2.8, -0.9, 0.0, 2.2, 0.0, 1.2, 0.0)
 _TABLE_X_M, _TABLE_Y_M = (0.14, 0.80), (-0.46, 0.46)
 _APART_M = 0.16
 _MARGIN = 0.06  # of the picture, in which nothing stands
-_HEIGHTS_M = {"ball": 0.02, "disc": 0.001}  # of what hangs where it is put
-_CARRIERS = {"button": "button_box"}  # what stands on the table with a thing on it
+# Gravity does not move these things, so each is put at a height of its own.
+_HEIGHTS_M = {"ball": 0.02, "disc": 0.001}
+_CARRIERS = {"button": "button_box"}  # thing → the body that it is mounted on
 _TRIES = 10_000
 
 

@@ -76,7 +76,7 @@ class LauncherClient:
         return self._writer is not None
 
     async def open(self) -> list[int]:
-        """Join the cluster: takes seconds. Returns what `Connected` says of machines.
+        """Join the cluster: takes seconds. Returns the machines of `Connected`.
 
         Raises CannotUseRay.
         """

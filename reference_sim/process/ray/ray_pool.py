@@ -234,7 +234,7 @@ class RayPool(SimulatorPool):
         self._queues[0].request_missing()
 
     async def _tidy(self) -> None:
-        """Give back what was not used for a while, and requests without a caller."""
+        """Give back simulators not used for a while, and requests without a caller."""
         loop = asyncio.get_running_loop()
         while True:
             await asyncio.sleep(min(1.0, self._idle_s / 2))
