@@ -43,7 +43,7 @@ def test_the_e_value_is_that_worked_by_hand(
 
 
 def test_the_mean_after_one_more_episode_is_the_value_before() -> None:
-    """What makes it valid at any time: under the hypothesis it is a fair game."""
+    """It is valid at any time, because under the hypothesis it is a fair game."""
     for wins in range(12):
         for losses in range(12):
             nexts = (log_e_value(wins + 1, losses), log_e_value(wins, losses + 1))
@@ -67,7 +67,7 @@ def test_seven_wins_decide_and_six_do_not() -> None:
 
 
 def test_a_decision_is_not_taken_back() -> None:
-    """What comes later may lower the e-value; the decision was allowed when it fell."""
+    """Later episodes may lower the e-value; the decision was allowed when it fell."""
     found = compare_sequentially([WIN] * 7 + [LOSS] * 7)
     assert (found.better, found.decided_after) == ("run", 7)
     assert found.e_value < 1 < THRESHOLD < found.largest_e_value

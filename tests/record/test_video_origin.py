@@ -1,4 +1,4 @@
-"""What a video says of the episode that it shows, and files that say nothing."""
+"""The origin in a video names its episode; other files have none, or a false one."""
 
 from __future__ import annotations
 

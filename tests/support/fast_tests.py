@@ -1,4 +1,4 @@
-"""What keeps `make check` fast: hooks of pytest that know fast tests from slow ones.
+"""Keeps `make check` fast, with hooks of pytest that know fast tests from slow ones.
 
 A test is slow when it is marked so, or when it has one of SLOW_FIXTURES. Any other
 fails when it starts a server or a kit, or computes for long: the marks stay complete.
@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 
-# What a fast test may not start, and how long it may compute.
+# Programs that a fast test may not start, and how long it may compute.
 SLOW_PROGRAMS = {"reference_server", "conformance", "conformance.policy"}
 FAST_TEST_MAX_S = 20.0
 # A test that is a coroutine function and still waits then fails.

@@ -1,4 +1,4 @@
-"""What `import reference_client` offers."""
+"""The names that `import reference_client` offers."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from tests.support.sim.calibration_action import calibration_action as action
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 
-# What check_env advises about bounds, which are the benchmark's to choose.
+# Advice of check_env about bounds, which the benchmark alone chooses.
 ADVICE = ("symmetric and normalized space", "is probably too (low|high)")
 
 

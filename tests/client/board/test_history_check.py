@@ -1,4 +1,4 @@
-"""What a reader of a leaderboard finds wrong, with histories that a host made up."""
+"""A reader of a leaderboard finds the faults of histories that a host made up."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an evaluation reports while it runs."""
+"""The reports of an evaluation while it runs."""
 
 from __future__ import annotations
 

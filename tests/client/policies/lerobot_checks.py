@@ -137,7 +137,7 @@ MAKERS: dict[str, Callable[[Path], Any]] = {
 
 
 def statistics() -> dict[str, dict[str, torch.Tensor]]:
-    """Of a data set whose numbers are far from those of a normal distribution."""
+    """The statistics of a data set whose numbers are far from normally distributed."""
     ramp = torch.arange(8, dtype=torch.float32)
     colour = torch.tensor([0.2, 0.5, 0.7]).reshape(3, 1, 1)
     return {

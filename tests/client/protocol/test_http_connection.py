@@ -269,7 +269,7 @@ def test_tls_verifies_the_name_in_the_certificate(
         server,
         client_connection,
     ):
-        # What TLS has read ahead is no answer to the next request.
+        # Bytes that TLS has read ahead are not taken for the next request's answer.
         assert client_connection.send_request(REQUEST).body == body
         assert_ok(client_connection)
         assert server.connections == 2

@@ -1,4 +1,4 @@
-"""What a check caused itself: a step of its set-up that came too late for a lease."""
+"""Effects that a check causes itself, as by a set-up that is too slow for a lease."""
 
 import time
 from typing import Any

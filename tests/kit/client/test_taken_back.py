@@ -1,4 +1,4 @@
-"""What a check makes for others to see is taken back when the check ends."""
+"""Things that a check makes for others to see are taken back when it ends."""
 
 from types import SimpleNamespace
 from typing import Any, cast

@@ -134,7 +134,7 @@ def test_abort_ends_a_session_that_is_done() -> None:
         (Stop("abort"), OK),
     )
     assert advance_all(draining, (Read(), run("stopped", 0, 1, 0, 1)))
-    # What became of its kept turn is said nowhere: both are allowed, see STOP-002.
+    # No rule says what becomes of its kept turn: both are allowed, see STOP-002.
     assert advance_all(draining, LAST)
     assert advance_all(draining, (LAST[0], refused("session_ended")))
 

@@ -1,4 +1,4 @@
-"""What the kit shows on a terminal is text, whatever the server sent."""
+"""The kit shows plain text on a terminal, whatever the server sent."""
 
 import pytest
 

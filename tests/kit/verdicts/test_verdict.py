@@ -1,4 +1,4 @@
-"""What many verdicts come to: conformant, violated, or not decided."""
+"""The result of many verdicts: conformant, violated, or not decided."""
 
 import json
 from typing import Any

@@ -2,8 +2,8 @@
 
 Every word of every hand-written text file is compared with BANNED: identifiers, file
 names, comments, help, error texts, pages and rules alike. `python -m
-tests.repository.code.test_names` prints all findings. What generators write follows
-from their input, so generated files are left out.
+tests.repository.code.test_names` prints all findings. Generated files follow
+from the input of their generators, so they are left out.
 """
 
 from __future__ import annotations
@@ -242,7 +242,7 @@ def test_a_file_name_has_one_subject() -> None:
 
 
 def test_a_class_name_has_one_home() -> None:
-    """Of what can be imported: private classes and those of a test file cannot."""
+    """Classes that cannot be imported are left out: private ones, those of tests."""
     found = shared(
         (node.name, name)
         for name in python_files(*PACKAGES, "benchmarks", "tools")

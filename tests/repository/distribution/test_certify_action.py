@@ -129,7 +129,7 @@ def test_the_log_of_the_server_is_kept_only_if_asked_for() -> None:
 
 
 class Runner:
-    """What GitHub's runner gives to a step: inputs, folders, and bash."""
+    """The environment of a step, as GitHub's runner gives it: inputs, folders, bash."""
 
     def __init__(self, directory: Path) -> None:
         self.temporary = directory / "temporary"

@@ -36,7 +36,7 @@ PACKAGES = ("conformance", "reference_client", "reference_record", "reference_se
 MODULES = (*PACKAGES, "reference_sim", "proctor_client", "tests", "tools")
 OF_CLIENT = ["reference_client", "reference_record", "reference_sim", "proctor_client"]
 NAMES = [distribution.name for distribution in DISTRIBUTIONS]
-# What the wheels are built from.
+# The files that the wheels are built from.
 SOURCES = ("requirements", "spec", "tools", "generated_clients/python", *MODULES[:5])
 POLICY = """
 class Best:
@@ -71,7 +71,7 @@ def packed_files(dist: Path, distribution: Distribution) -> set[str]:
 
 @slow
 def test_every_file_is_in_one_wheel(dist: Path) -> None:
-    """What git has of the packages, and the specification. Expect it once."""
+    """The files of the packages and the specification that git has. Expect it once."""
     packed = Counter(name for one in DISTRIBUTIONS for name in packed_files(dist, one))
     assert [name for name, count in packed.items() if count > 1] == []
     tracked = set()

@@ -1,4 +1,4 @@
-"""What generators leave: clean clients, and our own files beside them untouched.
+"""Generators leave clean clients, and our own files beside them untouched.
 
 That the committed files are what the generators write is `make generate-check`; that
 the clients work is tests/interop.

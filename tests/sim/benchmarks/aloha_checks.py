@@ -1,4 +1,4 @@
-"""What needs gym-aloha and its MuJoCo: `make aloha-check`, in .venv-aloha.
+"""Tests that need gym-aloha and its MuJoCo: `make aloha-check`, in .venv-aloha.
 
 Not part of `make test`, whose environment has another MuJoCo. All episodes of the split
 `practice` are compared by `python -m tools.measurements.both_ways aloha`.
@@ -30,13 +30,13 @@ TASKS = ("transfer_cube", "insertion")
 
 @pytest.fixture(scope="module")
 def found() -> dict[str, object]:
-    """What the check found: faults, warnings, plan and manifest."""
+    """The report of the check: faults, warnings, plan and manifest."""
     ((benchmark, folder),) = read(str(COMPARED.file))
     return registration.examine(benchmark, folder, print)
 
 
 def digest_of(plan: dict[str, object], task: str, seed: int) -> str:
-    """Of every observation and reward of a short episode."""
+    """A digest of every observation and reward of a short episode."""
     simulator, digest = GymnasiumSimulator(plan), hashlib.sha256()
     rng = np.random.default_rng(3)
     simulator.reset(task, seed)

@@ -1,4 +1,4 @@
-"""What needs Meta-World and its MuJoCo: `make metaworld-check`, in .venv-metaworld.
+"""Tests that need Meta-World's own MuJoCo: `make metaworld-check`, in .venv-metaworld.
 
 Not part of `make test`, whose environment has another MuJoCo. All fifty tasks with ten
 seeds are compared by `make metaworld-table`; here are a few, and the reasons.

@@ -1,4 +1,4 @@
-"""What needs robosuite and its MuJoCo: `make robosuite-check`, in .venv-robosuite.
+"""Tests that need robosuite and its MuJoCo: `make robosuite-check`, in .venv-robosuite.
 
 Not part of `make test`, whose environment has another MuJoCo. All episodes of the split
 `practice` are compared by `python -m tools.measurements.both_ways panda_lift`.
@@ -26,13 +26,13 @@ from tools.measurements.both_ways.play import (
 
 @pytest.fixture(scope="module")
 def found() -> dict[str, object]:
-    """What the check found: faults, warnings, plan and manifest."""
+    """The report of the check: faults, warnings, plan and manifest."""
     ((benchmark, folder),) = read(str(COMPARED.file))
     return registration.examine(benchmark, folder, print)
 
 
 def digest_of(plan: dict[str, object], seed: int, before: int) -> str:
-    """Of every observation and reward of a short episode, after as many others."""
+    """A digest of every observation and reward of a short episode, after others."""
     simulator, digest = GymnasiumSimulator(plan), hashlib.sha256()
     rng = np.random.default_rng(3)
     for other in range(before):

@@ -1,4 +1,4 @@
-"""What the mobile bimanual benchmarks promise in their manifests, and that it is so."""
+"""The mobile bimanual benchmarks keep the promises of their manifests."""
 
 from __future__ import annotations
 

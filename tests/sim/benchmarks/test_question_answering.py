@@ -42,7 +42,7 @@ GRID = [(x / 20 + 0.025, y / 20 + 0.025) for x in range(20) for y in range(20)]
 
 @dataclass(frozen=True)
 class Item:
-    """What a test asks of one item, noted while it stood."""
+    """The facts of one item that tests need, noted while it stood."""
 
     task: str
     text: str

@@ -1,4 +1,4 @@
-"""What is hashed of a state is published: no seed may be found by it."""
+"""The digest of a state is published, so no seed may be found by it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is wrong with an environment is said before it is offered, in one line each."""
+"""Faults of an environment are reported before it is offered, in one line each."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def read_single_entry(space: spaces.Space[Any]) -> Entry:
 def test_an_action_survives_encoding_and_decoding(
     space: spaces.Space[Any], seed: int
 ) -> None:
-    """What the environment samples, sent as vectors of floats, comes back equal."""
+    """Samples of the environment, sent as vectors of floats, come back equal."""
     space.seed(seed)
     sampled = space.sample()
     found, structure = read_space(space, "root")

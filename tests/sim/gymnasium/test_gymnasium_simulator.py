@@ -202,7 +202,7 @@ def test_the_manifest_is_one_of_the_specification() -> None:
 async def record_observations(
     pool: SimulatorPool, world: SimulatorConfig
 ) -> list[EncodedObservation]:
-    """What a process shows of one episode, played from a fixed list of actions."""
+    """The observations of one episode in a process, for a fixed list of actions."""
     handle = await pool.acquire(world)
     task = world.settings["plan"]["tasks"][0]["name"]
     beginning = await begin(handle, task)

@@ -28,7 +28,7 @@ BUILD = bytes(simulator_main.frame(simulator_main.Build("calibration", SETTINGS,
 
 
 def output_after_the_end(last_bytes: bytes, *, read_first: bool) -> str:
-    """What a simulator logs whose parent sends this and is killed.
+    """The log of a simulator whose parent sends this and is killed.
 
     read_first: whether the parent has read what the simulator said before.
     """

@@ -72,7 +72,7 @@ def test_an_observation_is_valid_until_the_next_but_one() -> None:
 
 
 def test_a_new_episode_uses_other_memory() -> None:
-    """What is still being sent to one client never shows what another one sees."""
+    """Pictures still being sent to one client never show those of another one."""
     frame_buffer = SharedFrameBuffer()
     draw(frame_buffer, 1)
     (own_image,) = draw(frame_buffer, 2)

@@ -1,4 +1,4 @@
-"""What a manifest of unknown origin may say, before anything is simulated."""
+"""Manifests of unknown origin are checked before anything is simulated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the tests of the command `proctor` share: policies in files, and the command.
+"""Helpers for tests of the command `proctor`: policies in files, and the command.
 
 It runs in this process where only its answer matters, and as a program of its own where
 signals do.

@@ -40,7 +40,7 @@ def fork_simulators() -> None:
 
 
 class _Forked:
-    """What is used of a process that was started: its id, its end, its death."""
+    """The used part of a process that was started: its id, its end, its death."""
 
     def __init__(self, pid: int, control: socket.socket) -> None:
         self.pid, self._control = pid, control

@@ -204,7 +204,7 @@ class Browser:
         path.write_bytes(base64.b64decode(shot["data"]))
 
     def find_violations(self) -> list[str]:
-        """What axe-core complains of in the page: rule and one element of each."""
+        """The complaints of axe-core about the page: rule, and one element of each."""
         provide_file("pages-npm.txt", "axe.min.js", AXE)
         self.evaluate(f"{AXE.read_text()}; 0")
         result = self.call(
@@ -217,7 +217,7 @@ class Browser:
         return list(result["result"]["value"])
 
     def find_faults(self) -> list[str]:
-        """What a reader of the page would stumble over, as far as we judge it."""
+        """Faults of the page that a reader would notice, as far as we judge them."""
         return list(self.evaluate(FAULTS))
 
     @property

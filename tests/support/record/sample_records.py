@@ -129,7 +129,7 @@ def abandoned(index: int) -> Messages:
 
 @dataclass
 class Sample:
-    """What a record is made of; a test changes one thing of it before it is signed."""
+    """The parts of a record; a test changes one of them before it is signed."""
 
     episodes: list[Messages] = field(
         default_factory=lambda: [

@@ -1,4 +1,4 @@
-"""What the tests of `progress` do over and over: open a session, play a turn."""
+"""Steps that tests of `progress` repeat: open a session, play a turn."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

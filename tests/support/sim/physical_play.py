@@ -1,4 +1,4 @@
-"""What the tests of all physical worlds share: to play, and to compare bit for bit."""
+"""Helpers for tests of all physical worlds: to play, and to compare bit for bit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the tests of the tabletop world share: a simulator, and ways to act in it."""
+"""Helpers for tests of the tabletop world: a simulator, and ways to act in it."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def tabletop(*, cameras: bool, quality: str = "fast") -> Tabletop:
 
 
 def scene_elements(tag: str) -> dict[str, dict[str, str]]:
-    """Of the scene's XML: name → attributes."""
+    """Elements of the scene's XML: name → attributes."""
     root = ET.fromstring(scene_mjcf())  # noqa: S314 - our own file
     return {one.get("name", ""): dict(one.attrib) for one in root.iter(tag)}
 

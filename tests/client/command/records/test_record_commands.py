@@ -92,7 +92,7 @@ def test_mistakes_are_one_line(
 @pytest.mark.slow("a server")
 @pytest.mark.usefixtures("policy_folder")
 def test_a_refused_export_says_why(proctor: ProctorCommand) -> None:
-    """Of a run that is not completed, and of one that does not exist."""
+    """The run is not completed, or does not exist."""
     run_id = proctor.json("submit", *options("count"))["run_id"]
     for name, reason in ((run_id, "complete"), ("run_none", "not")):
         assert proctor("export", name) != 0

@@ -1,4 +1,4 @@
-"""What an interruption of `proctor run` costs: nothing while the lease lasts."""
+"""An interruption of `proctor run` costs nothing while the lease lasts."""
 
 from __future__ import annotations
 

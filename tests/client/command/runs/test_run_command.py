@@ -32,7 +32,7 @@ from tests.support.waiting import wait_until
 pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
 RUN_BLOCKING_POLICY = ["run", "--no-dry-turn", "--policy", "policies:Held"]
-# What is stopped may execute one more action before it knows, and no second one.
+# A stopped worker may execute one more action before it knows, and no second one.
 RUN_BLOCKED_TWICE = ["run", "--no-dry-turn", "--policy", "policies:HeldAtEachStep"]
 
 
