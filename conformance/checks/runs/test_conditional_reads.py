@@ -52,8 +52,8 @@ def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
     ETag after a change.
     """
     run = context.submit()
-    if_changed = etag_of(run)
-    etag = if_changed["If-None-Match"]
+    headers = etag_of(run)
+    etag = headers["If-None-Match"]
     lists = [etag, f'"none", {etag}', f'{etag},"none"', f'"a" , {etag} , "b"', "*"]
     for text in lists:
         answer = run.call("get_run", headers={"If-None-Match": text})
@@ -62,10 +62,10 @@ def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
     for text in ('"none"', f'"x{etag[1:]}', f'{etag[:-1]}x"', etag[1:-1], '"*"', '""'):
         expect.ok(run.call("get_run", headers={"If-None-Match": text}))
     run.stop()
-    changed = run.call("get_run", headers=if_changed)
+    changed = run.call("get_run", headers=headers)
     expect.equal(expect.ok(changed)["state"], "stopped", "state")
     etag = changed.headers.get("etag")
-    expect.true(etag not in (None, if_changed["If-None-Match"]), "another ETag", etag)
+    expect.true(etag not in (None, headers["If-None-Match"]), "another ETag", etag)
 
 
 def wait_header(context: CheckContext, wait_s: int) -> dict[str, str]:
@@ -162,9 +162,9 @@ def wait_for_changes(context: CheckContext) -> None:
     wait = wait_header(context, WAIT_S)
     longest = {"Prefer": f"wait={min(9999, context.limits['wait_s_max'] + 1)}"}
     for run, state, change in changes_of_runs(context):
-        if_changed, until = etag_of(run), time.monotonic() + WAIT_S
+        headers, until = etag_of(run), time.monotonic() + WAIT_S
         polls = [
-            partial(wait_for_state, run, state, if_changed | how, until)
+            partial(wait_for_state, run, state, headers | how, until)
             for how in (wait, longest)
         ]
         *answers, changed_at = context.call_concurrently(
@@ -217,22 +217,22 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
     """
     wait_header(context, 2)
     run = context.submit()
-    for wait_s, if_changed in (
+    for wait_s, headers in (
         *((0, etag_of(run)), (1, etag_of(run)), (2, etag_of(run))),
         (1, {"If-None-Match": "*"}),
     ):
-        answer = run.call("get_run", headers=if_changed | wait_header(context, wait_s))
+        answer = run.call("get_run", headers=headers | wait_header(context, wait_s))
         expect.ok(answer, 304)
         expect_end_of_wait(context, answer, wait_s)
     for state in ("completed", "stopped", "failed"):
         ended = make_run_in_state(context, state)
-        if_changed = etag_of(ended)
-        answer = ended.call("get_run", headers=if_changed | wait_header(context, 1))
+        headers = etag_of(ended)
+        answer = ended.call("get_run", headers=headers | wait_header(context, 1))
         expect.ok(answer, 304)
         expect_end_of_wait(context, answer, 1)
     worker = context.submit("fault", max_faults=10).worker()
     worker.attach()
-    if_changed = etag_of(worker.run)
+    headers = etag_of(worker.run)
 
     def fail_again_and_again() -> None:
         began_at = time.monotonic()
@@ -242,7 +242,7 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
             time.sleep(max(0.0, due_at - time.monotonic()))
 
     poll = partial(
-        worker.run.call, "get_run", headers=if_changed | wait_header(context, 2)
+        worker.run.call, "get_run", headers=headers | wait_header(context, 2)
     )
     answer, _ = context.call_concurrently(poll, fail_again_and_again)
     if answer.status == 304:
@@ -250,9 +250,7 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
     else:
         expect.ok(answer)
         etag = answer.headers.get("etag")
-        expect.true(
-            etag != if_changed["If-None-Match"], "another ETag beside a 200", etag
-        )
+        expect.true(etag != headers["If-None-Match"], "another ETag beside a 200", etag)
     if not context.shared.settings.quick:
         wait_beside_another_run(context)
 
@@ -260,11 +258,11 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
 def wait_beside_another_run(context: CheckContext) -> None:
     """Expect a wait to end at its time while another run changes again and again."""
     wait_s, quiet = 1, context.submit()
-    if_changed = etag_of(quiet) | wait_header(context, wait_s)
+    headers = etag_of(quiet) | wait_header(context, wait_s)
     busy_worker = context.submit("score").worker()
     until = time.monotonic() + wait_s + 2 * _LATE_S + context.tolerance_s
 
-    poll = partial(quiet.call, "get_run", headers=if_changed)
+    poll = partial(quiet.call, "get_run", headers=headers)
     changes = partial(attach_and_detach, busy_worker, until)
     answer, _ = context.call_concurrently(poll, changes)
     expect.ok(answer, 304)
@@ -291,19 +289,19 @@ def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
     steps += [worker.detach, worker.attach, partial(run.stop, "drain"), run.stop]
     steps += [run.resume, partial(run.until, "ready"), worker.attach, worker.play]
     bodies: dict[str, Any] = {}
-    if_changed = etag_of(run)
+    headers = etag_of(run)
     for step in steps:
         before = run.get()
         step()
-        answer = run.call("get_run", headers=if_changed)
+        answer = run.call("get_run", headers=headers)
         if answer.status == 304:
-            expect.equal(run.get(), before, f"the run with the ETag {if_changed}")
+            expect.equal(run.get(), before, f"the run with the ETag {headers}")
             continue
         body, etag = expect.ok(answer), answer.headers.get("etag", "")
         expect.equal(
             bodies.setdefault(etag, body), body, f"the run with the ETag {etag}"
         )
-        if_changed = {"If-None-Match": etag}
+        headers = {"If-None-Match": etag}
     expect.true(len(bodies) > 3, "ETags of the states of a run", len(bodies))
     expect_etag_of_queue_position(context)
 

@@ -127,7 +127,7 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
     ):
         digest = digest_of(context, **({"options": {"tasks": tasks}} | members))
         expect.equal(digest, first, f"manifest_sha256 with {members}")
-    choices = {first: "the first choices"}
+    by_hash = {first: "the first choices"}
     for options in (
         *sealed_choices(context, tasks),
         {"tasks": ["count", "score"]},
@@ -142,10 +142,9 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
         {"tasks": tasks, "max_faults": 4},
     ):
         digest = digest_of(context, options=options)
-        expect.true(
-            digest not in choices, f"another hash for {options}", choices.get(digest)
-        )
-        choices[digest] = f"the same as for {options}"
+        twin = by_hash.get(digest)
+        expect.true(twin is None, f"another hash for {options}", twin)
+        by_hash[digest] = f"the same as for {options}"
     expect.equal(
         digest_of(context, options={"tasks": ["score"], **defaults}),
         digest_of(context),
