@@ -37,14 +37,14 @@ LOOK_S = 1.0
 PAUSE_S = 0.02
 # A long queue takes a node no more of its time than that, however many ask for it.
 LONG_QUEUE, RESTS_AFTER_READ = 200, 4
-# Of a node that says nothing for so long the places are those that it last said.
+# A node that has not reported for this long keeps the places it reported last.
 TIMEOUT_S = 0.5
 
 Work = Callable[[], Awaitable[None]]
 
 
 class _Announced(msgspec.Struct):
-    """What one node sends another. has_changed: the queue has."""
+    """The message of one node to another. has_changed: whether the queue has."""
 
     has_changed: bool
 
@@ -110,7 +110,7 @@ class SharedQueue:
         """Let RunAdmission know what waits at all nodes by now."""
         try:
             await self._read()
-        except StoreFailed as error:  # a place in the queue is no promise
+        except StoreFailed as error:  # a place in the queue does not promise anything
             self._failures.report("a node cannot read the queue", str(error))
 
     async def take(self, run_id: str) -> bool:
@@ -125,23 +125,23 @@ class SharedQueue:
         return is_taken
 
     def announce(self) -> None:
-        """What waits here has changed, and is stored."""
+        """Note that the runs waiting here have changed, and are stored."""
         self._announce_is_due.set()
 
     def look(self) -> None:
-        """There is a place here for what waits."""
+        """Note that there is a place here for a run that waits."""
         self._look_is_due.set()
 
     # --- what waits ---
 
     async def _read(self) -> StoredQueue:
-        """What waits now; one read is for all who ask before it begins."""
+        """The queue as it is now; callers that ask before a read begins share it."""
         if self._next_read is None:
             # Nothing that it logs belongs to the request that began it.
             self._next_read = asyncio.get_running_loop().create_task(
                 self._read_next(), context=contextvars.Context()
             )
-            # What it raises is for those who wait; all of them may have left.
+            # Its error is for the callers that wait, and all of them may have left.
             self._next_read.add_done_callback(lambda t: t.cancelled() or t.exception())
         return await asyncio.shield(self._next_read)
 
@@ -159,7 +159,7 @@ class SharedQueue:
             return seen
 
     async def _look(self) -> None:
-        """What waits elsewhere gets a place here, if there is one for it."""
+        """Let runs in that wait at other nodes, if there is a place for them here."""
         if not self._membership.claims:
             return
         await self._membership.ensure_lease()

@@ -1,1 +1,1 @@
-"""What the operator's tools ask: whether the server lives and is ready, and metrics."""
+"""Answers to the operator's tools: whether the server lives and is ready, metrics."""

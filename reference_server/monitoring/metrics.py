@@ -1,9 +1,9 @@
 """The metrics of a server as Prometheus reads them: the one user of its library.
 
-What happened is counted where it happens (`telemetry/counters.py`); what is now is read
-when the page is asked for. Names follow the semantic conventions of OpenTelemetry where
-these have one, with the unit last. Labels have few values, all of them from the code:
-never an account, a run, a benchmark, a path or an address.
+Events are counted where they happen (`telemetry/counters.py`); the current state is
+read when the page is asked for. Names follow the semantic conventions of OpenTelemetry
+where these have one, with the unit last. Labels have few values, all of them from the
+code: never an account, a run, a benchmark, a path or an address.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from reference_server.telemetry.counters import BOUNDS_S, Counters, Durations
 
 @dataclass(frozen=True, slots=True)
 class ServerState:
-    """What a server has at the moment.
+    """The current state of a server.
 
     runs: that have not ended, by state. oldest_queued_s: how long the first of the
     queue has waited; 0 without one. simulators: processes, by `lent` and `idle`.

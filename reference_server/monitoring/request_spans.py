@@ -1,8 +1,8 @@
 """The span of every request, and of whose trace it is a part.
 
 A layer between the application and its routes, there only where traces are recorded.
-What a client says of traces is not trusted: a `traceparent` is read only in its one
-exact form, and whether it decides anything is up to the operator. The span is named by
+Headers of a client on traces are not trusted: a `traceparent` is read only in its one
+exact form, and the operator decides whether it has an effect. The span is named by
 the route and never by the path.
 """
 
@@ -26,7 +26,7 @@ _METHODS = frozenset({"DELETE", "GET", "HEAD", "OPTIONS", "PATCH", "POST", "PUT"
 
 
 class TraceParent(NamedTuple):
-    """What a request says of the trace that it is a part of."""
+    """The trace that a request says it is a part of."""
 
     trace_id: int
     span_id: int

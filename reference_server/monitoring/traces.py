@@ -1,8 +1,8 @@
 """Traces for a collector of OpenTelemetry: the one user of its library, an extra.
 
 Which requests are recorded is decided here, before the library is asked for anything:
-of those that are not, a turn sees one random number. What is recorded waits in memory
-for a thread that sends it; if that is not fast enough, the oldest spans are dropped. No
+of those that are not, a turn sees one random number. Recorded spans wait in memory
+for a thread that sends them; if that is not fast enough, the oldest are dropped. No
 request waits for a collector.
 """
 
@@ -101,7 +101,11 @@ _CURRENT: ContextVar[_Recorded | None] = ContextVar("span", default=None)
 
 
 def _not_recorded() -> Span:
-    """Of a request; its task may have been begun by that of another one."""
+    """Give the span of a request that is not recorded, and clear the current one.
+
+    The task of this request may have been begun by that of another one, whose span it
+    would inherit.
+    """
     if _CURRENT.get() is not None:
         _CURRENT.set(None)
     return NOT_RECORDED
@@ -122,7 +126,7 @@ class Traces:
             "service.version": version,
             "service.instance.id": instance,
         }
-        # What the operator's variables say is preferred to what is said here.
+        # The operator's variables win over the values given here.
         named = OTELResourceDetector().detect()
         self._provider = TracerProvider(
             resource=Resource.create(ours).merge(named),
@@ -158,7 +162,7 @@ class Traces:
     # --- spans ---
 
     def request(self, parent: TraceParent | None, *, is_trusted: bool) -> Span:
-        """Of a trace that goes on, or a new one, which names an unknown parent."""
+        """A span of the parent's trace if it is trusted, or else of a new trace."""
         if parent is not None and is_trusted:
             if not parent.is_recorded:
                 return _not_recorded()

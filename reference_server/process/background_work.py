@@ -26,17 +26,17 @@ class BackgroundWork:
         task.add_done_callback(self._tasks.discard)
 
     async def run_to_end(self, work: Awaitable[Result]) -> Result:
-        """What `work` returns. A caller that is cancelled does not take it with it.
+        """Give the result of `work`, which goes on if its caller is cancelled.
 
-        For a write and what memory notes of it: both happen, or neither does.
+        A write and the change of memory after it so both happen, or neither does.
         """
         task = asyncio.ensure_future(work)
         self.start(task)
-        # What it raises is for its caller; one that is gone needs no traceback.
+        # Its error is for the caller; without a caller the log needs no traceback.
         task.add_done_callback(lambda done: done.cancelled() or done.exception())
         return await asyncio.shield(task)
 
     async def wait(self) -> None:
-        """Until nothing is left of it."""
+        """Wait until all work has ended."""
         while self._tasks:  # one may begin another
             await asyncio.wait(self._tasks)

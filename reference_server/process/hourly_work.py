@@ -1,6 +1,7 @@
 """Work that is done when the server starts, and again every hour.
 
-What fails is logged and tried again in its time. It knows nothing of the work.
+Work that fails is logged, and tried again at its next time. This module knows nothing
+of the work itself.
 """
 
 from __future__ import annotations

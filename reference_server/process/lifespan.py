@@ -1,7 +1,7 @@
 """The start and the end of the server, when the ASGI server says so.
 
-What is known to go wrong is one sentence in the log, as for a bad setting. What fails
-otherwise is a defect, and the log has its traceback.
+A known failure, as of a bad setting, is one sentence in the log. Any other failure is a
+defect, and the log has its traceback.
 """
 
 from __future__ import annotations

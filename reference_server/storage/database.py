@@ -136,7 +136,7 @@ class Database:
 
     @asynccontextmanager
     async def transaction(self) -> AsyncIterator[AsyncConnection]:
-        """What is written in it is stored when it ends."""
+        """A transaction whose writes are stored when it ends."""
         async with self._transaction_of(self.engine) as connection:
             yield connection
 
@@ -147,9 +147,9 @@ class Database:
 
     @asynccontextmanager
     async def node_transaction(self) -> AsyncIterator[AsyncConnection]:
-        """What a node says of itself, or claims: it waits for no other transaction.
+        """A transaction for a node's lease or its claims, which waits for no other one.
 
-        Only for what another node locks it waits, and not long.
+        It waits only for rows that another node has locked, and not long.
         """
         assert self._node_engine is not None
         async with self._transaction_of(self._node_engine) as connection:
@@ -162,7 +162,7 @@ class Database:
             yield found
 
     async def write(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """What `store` returns, once all that it wrote is stored: one transaction."""
+        """Run `store` in a transaction; give its result once its writes are stored."""
         if self._file_writer is None:
             async with self.transaction() as connection:
                 return await connection.run_sync(store)
@@ -170,7 +170,7 @@ class Database:
         return await self._run_in(self._writer_thread, work)
 
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """What `fetch` finds, all of it as it was at one moment; it writes nothing."""
+        """Give the result of `fetch`, which reads one snapshot and writes nothing."""
         if self._file_reader is None:
             async with (
                 self._place_to_read(),

@@ -1,6 +1,6 @@
-"""What is special about PostgreSQL: its driver, its connections and its failures.
+"""PostgreSQL: its driver, its connections and its failures.
 
-asyncpg is the driver; it is no part of a server that has an SQLite file, and imported
+The driver is asyncpg. A server with an SQLite file does not need it, so it is imported
 only when a URL names PostgreSQL.
 """
 
@@ -14,17 +14,18 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncEngine, create_async_engine
 
-# Of one server; one more holds its lock.
+# Connections of one server; one more holds its lock.
 CONNECTIONS_MAX = 10
-# At once; the other connections are for writes, which never wait for reads.
+# Reads at once; the other connections are for writes, which never wait for reads.
 READS_MAX = 8
-# Of a node so many less are for reads: its lease and its claims wait for nothing else.
+# A node keeps so many connections free of reads, so that its lease and its claims do
+# not wait for requests.
 FOR_NODES = 2
 CONNECT_TIMEOUT_S = 5.0
-# A statement; and how long a request waits for a connection.
+# Timeouts of a statement, and of a request that waits for a connection.
 STATEMENT_TIMEOUT_S, POOL_TIMEOUT_S = 30.0, 10.0
-# Of a node, that is how long others may wait for what it locks: one that is paused or
-# cut off inside a transaction would keep its locks until it goes on.
+# Timeouts of a node's transaction, which others may wait for: a node that is paused or
+# cut off inside of one would keep its locks until it goes on.
 NODE_STATEMENT_TIMEOUT_S, NODE_IDLE_TIMEOUT_S = 10.0, 5.0
 # How long a claim waits for what such a node locks; it is tried again.
 CLAIM_LOCK_TIMEOUT_S = 1.0
@@ -81,7 +82,7 @@ def url_of_programs(url: sa.URL) -> str:
 
 
 def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
-    """Of the engine whose connections answer requests. is_shared: with other nodes."""
+    """Options of the engine for requests. is_shared: other nodes use the database."""
     arguments: dict[str, Any] = {
         "timeout": CONNECT_TIMEOUT_S,
         "command_timeout": STATEMENT_TIMEOUT_S,
@@ -101,7 +102,7 @@ def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
 
 
 def node_engine_options() -> dict[str, Any]:
-    """Of the engine of a node for its lease, and for claims of runs."""
+    """Options of the engine that a node has for its lease and for claims of runs."""
     options = engine_options(is_shared=True)
     arguments = options["connect_args"]
     lock_ms = str(round(CLAIM_LOCK_TIMEOUT_S * 1000))
@@ -118,7 +119,7 @@ def engine_without_timeout(url: sa.URL) -> AsyncEngine:
 
 
 def engine_of_lock(url: sa.URL, name: str) -> AsyncEngine:
-    """Of one connection without transactions. name: what PostgreSQL shows of it."""
+    """The engine for one connection without transactions; PostgreSQL shows `name`."""
     settings = {
         "application_name": name,
         # A machine that lost its power, or its network, loses the lock in 25 s.

@@ -15,7 +15,7 @@ from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Recording, Result, Run, RunHead
 
 Row = Mapping[str, Any]
-# What is stored of an episode, and in which types.
+# The stored columns of an episode, and their types.
 EPISODE_COLUMNS = (
     *("index", "attempt", "faults", "faults_forgiven"),
     *("policy_fault", "place", "result", "recording"),
@@ -109,7 +109,7 @@ def run_row(run: Run) -> dict[str, Any]:
 
 
 def deleted_run_row(now_wall: float) -> dict[str, Any]:
-    """What changes in the row of a run that is deleted; DEL-006: it stays counted.
+    """The columns that a deletion changes in a run's row; it stays counted (DEL-006).
 
     Left are its ids, its account and benchmark, its numbers and when it was submitted.
     """

@@ -83,22 +83,22 @@ class Transactions:
             yield connection
 
     async def read_of_node(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """What `fetch` finds, which no other read delays. Raises StoreFailed."""
+        """Give the result of `fetch`; no other read delays it. Raises StoreFailed."""
         if not self._database.has_node_connections:
             return await self.read(fetch)
         async with self._database.node_transaction() as connection:
             return await connection.run_sync(fetch)
 
     async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """What `store` returns, once all that it wrote is stored; as `write` does it.
+        """Run `store`, as `write` does, and give its result once its writes are stored.
 
-        store: runs in another thread. What it raises ends the transaction.
+        store: runs in another thread. Its error ends the transaction.
         """
         async with self.write_lock:
             return await self.write_at_once(store)
 
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """What `fetch` finds, all of it as it was at one moment."""
+        """Give the result of `fetch`, which reads one snapshot."""
         return await self._database.read(fetch)
 
     @asynccontextmanager
@@ -136,9 +136,9 @@ class Transactions:
         connection.execute(counted.values(counted=_accounts.c.counted + 1))
 
     def lock_order(self, connection: sa.Connection) -> None:
-        """To be called first by a transaction that adds to what has one order.
+        """Lock the order of all accounts, first in a transaction that appends to it.
 
-        What it then reads no other node changes before it ends: the last statement, the
-        leaves of the leaderboard, an entry.
+        Until the transaction ends, no other node changes what it then reads: the last
+        statement, the leaves of the leaderboard, an entry.
         """
         self.lock_account(connection, _OF_ALL_ACCOUNTS)

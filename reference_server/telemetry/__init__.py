@@ -1,1 +1,1 @@
-"""What the server says of itself: counters, spans, and lines of its log."""
+"""Reports of the server on itself: counters, spans, and lines of its log."""

@@ -1,4 +1,4 @@
-"""What happened in this process, counted: requests, steps, writes, calls.
+"""Counts of the events in this process: requests, steps, writes, calls.
 
 To count is an addition in memory, less than a microsecond of a turn; the page of
 metrics reads the numbers (`monitoring/metrics.py`). Like the log there is one for a

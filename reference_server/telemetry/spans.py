@@ -1,9 +1,9 @@
 """Where the time of a request goes: spans, which a trace brings together.
 
-Each part of the server names here what it waits for. What becomes of that is up to the
-one recorder of a process, which is `monitoring/traces.py` where the setting `traces`
-names a collector; without one a span is a comparison. A span has names and numbers of
-ours: never a token, a key, a header or a part of a body. It knows no HTTP.
+Each part of the server names here what it waits for. The one recorder of a process
+decides what becomes of it: `monitoring/traces.py` where the setting `traces` names a
+collector. Without a recorder a span costs one comparison. A span has names and numbers
+of ours: never a token, a key, a header or a part of a body. It knows no HTTP.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Span(Protocol):
 
 
 class Recorder(Protocol):
-    """What is made of spans."""
+    """Records spans, or drops them."""
 
     def part(self, name: str, *, is_call: bool) -> Span:
         """As `span`."""
@@ -81,7 +81,7 @@ def span(name: str, *, is_call: bool = False) -> Span:
 
 
 def root_span(name: str) -> Span:
-    """What no request causes: a trace of its own, of which as many are recorded."""
+    """A span of work that no request causes, in a trace of its own."""
     recorder = _recorder
     return NOT_RECORDED if recorder is None else recorder.root(name)
 
@@ -98,8 +98,8 @@ def traceparent(*, only_recorded: bool = False) -> str | None:
 
 
 def session_name(session_id: str) -> str:
-    """What shows whose session it is to those alone who know its id.
+    """A name for a session that only those can match who know its id.
 
-    The id itself is what a worker proves its session with: no collector needs it.
+    A worker proves its session with the id itself, so a collector must not get it.
     """
     return hashlib.sha256(session_id.encode()).hexdigest()[:12]

@@ -39,7 +39,7 @@ _SORTS: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
 }
 # Parts of a score, and what a column of a spreadsheet calls one of them.
 _GROUPS = {"by_task": "task", "by_split": "split"}
-# What a spreadsheet would compute instead of showing it.
+# A spreadsheet executes a cell that begins so as a formula (CSV injection).
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 

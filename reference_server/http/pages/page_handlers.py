@@ -1,7 +1,7 @@
 """The pages of a server: one handler each, which fetches documents and renders them.
 
-Each runs with the token of the reader's session. What it cannot read is the API's own
-refusal, as a page: the runs of other accounts are not found.
+Each runs with the token of the reader's session. The API's own refusal
+is shown as a page: the runs of other accounts are not found.
 """
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ class PageHandlers:
         )  # fmt: skip
 
     async def fetch_picture(self, call: PageCall) -> Response:
-        """What a camera showed, by its number in the recording."""
+        """The picture of a camera, by its number in the recording."""
         run_id, number = call.path("run_id"), call.path("number")
         episode = {"episode_id": call.path("episode_id"), "result": True}
         recorded, problem = await self._recorded(call, run_id, episode)

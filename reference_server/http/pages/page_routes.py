@@ -169,7 +169,7 @@ class Pages:
     # --- what holds for every page ---
 
     def _route(self, path: str, endpoint: Endpoint, *methods: str) -> Route:
-        """Of a path below the pages; methods: GET, if none is named."""
+        """The route of a path below the pages; methods: GET, if none is named."""
 
         async def refuse(request: Request) -> Response:
             detail = f"{request.method[:16]} is not a method of this page."
@@ -350,7 +350,7 @@ def _to_login(request: Request) -> Response:
 
 
 def _login_path(request: Request) -> str:
-    """Of the sign-in, which leads back to what was requested."""
+    """The path of the sign-in, which leads back to the requested page."""
     here = request.url.path
     if request.url.query:
         here += f"?{request.url.query}"
