@@ -28,7 +28,7 @@ RUNS_PER_READ = 200
 
 
 class CannotDo(Exception):
-    """What was asked cannot be done; the text says why, in one line."""
+    """The request cannot be fulfilled; the text says why, in one line."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,7 +46,7 @@ class HostKeys(Protocol):
 
     @property
     def host_name(self) -> str:
-        """What this server calls itself."""
+        """The name of this server in its records."""
 
     async def key_names(self) -> Mapping[str, str]:
         """keyid → whose key it is, of all that are known here."""
@@ -93,7 +93,7 @@ class RecordImports:
             opened=settings.opened,
         )
         self._receiving = Counter[str]()  # of each account
-        # What is counted and what is stored of an account does not change in between.
+        # Held from the count of an account's imports until the new one is stored.
         self._adding = asyncio.Lock()
 
     async def open(self) -> None:

@@ -41,13 +41,13 @@ RESULT_BYTES_MAX: Final = 2**8
 REPLAYABLE_BYTES_MAX: Final = CHOICE_BYTES_MAX + EPISODES_MAX * RESULT_BYTES_MAX
 
 _RESULTS: Final = msgspec.json.Decoder(RecordedResult)
-# What the system or its operator ends it with.
+# Exit codes of a process that the system or its operator has ended.
 _BY_OTHERS: Final = (-signal.SIGKILL, -signal.SIGTERM)
 T = TypeVar("T")
 
 
 class ExaminationFailed(Exception):
-    """The record could not be read to its end, which may be no fault of it."""
+    """The record could not be read to its end; the record need not be at fault."""
 
 
 class Recorded:
@@ -60,7 +60,7 @@ class Recorded:
         self.choice, self._lines = choice, lines
 
     def results(self) -> Iterator[RecordedResult]:
-        """Of the episodes that have a recording, by index."""
+        """The results of the episodes that have a recording, by index."""
         return map(_RESULTS.decode, self._lines.splitlines())
 
 
@@ -89,7 +89,7 @@ class RecordVerifier:
         return found.facts
 
     async def read_for_replay(self, path: Path) -> Recorded:
-        """Of a record that was examined. Raises as `examine` does, but for NoTurn."""
+        """Read a record that was examined. Raises as `examine` does, except NoTurn."""
         said = await _run("replay", path, REPLAYABLE_BYTES_MAX)
         head, _, lines = said.partition(b"\n")
         found = _decoded(head, Replayable)
@@ -112,7 +112,7 @@ def _broken(part: BrokenPart | None) -> BrokenRecord:
 
 
 async def _run(task: str, path: Path, bytes_max: int) -> bytes:
-    """What the process wrote. Raises as `RecordVerifier.examine`."""
+    """The output of the process. Raises as `RecordVerifier.examine`."""
     process = await asyncio.create_subprocess_exec(
         *(sys.executable, "-P", "-m", "reference_server.records.verify_process"),
         *(task, str(path)),

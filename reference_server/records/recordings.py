@@ -65,7 +65,7 @@ Done = TypeVar("Done")
 
 
 class Key(NamedTuple):
-    """Of which episode, by its index, something is written, and with which fence."""
+    """The episode, by its index, that is written, and the fence of its owner."""
 
     run_id: str
     episode: int
@@ -221,14 +221,14 @@ class Recordings:
         await asyncio.to_thread(_remove_folder, folder)
 
     def run_ids(self) -> list[str]:
-        """Of the runs that have files here. Reads the folder."""
+        """Ids of the runs that have files here. Reads the folder."""
         names = (path.name for path in self._folder.iterdir())
         return sorted(name for name in names if not name.startswith("."))
 
     # --- what a crash has left ---
 
     def remove_drafts(self) -> None:
-        """Of files that were being joined before this server was opened. Blocks.
+        """Remove drafts of files that were joined before this server opened. Blocks.
 
         In a shared folder they may be those of another node: `remove_unused`.
         """
@@ -241,9 +241,9 @@ class Recordings:
                         draft.unlink()
 
     def runs_with_leftovers(self, since_wall: float = 0.0) -> list[str]:
-        """Of the runs where an episode has its file, and more than that. Blocks.
+        """Ids of runs with an episode that has other files beside its own. Blocks.
 
-        since_wall: only of those in whose folders a name was added or removed then.
+        since_wall: only runs in whose folders names were added or removed since then.
         """
         return [run for run in self.run_ids() if self._has_leftovers(run, since_wall)]
 
@@ -256,7 +256,7 @@ class Recordings:
         return any(suffix == ".mcap" and counts[index] > 1 for suffix, index in written)
 
     def remove_unused(self, run_id: str, fences: Mapping[int, int]) -> None:
-        """Of a run whose results are all stored, what no result names. Blocks.
+        """Remove the files that no result names; all results are stored. Blocks.
 
         fences: index of an episode → fence of its stored recording.
         """
@@ -290,7 +290,7 @@ class Recordings:
             log.warning("run %s, episode %d: %s", key.run_id, key.episode, failed)
 
     async def _write(self, key: Key) -> None:
-        """What was not written yet, or could not be. Raises RecordingFailed.
+        """Write the messages that are not written yet. Raises RecordingFailed.
 
         One message at a time: of several, a write that fails may leave the first ones.
         """
@@ -336,5 +336,5 @@ def _remove(path: Path) -> None:
 
 
 def _remove_folder(folder: Path) -> None:
-    """What cannot be removed now costs space, nothing else."""
+    """Remove the folder; files that stay only cost space."""
     shutil.rmtree(folder, ignore_errors=True)

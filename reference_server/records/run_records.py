@@ -1,6 +1,6 @@
 """The signed records of completed runs, and the keys that sign them.
 
-A record is signed when it is first fetched. What is stored of it is its statement: all
+A record is signed when it is first fetched. Only its statement is stored: all
 other files follow from the run and its recordings. Each statement names the one that
 was signed before it. It decides no rule of runs, and knows no HTTP.
 """
@@ -121,7 +121,7 @@ class RunRecords:
 
     @property
     def host_name(self) -> str:
-        """What statements call this host."""
+        """The name of this host in statements."""
         return self._settings.name
 
     async def close(self) -> None:
@@ -137,7 +137,7 @@ class RunRecords:
             try:
                 if has_leftovers:
                     await self.remove_leftovers(since_wall)
-                    # Of nodes that come and go there are always some.
+                    # Nodes that come and go always leave some behind.
                     has_leftovers = self._recordings.is_shared
                     since_wall = time.time() - LEFTOVERS_S
                 await self.remove_deleted()
@@ -162,7 +162,7 @@ class RunRecords:
                 await self._remove_unused(run_id)
 
     async def _remove_unused(self, run_id: str) -> None:
-        """What no result of a completed run names."""
+        """Remove the files that no result of a completed run names."""
         found = await self._store.read_window(run_id, 0, None)
         episodes = () if found is None else found[1]
         fences = {e.index: e.recording.fence for e in episodes if e.recording}
@@ -379,6 +379,6 @@ def _reopened(run_id: str, files: UnsignedRecord, statement: bytes) -> Record:
 
 
 def _shown_manifest(run: RunHead) -> bytes:
-    """What `manifest_sha256` is the digest of: without sealed seeds (SEAL-002)."""
+    """The bytes that `manifest_sha256` covers: without sealed seeds (SEAL-002)."""
     shown = without_sealed_seeds(run.manifest)
     return msgspec.json.encode(shown, order="deterministic")

@@ -1,7 +1,7 @@
 """Refuses a node that would record or sign apart from the others of its cluster.
 
 All nodes have one folder of recordings, one key that signs records, and one name of
-their host. What these are is stored in the database. A node whose own ones differ does
+their host. The database stores which they are. A node whose own ones differ does
 not start, and ends when it joins again.
 
 Of the folder an id is stored, which a file in it has. A copy of the folder has the same

@@ -1,4 +1,4 @@
-"""What a benchmark's spaces say of actions and of the conventions a policy assumes.
+"""Checks actions, and the conventions a policy assumes, against a benchmark's spaces.
 
 Called by the guards in `lifecycle.py`. It knows a manifest and vectors, and neither
 runs nor sessions. Pure. An error is a pair of a JSON pointer into the request and a

@@ -130,9 +130,9 @@ def session_to_end(
 ) -> Session | None:
     """LIM-005: the session that gives its simulator back to an account that waits.
 
-    Of the accounts that have more than their share, the one that has gone longest
-    without a turn, and for more than `unused_s`; None if there is none. Heartbeats are
-    no turns.
+    It is, among accounts that have more than their share, the session that has gone
+    longest without a turn, and for more than `unused_s`; None if there is none.
+    Heartbeats do not count as turns.
     """
     lent = list(lent)
     simulators = Counter(account for account, _ in lent)
@@ -147,7 +147,7 @@ def session_to_end(
 
 
 class Quota(NamedTuple):
-    """What one account has, or may have: of runs that are open, and stored for good."""
+    """Amounts that one account has, or may have, open or stored for good."""
 
     open_runs: int = 10_000
     keys: int = 1_000_000

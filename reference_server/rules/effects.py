@@ -1,4 +1,4 @@
-"""What an accepted command or an event does to a run.
+"""Changes of a run by an accepted command or an event.
 
 `lifecycle.py` decides whether a command is accepted, this file what it changes. Pure
 like it: each function changes the run it is given, at the time it is given, and nothing
@@ -29,7 +29,7 @@ SERVER_LEASE_S = 86_400.0
 
 
 class ChunkOutcome(Protocol):
-    """What the rules read of the simulator's reply to a chunk.
+    """The part of the simulator's reply to a chunk that the rules read.
 
     executed: how many of its actions. rewards: of each of these. ended: the episode has
     ended. The others are of the episode after the last executed action.
@@ -340,7 +340,7 @@ def admit(run: Run, now_wall: float) -> bool:
 
 
 def _forget_attempt(session: Session) -> None:
-    """What was executed belongs to an attempt that has ended, or begins again."""
+    """Reset the counts: their attempt has ended, or begins again."""
     session.steps, session.clipped, session.reward = 0, 0, 0.0
 
 

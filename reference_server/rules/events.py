@@ -47,7 +47,7 @@ class Cursor:
 
 @dataclass(frozen=True, slots=True)
 class EventBatch:
-    """What to send next.
+    """The events to send next.
 
     text: the events, as they are sent; maybe none. cursor: the place behind them.
     is_behind: there are more at once. is_last: nothing will ever follow.
@@ -66,7 +66,7 @@ def next_batch(
     scored: Sequence[bytes],
     common_body: bytes,
 ) -> EventBatch:
-    """What a reader at the cursor has not received yet (EVT-001, EVT-002).
+    """The events that a reader at the cursor has not received (EVT-001, EVT-002).
 
     run_body: the run as get_run shows it. common_body: the part that is the same for
     every reader. scored: the next episodes behind the cursor in the order in which they
@@ -87,7 +87,7 @@ def next_batch(
 
 
 class HasState(Protocol):
-    """What is shown of a run."""
+    """The part of a run that events show."""
 
     @property
     def state(self) -> State: ...

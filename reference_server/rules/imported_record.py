@@ -98,7 +98,7 @@ def trust_of(one: RecordImport, names: Mapping[str, str], host: str) -> Trust:
 
 
 class ImportUsage(NamedTuple):
-    """Of one account: imports that are not finished, bytes of all its archives."""
+    """The imports of one account that are not finished, and bytes of its archives."""
 
     waiting: int
     stored_bytes: int

@@ -72,12 +72,12 @@ TRANSITIONS: dict[tuple[State, Event], State] = {
     # events stop_drain (LIFE-703) and resume_run (LIFE-704).
 }
 
-# What follows from the table, so that no other module names states.
+# These sets follow from the table, so that no other module names states.
 # A worker may attach.
 PLAYABLE_STATES = frozenset(s for s, event in TRANSITIONS if event == "attach_worker")
 # The run waits until there is capacity for it (LIFE-801, RUN-008).
 WAITING_STATES = frozenset(s for s, event in TRANSITIONS if event == "capacity")
-# What such a run is when it gets a place.
+# State of such a run → its state when it gets a place.
 STATES_WITH_CAPACITY: Mapping[State, State] = {
     state: after for (state, event), after in TRANSITIONS.items() if event == "capacity"
 }
@@ -93,8 +93,8 @@ RESTART_REASON = "The server was restarted."
 ACTIVE_STATES = PLAYABLE_STATES | STATES_AFTER_RESTART.keys()
 # LIM-007: the run counts among the open ones of its account.
 OPEN_STATES = ACTIVE_STATES | WAITING_STATES
-# What a stored run in one of these was when it left memory, it still is: neither
-# capacity nor the loss of its sessions changes it.
+# A stored run in one of these has not changed since it left memory: neither capacity
+# nor the loss of its sessions changes it.
 RESTING_STATES = (
     frozenset(get_args(State)) - WAITING_STATES - STATES_AFTER_RESTART.keys()
 )
@@ -346,7 +346,7 @@ def _worker_is_free(run: Run, command: Attach, now: float) -> Verdict | None:
         )
     # ATT-004, ATT-021: the successor goes on where the turn in execution will have
     # ended; also the last one, whose result is still being stored. ATT-020: a session
-    # that is done, or none, is no reason to refuse either.
+    # that is done, or none, does not lead to a refusal either.
     return Wait(session) if session.busy else None
 
 

@@ -120,7 +120,7 @@ def seal(manifest: Manifest, secret: bytes, block: int, seed_max: int) -> Manife
 
 
 def salt_of(secret: bytes, benchmark_id: str) -> bytes:
-    """What is hashed with the seeds of a benchmark; a host opens it with them."""
+    """The salt hashed with the seeds of a benchmark; a host opens it with them."""
     return _derive(secret, "salt", benchmark_id)
 
 

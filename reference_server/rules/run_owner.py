@@ -23,7 +23,7 @@ _FINAL_STATES = frozenset({"completed"})
 
 
 class StoredOwner(NamedTuple):
-    """What the database has of the owner of a run.
+    """The owner of a run, as the database has it.
 
     node_id: None without an owner. silent_s: since its node renewed its lease, by the
     clock of the database; None if the node is not, or no more, in the list.

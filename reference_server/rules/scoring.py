@@ -13,7 +13,7 @@ Z_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
 
 
 class ScoredEpisode(NamedTuple):
-    """What scoring needs of an episode; outcome None while it is unscored."""
+    """The part of an episode that scoring needs; outcome None while unscored."""
 
     task: str
     split: str

@@ -1,4 +1,4 @@
-"""What a submit decides: limits, defaults, the part to play, idempotency. Pure.
+"""Decisions of a submit: limits, defaults, the part to play, idempotency. Pure.
 
 Whether the benchmark offers what is chosen is decided in `runs/benchmarks.py`; how a
 policy server may be called, in `push/`.
@@ -101,7 +101,7 @@ def select_episodes(manifest: Manifest, select: Selection | None) -> Manifest | 
 
 @dataclass(frozen=True, slots=True)
 class KeyUse:
-    """What an account's Idempotency-Key made (RUN-005: a key is the account's own)."""
+    """The run that an account made with an Idempotency-Key of its own (RUN-005)."""
 
     body_sha256: str
     run_id: str

@@ -1,1 +1,1 @@
-"""What the API shows, as plain data in the spec's schemas: no HTTP, no state."""
+"""Views of the API, as plain data in the spec's schemas: no HTTP, no state."""

@@ -162,7 +162,7 @@ def comparison_view(
 
 
 def scored_episodes(episodes: Sequence[Episode]) -> list[ScoredEpisode]:
-    """What scoring needs of a run's episodes, in manifest order."""
+    """The episodes of a run for scoring, in manifest order."""
     return [
         ScoredEpisode(e.task, e.split, e.result.outcome, e.result.score)
         if e.result

@@ -247,7 +247,7 @@ class BoundedConnection(HttpToolsProtocol):
             self._read_next()
 
     def _unsupported_upgrade_warning(self) -> None:
-        """Every client can ask for an upgrade; that is no event for the log."""
+        """Log nothing: every client can ask for an upgrade, and so fill the log."""
 
     # --- reading ---
 
@@ -479,7 +479,7 @@ def _unavailable_answer() -> bytes:
     return _raw_answer(503, response.raw_headers, bytes(response.body))
 
 
-# Before a request is read there is no operation to answer it: these are no problems.
+# Before a request is read no operation answers it, so these are not problem documents.
 _ANSWERS = {
     400: _text_answer(400, "This is no HTTP request."),
     408: _text_answer(

@@ -1,4 +1,4 @@
-"""What all connections of the server together may hold, and which one gives way.
+"""Limits for all connections of the server together, and which one gives way.
 
 A `ConnectionLimiter` counts connections by address, chooses the one to close when a
 limit is reached, and lets each connection check its deadlines once a second. It knows
@@ -15,7 +15,7 @@ from typing import Protocol
 
 from reference_server.process.freed_memory import FreedMemory
 
-# Of a request line and headers (LIM-001); browsers and proxies send a quarter.
+# Bytes of a request line and headers (LIM-001); browsers and proxies send a quarter.
 HEADER_BYTES = 2**15
 # Refused connections that may wait for their 503 at once; others are closed unanswered.
 REFUSED_MAX = 64
@@ -57,7 +57,7 @@ class ConnectionLimits:
 
 
 class Connection(Protocol):
-    """What the limiter asks of a connection."""
+    """The part of a connection that the limiter uses."""
 
     loop: asyncio.AbstractEventLoop
     address: str
@@ -205,7 +205,7 @@ class ConnectionLimiter:
 
 
 def shared_address(host: str) -> str:
-    """What one client can have many of counts as one: the /64 of an IPv6 address."""
+    """The address that is counted: a client has a whole /64 of IPv6, which is one."""
     if ":" not in host:
         return host
     address = ip_address(host.partition("%")[0])

@@ -1,1 +1,1 @@
-"""What is decided of the leaderboard: its entries, and their ranking. Pure."""
+"""Decisions on the leaderboard: its entries, and their ranking. Pure."""

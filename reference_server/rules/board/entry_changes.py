@@ -17,7 +17,7 @@ from reference_server.rules.scoring import ScoredEpisode, score_of
 Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]
 EntryState = Literal["published", "withdrawn"]
 Level = Literal["reported", "signed"]
-# Of one entry: each is kept for good. It can be withdrawn all the same.
+# Changes of one entry, because each is kept for good. Withdrawing is always possible.
 CHANGES_MAX = 1000
 SHOWN_OF_SCORE = (
     *("score", "success_rate", "success_interval", "mean_interval", "counts"),
@@ -28,7 +28,7 @@ GROUPS_OF_SCORE, GROUPS_MAX = ("by_task", "by_split"), 64
 
 @dataclass(frozen=True, slots=True)
 class Flag:
-    """What the host says is wrong with an entry."""
+    """The fault that the host finds in an entry."""
 
     reason: str
     flagged_at_wall: float
