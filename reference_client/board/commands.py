@@ -324,9 +324,9 @@ def _check(
     Raises RewrittenHistory.
     """
     differing: list[str] = []
-    retired = [one.public_key for one in keys.values() if one.retired_at is not None]
+    retired = [item.public_key for item in keys.values() if item.retired_at is not None]
     for _ in range(TRIES):
-        shown = [one.to_dict() for one in client.entries() if one.is_public]
+        shown = [item.to_dict() for item in client.entries() if item.is_public]
         signed = client.checkpoint()
         if signed.keyid not in keys:
             raise RewrittenHistory("its key is none that the host publishes")
@@ -334,7 +334,7 @@ def _check(
         checkpoint = history_check.read_signed(signed.note, public_key, kept, retired)
         if kept is not None and kept.tree_size:
             _compare(client, kept, checkpoint)
-        leaves = [one.leaf for one in client.leaves()]
+        leaves = [item.leaf for item in client.leaves()]
         history_check.check_leaves(checkpoint, leaves)
         recorded = history_check.entries_of(leaves[: checkpoint.tree_size])
         differing = history_check.differences(recorded, shown)

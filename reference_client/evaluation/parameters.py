@@ -243,7 +243,7 @@ def parse_strictly(
         made = model.from_dict(given)
     except ValidationError as error:
         raise ValueError(f"{name}: {_fault_texts(error)}") from error
-    names = [one.alias or own for own, one in model.model_fields.items()]
+    names = [field.alias or own for own, field in model.model_fields.items()]
     for member in given:
         if member not in names:
             meant = did_you_mean(member, names)

@@ -79,7 +79,7 @@ class ControlClient:
         except ProctorError as error:
             if error.code != "not_found":
                 raise
-            names = [one.benchmark_id for one in self.benchmarks()]
+            names = [summary.benchmark_id for summary in self.benchmarks()]
             meant = did_you_mean(benchmark_id, names) or f"; it has {', '.join(names)}"
             raise ProctorError(
                 error.code,
@@ -199,13 +199,13 @@ class ControlClient:
 
     def episodes(self, run_id: str, first: int | None = None) -> list[Episode]:
         """The first episodes of the manifest, or all, from the pages of the list."""
-        found: list[Episode] = []
+        episodes: list[Episode] = []
         operation = self._control.list_episodes
         for page in read_pages(self._retry_policy, operation, run_id):
-            found += page.episodes
-            if first is not None and len(found) >= first:
+            episodes += page.episodes
+            if first is not None and len(episodes) >= first:
                 break
-        return found[:first]
+        return episodes[:first]
 
     def try_score(self, run_id: str) -> Score:
         """The score, without retries and without a wait; also after an interruption."""

@@ -44,10 +44,10 @@ def fetch_keys(
     connection: Connection, retry_policy: RetryPolicy
 ) -> Mapping[str, PublicKey]:
     """By keyid, those that the host publishes."""
-    found = retry_policy.call(
+    published = retry_policy.call(
         lambda: connection.control.list_keys(_request_timeout=TIMEOUTS_S)
     )
-    return {key.keyid: key for key in found.keys}
+    return {key.keyid: key for key in published.keys}
 
 
 def send_record(

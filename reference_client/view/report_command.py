@@ -79,7 +79,7 @@ def _is_file(name: str) -> bool:
 def _write(
     folder: Path, runs: list[ReportedRun], args: argparse.Namespace, printer: Printer
 ) -> int:
-    run_ids = {one.run_id for one in runs}
+    run_ids = {run.run_id for run in runs}
     if len(run_ids) < len(runs):
         raise UsageError("a run is named twice")
     try:
@@ -156,12 +156,12 @@ def _benchmark(
 ) -> Document | None:
     """None if the server no longer offers it, or offers another version."""
     try:
-        found: Benchmark = client.benchmark(benchmark_id)
+        benchmark: Benchmark = client.benchmark(benchmark_id)
     except ProctorError as error:
         if error.code != "not_found":
             raise
         return None
-    return _document(found) if found.version == version else None
+    return _document(benchmark) if benchmark.version == version else None
 
 
 def _document(model: BaseModel) -> dict[str, object]:

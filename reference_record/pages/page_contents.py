@@ -315,16 +315,16 @@ def pair_html(
     links: Links, sides: Sequence[Side], *, problem: str = "", csrf: str = ""
 ) -> str:
     """Two plays of one episode; problem: why one of them cannot be shown."""
-    baseline, other = sides
+    baseline, compared = sides
     return render_page(
         "pair",
         links,
         csrf=csrf,
         baseline=baseline.run,
-        run=other.run,
-        episode=other.episode,
+        run=compared.run,
+        episode=compared.episode,
         sides=sides,
-        divergence=first_divergence(baseline.recorded, other.recorded),
+        divergence=first_divergence(baseline.recorded, compared.recorded),
         problem=problem,
     )
 

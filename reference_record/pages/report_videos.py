@@ -97,9 +97,9 @@ class ReportVideos:
             return f"of the run {origin.run_id}, which is not in this report"
         if origin.replay == "diverged":
             return "that came to another result than the recorded episode"
-        shown = (one.origin for one in self.videos if one.path in self._placed)
+        shown = (placed.origin for placed in self.videos if placed.path in self._placed)
         if (origin.recording_sha256, origin.camera) in {
-            (one.recording_sha256, one.camera) for one in shown
+            (placed.recording_sha256, placed.camera) for placed in shown
         }:
             return "of an episode and a camera that another file shows"
         return "drawn from a recording that is not in this report"

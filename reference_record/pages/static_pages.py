@@ -129,12 +129,12 @@ class StaticReport:
         return sum(1 for _ in self._write_pages())
 
     def _write_pages(self) -> Iterator[str]:
-        for one in self._runs:
-            yield from self._write_episodes(one)
-            yield from self._write_run(one)
+        for reported in self._runs:
+            yield from self._write_episodes(reported)
+            yield from self._write_run(reported)
         for baseline in self._runs:
-            for other in self._others(baseline):
-                yield from self._write_comparison(baseline, other)
+            for compared in self._others(baseline):
+                yield from self._write_comparison(baseline, compared)
         for number, benchmark in enumerate(self._benchmarks, start=1):
             yield self._save(
                 f"benchmarks/{number}.html",
@@ -151,7 +151,7 @@ class StaticReport:
                 "index",
                 self._links(""),
                 title="Report",
-                runs=[one.run for one in self._runs],
+                runs=[reported.run for reported in self._runs],
                 benchmarks=self._benchmarks,
             ),
         )
@@ -174,45 +174,47 @@ class StaticReport:
         sha256 = baseline.run["manifest_sha256"]
         return [o for o in self._runs[at:] if o.run["manifest_sha256"] == sha256]
 
-    def _write_run(self, one: ReportedRun) -> Iterator[str]:
-        links, number = self._links("../../"), self._runs_by_id[one.run_id]
-        figures = RunFigures.of(one.episodes)
+    def _write_run(self, reported: ReportedRun) -> Iterator[str]:
+        links, number = self._links("../../"), self._runs_by_id[reported.run_id]
+        figures = RunFigures.of(reported.episodes)
         rows = figures.ordered
         starts = range(0, max(1, len(rows)), ROWS_MAX)
         names = ["index.html", *(f"page-{n}.html" for n in range(2, len(starts) + 1))]
         pages = list(enumerate(names, start=1))
         compared = [
-            other.run
-            for other in self._runs[: number - 1]
-            if one in self._others(other)
+            earlier.run
+            for earlier in self._runs[: number - 1]
+            if reported in self._others(earlier)
         ]
         for (page, name), start in zip(pages, starts, strict=True):
             part = rows[start : start + ROWS_MAX]
             window = Window(part, len(rows), page, pages, whole=True)
             text = page_contents.run_html(
-                links, one.run, one.score, figures, window,
-                level=one.level, turn_times=one.times, others=compared,
+                links, reported.run, reported.score, figures, window,
+                level=reported.level, turn_times=reported.times, others=compared,
             )  # fmt: skip
             yield self._save(f"runs/{number}/{name}", text)
 
-    def _write_episodes(self, one: ReportedRun) -> Iterator[str]:
-        links, number = self._links("../../../"), self._runs_by_id[one.run_id]
-        played = [episode for episode in one.episodes if episode.get("result")]
-        rate = one.benchmark["control_rate_hz"] if one.benchmark else None
+    def _write_episodes(self, reported: ReportedRun) -> Iterator[str]:
+        links, number = self._links("../../../"), self._runs_by_id[reported.run_id]
+        played = [episode for episode in reported.episodes if episode.get("result")]
+        rate = reported.benchmark["control_rate_hz"] if reported.benchmark else None
         for place, episode in enumerate(played):
-            recorded = one.read(episode)
+            recorded = reported.read(episode)
             if recorded is not None:
-                one.times.add(recorded.times(rate))
+                reported.times.add(recorded.times(rate))
             around = [
-                f"{other['index']:05d}.html" if other is not None else ""
-                for other in (
+                f"{neighbour['index']:05d}.html" if neighbour is not None else ""
+                for neighbour in (
                     played[place - 1] if place else None,
                     played[place + 1] if place + 1 < len(played) else None,
                 )
             ]
             text = page_contents.episode_html(
-                links, one.run, episode, recorded,
-                None if recorded is None else self._view(one, episode, recorded, ""),
+                links, reported.run, episode, recorded,
+                None
+                if recorded is None
+                else self._view(reported, episode, recorded, ""),
                 control_rate_hz=rate, before=around[0], after=around[1],
                 problem="" if recorded else "There is no recording of this episode.",
             )  # fmt: skip
@@ -220,18 +222,22 @@ class StaticReport:
             yield self._save(name, text)
 
     def _view(
-        self, one: ReportedRun, episode: Document, recorded: RecordedEpisode, base: str
+        self,
+        reported: ReportedRun,
+        episode: Document,
+        recorded: RecordedEpisode,
+        base: str,
     ) -> page_contents.PlayedView:
         """base: from the page to the folder of the run's episodes."""
-        folder = f"runs/{self._runs_by_id[one.run_id]}/episodes"
+        folder = f"runs/{self._runs_by_id[reported.run_id]}/episodes"
         index, addresses = episode["index"], []
         for number, picture in enumerate(recorded.pictures):
             name = f"{index:05d}/{number:05d}.{picture.extension}"
             self._write_once(f"{folder}/{name}", partial(bytes, picture.data))
             addresses.append(base + name)
         videos = []
-        found = self._videos.of_recording(recorded.sha256)
-        for number, video in enumerate(found, start=1):
+        drawn = self._videos.of_recording(recorded.sha256)
+        for number, video in enumerate(drawn, start=1):
             name = f"{index:05d}-{number}.mp4"
             self._write_once(f"{folder}/{name}", video.path.read_bytes)
             videos.append(ShownVideo(video.origin.camera, base + name, video.note))
@@ -246,13 +252,15 @@ class StaticReport:
             self._written.add(target)
 
     def _write_comparison(
-        self, baseline: ReportedRun, other: ReportedRun
+        self, baseline: ReportedRun, compared: ReportedRun
     ) -> Iterator[str]:
         links = self._links("../../")
-        pairs = pair_episodes(baseline.episodes, other.episodes)
-        folder = links.comparison(baseline.run_id, other.run_id).removeprefix("../../")
+        pairs = pair_episodes(baseline.episodes, compared.episodes)
+        folder = links.comparison(baseline.run_id, compared.run_id).removeprefix(
+            "../../"
+        )
         text = page_contents.comparison_html(
-            links, baseline.run, other.run, pairs,
+            links, baseline.run, compared.run, pairs,
             Window(pairs, len(pairs), whole=True),
         )  # fmt: skip
         yield self._save(folder, text)
@@ -260,15 +268,15 @@ class StaticReport:
             if pair.kind == "open":
                 continue
             sides = []
-            for one, episode in ((baseline, pair.baseline), (other, pair.run)):
-                recorded = one.read(episode)
+            for reported, episode in ((baseline, pair.baseline), (compared, pair.run)):
+                recorded = reported.read(episode)
                 if recorded is None:
                     break
-                base = f"../../runs/{self._runs_by_id[one.run_id]}/episodes/"
-                view = self._view(one, episode, recorded, base)
-                sides.append(Side(one.run, episode, recorded, view))
+                base = f"../../runs/{self._runs_by_id[reported.run_id]}/episodes/"
+                view = self._view(reported, episode, recorded, base)
+                sides.append(Side(reported.run, episode, recorded, view))
             if len(sides) == 2:
-                name = links.pair(baseline.run_id, other.run_id, pair.run)
+                name = links.pair(baseline.run_id, compared.run_id, pair.run)
                 text = page_contents.pair_html(links, sides)
                 yield self._save(name.removeprefix("../../"), text)
 

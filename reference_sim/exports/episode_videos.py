@@ -70,14 +70,14 @@ def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
         plan = [(line, _wanted(replayed, line, job)) for line in lines]
         bar.begin(sum(line.steps for line in lines))
         for line, wanted in plan:
-            found, drawn = _draw(source, replayed, line, wanted, bar)
-            if text := difference_text(line, found):
+            replay, drawn = _draw(source, replayed, line, wanted, bar)
+            if text := difference_text(line, replay):
                 bar.say(text)
-            if found.result == "diverged" and not (job.anyway and drawn):
+            if replay.result == "diverged" and not (job.anyway and drawn):
                 _remove(wanted)
-                refused.append(replay_facts(line, found))
+                refused.append(replay_facts(line, replay))
                 continue
-            files += [_finish(source, one, line, found, drawn) for one in wanted]
+            files += [_finish(source, video, line, replay, drawn) for video in wanted]
         if refused:
             bar.say("no video is kept of what left the record; --anyway keeps it")
     return {"files": files, "refused": refused}
@@ -102,11 +102,11 @@ def _wanted(replayed: Simulation, line: EpisodeLine, job: Job) -> list[Wanted]:
     wanted = []
     for camera in dict.fromkeys(cameras):
         name = "" if len(cameras) == 1 else "-" + re.sub(r"[^\w.-]", "_", camera)
-        one = Wanted(camera, folder / f"{line.index:05d}{name}.mp4")
-        for existing in (one.path, one.diverged):
+        video = Wanted(camera, folder / f"{line.index:05d}{name}.mp4")
+        for existing in (video.path, video.diverged):
             if existing.exists() and not job.force:
                 raise UnusableRecord(f"{existing} exists; --force replaces it")
-        wanted.append(one)
+        wanted.append(video)
     return wanted
 
 
@@ -125,30 +125,30 @@ def _draw(
 
     def see(observation: Observation, step: SimulatedStep | None) -> None:
         nonlocal pictures
-        for one in wanted:
-            picture = observation.images[one.camera]
-            if one.camera not in videos:
+        for video in wanted:
+            picture = observation.images[video.camera]
+            if video.camera not in videos:
                 height, width, _ = picture.shape
-                videos[one.camera] = VideoFile(
-                    one.unfinished,
+                videos[video.camera] = VideoFile(
+                    video.unfinished,
                     rate,
                     (width, height),
                     keyframe_every=max(1, round(rate)),
-                    texts=texts | {"title": f"{texts['title']}, {one.camera}"},
+                    texts=texts | {"title": f"{texts['title']}, {video.camera}"},
                 )
-            videos[one.camera].add(picture)
+            videos[video.camera].add(picture)
         pictures += 1
         if step is not None:
             bar.advance()
 
     try:
-        found = replayed.play(line, see)
+        replay = replayed.play(line, see)
         for video in videos.values():
             video.close()
     except BaseException:
         _remove(wanted)
         raise
-    return found, pictures
+    return replay, pictures
 
 
 def _texts(source: Source, line: EpisodeLine) -> dict[str, str]:
@@ -160,23 +160,23 @@ def _texts(source: Source, line: EpisodeLine) -> dict[str, str]:
 
 def _finish(
     source: Source,
-    one: Wanted,
+    video: Wanted,
     line: EpisodeLine,
-    found: EpisodeReplay,
+    replay: EpisodeReplay,
     pictures: int,
 ) -> dict[str, Any]:
-    path = one.diverged if found.result == "diverged" else one.path
-    append_origin(one.unfinished, video_origin(source, line, found, one.camera))
-    one.unfinished.replace(path)
+    path = video.diverged if replay.result == "diverged" else video.path
+    append_origin(video.unfinished, video_origin(source, line, replay, video.camera))
+    video.unfinished.replace(path)
     return {
         "path": str(path),
         "bytes": path.stat().st_size,
-        "camera": one.camera,
+        "camera": video.camera,
         "pictures": pictures,
-        **replay_facts(line, found),
+        **replay_facts(line, replay),
     }
 
 
 def _remove(wanted: Sequence[Wanted]) -> None:
-    for one in wanted:
-        one.unfinished.unlink(missing_ok=True)
+    for video in wanted:
+        video.unfinished.unlink(missing_ok=True)

@@ -55,16 +55,16 @@ def write_dataset(source: Source, folder: Path, job: Job) -> Mapping[str, Any]:
         for line in lines:
             frames = dataset.begin(line)
             try:
-                found = replayed.play(line, frames.see)
+                replay = replayed.play(line, frames.see)
             finally:
                 frames.close()
-            if text := difference_text(line, found):
+            if text := difference_text(line, replay):
                 bar.say(text)
-            if found.result == "diverged" and not (job.anyway and frames.count):
+            if replay.result == "diverged" and not (job.anyway and frames.count):
                 frames.remove()
-                refused.append(replay_facts(line, found))
+                refused.append(replay_facts(line, replay))
             else:
-                dataset.add(line, frames, found, replayed.instruction)
+                dataset.add(line, frames, replay, replayed.instruction)
         if refused:
             bar.say("what left the record is left out; --anyway keeps it")
         if not dataset.episodes:
@@ -210,15 +210,21 @@ class _Dataset:
             self._data = layout.DataFiles(self._folder, self._features)
         columns = self._columns(frames, instruction)
         place = self._data.add(columns)
-        found = {name: layout.number_statistics(v) for name, v in columns.items()}
+        columns_statistics = {
+            name: layout.number_statistics(v) for name, v in columns.items()
+        }
         for camera, images in frames.sampled.items():
-            found[IMAGES + camera] = layout.image_statistics(images)
-        for name, one in found.items():
+            columns_statistics[IMAGES + camera] = layout.image_statistics(images)
+        for name, column_statistics in columns_statistics.items():
             before = self._statistics.get(name)
             self._statistics[name] = (
-                one if before is None else layout.merge_statistics(before, one)
+                column_statistics
+                if before is None
+                else layout.merge_statistics(before, column_statistics)
             )
-        self.episodes.append(self._row(line, frames, instruction, place, found))
+        self.episodes.append(
+            self._row(line, frames, instruction, place, columns_statistics)
+        )
         self.frames += frames.count
 
     def close(self, refused: Sequence[Json]) -> None:
@@ -280,7 +286,7 @@ class _Dataset:
         frames: _EpisodeFrames,
         instruction: str,
         place: Mapping[str, int],
-        found: Mapping[str, layout.Statistics],
+        of_columns: Mapping[str, layout.Statistics],
     ) -> Json:
         number, count = len(self.episodes), frames.count
         row: Json = {
@@ -295,7 +301,7 @@ class _Dataset:
             video = {**layout.file_place(number), "from_timestamp": 0.0}
             video["to_timestamp"] = count / self._spaces.fps
             row |= {f"videos/{IMAGES}{camera}/{k}": v for k, v in video.items()}
-        for name, statistics in found.items():
+        for name, statistics in of_columns.items():
             lists = layout.as_lists(statistics)
             row |= {f"stats/{name}/{k}": v for k, v in lists.items()}
         assert line.recording is not None, "it was simulated from one"

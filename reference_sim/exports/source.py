@@ -99,7 +99,7 @@ class Source:
 
 
 def video_origin(
-    source: Source, line: EpisodeLine, found: EpisodeReplay, camera: str
+    source: Source, line: EpisodeLine, replay: EpisodeReplay, camera: str
 ) -> VideoOrigin:
     """The origin that is written into a video of this episode, which was recorded."""
     assert line.recording is not None
@@ -109,8 +109,8 @@ def video_origin(
         episode_index=line.index,
         recording_sha256=line.recording.sha256,
         camera=camera,
-        replay=found.result,
-        turn=None if found.where is None else found.seq,
+        replay=replay.result,
+        turn=None if replay.where is None else replay.seq,
     )
 
 

@@ -270,8 +270,8 @@ def _as_json(report: Report) -> dict[str, Any]:
         "turns": report.turns,
         "sealed_episodes": report.sealed,
         "replays": [
-            {"by": who, "keyid": one.keyid, **msgspec.to_builtins(one.replay)}
-            for who, one in report.replayed_by
+            {"by": who, "keyid": verdict.keyid, **msgspec.to_builtins(verdict.replay)}
+            for who, verdict in report.replayed_by
         ],
         "statement": msgspec.to_builtins(report.evaluation),
     }
@@ -281,13 +281,13 @@ def keys_of(texts: list[str]) -> dict[str, str]:
     """keyid → name, of the keys given as --key."""
     keys = {}
     for text in texts:
-        found = _KEY.fullmatch(text)
-        if found is None:
+        match = _KEY.fullmatch(text)
+        if match is None:
             raise UsageError(
                 f"--key {text}: expected SHA256:… with 64 hexadecimal digits, "
                 "or NAME=SHA256:…"
             )
-        keys[found["keyid"]] = found["name"] or f"the owner of {found['keyid'][:15]}…"
+        keys[match["keyid"]] = match["name"] or f"the owner of {match['keyid'][:15]}…"
     return keys
 
 
