@@ -1,4 +1,4 @@
-"""What every measurement shares: clocks of processes, medians, tables, and the page.
+"""Helpers of every measurement: clocks of processes, medians, tables, and the page.
 
 build/performance.md has a section for each part of the benchmarks. A part replaces its
 own section. docs/host/performance.md says what is measured and how.

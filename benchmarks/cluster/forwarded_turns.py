@@ -1,4 +1,4 @@
-"""What passing a turn on to another node costs.
+"""The cost of forwarding a turn to another node.
 
 Two nodes on this machine; one session of `calibration` is played with turns that
 alternate between the owner of the run and the other node, so that both see the same

@@ -1,4 +1,4 @@
-"""What a turn costs on a Ray cluster beside simulating and drawing.
+"""The cost of a turn on a Ray cluster beside simulating and drawing.
 
 Run in .venv-cluster. Starts a cluster of this machine and plays turns alternately with
 a local simulator process and with one on Ray, so that both see the same load; calls of

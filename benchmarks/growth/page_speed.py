@@ -120,7 +120,7 @@ def opening_rows(server: ServerProcess, manifest: str) -> list[list[str]]:
 def _opening_row(
     server: ServerProcess, name: str, open_page: Callable[[], object]
 ) -> list[str]:
-    """Of the clock, and of CPU in the server: a busy machine changes these less."""
+    """Seconds by the clock and of the server's CPU; a busy machine changes CPU less."""
     seconds, cpu = [], []
     for _ in range(1 + OPENED):
         before = server.cpu_s()

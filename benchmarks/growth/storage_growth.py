@@ -120,7 +120,7 @@ class TimedRequests:
         return f"/v1/runs/completed_{self._finished_index % self.case.runs}"
 
     def p50_ms(self) -> dict[str, float]:
-        """Of each operation."""
+        """The median of each operation."""
         return {
             name: 1000 * statistics.median(seconds)
             for name, seconds in self.seconds.items()

@@ -120,7 +120,7 @@ def contender(name: str, scenario: str, scratch: Path) -> Contender:
 
 
 def play_scenario(scenario: str, names: Sequence[str], rounds: int) -> Played:
-    """What the turns of each contender took."""
+    """The times of each contender's turns."""
     with tempfile.TemporaryDirectory() as scratch:
         contenders = [contender(name, scenario, Path(scratch)) for name in names]
         measuring.say(f"{scenario}: starting {', '.join(names)}")

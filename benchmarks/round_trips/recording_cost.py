@@ -1,4 +1,4 @@
-"""What recording costs: CPU of the server and its simulators for a turn, both ways.
+"""The cost of recording: CPU of server and simulators for a turn, with and without.
 
 A benchmark that only counts is measured and one that simulates physics. Two servers,
 one that records and one that does not, play blocks of turns in turn, so that a busy
@@ -47,7 +47,7 @@ def measure(*, trying: bool) -> str:
 
 
 def _play(benchmark_id: str, blocks: int, scratch: Path) -> dict[str, list[Spent]]:
-    """Of each block, without recordings and with them."""
+    """The CPU time of each block, without recordings and with them."""
     with ExitStack() as stack:
         servers = {}
         for mode in ("off", "actions"):

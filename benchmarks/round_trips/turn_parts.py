@@ -27,7 +27,7 @@ SETTINGS = {"PROCTOR_RECORDINGS": "off", "PROCTOR_LOG_LEVEL": "warning"}
 
 @dataclass
 class Costs:
-    """Of one kind of request: microseconds of each, and CPU seconds of all."""
+    """The costs of one kind of request: microseconds of each, CPU seconds of all."""
 
     taken_us: list[float] = field(default_factory=list)
     server_s: float = 0.0

@@ -38,7 +38,7 @@ class Observation(msgspec.Struct):
 
 
 class TurnMessage(msgspec.Struct):
-    """What a policy needs of it. No observation once the run is done."""
+    """The members that a policy needs. No observation once the run is done."""
 
     session_id: str
     seq: int

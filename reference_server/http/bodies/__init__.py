@@ -1,1 +1,1 @@
-"""Bodies of requests: read within a size, and parsed in steps that block no other request."""
+"""Bodies of requests: read within a size, parsed without blocking other requests."""

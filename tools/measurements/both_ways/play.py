@@ -147,7 +147,7 @@ def play_by_protocol(
 def _outcomes(
     control: ControlApi, run_id: str, sights: dict[str, Sight]
 ) -> Iterator[tuple[tuple[str, int], BothWaysOutcome]]:
-    """Of every episode with a result, by task and seed."""
+    """The outcome of every episode with a result, by task and seed."""
     cursor = None
     while True:
         page = control.list_episodes(run_id, cursor=cursor)
