@@ -1,1 +1,1 @@
-"""Bodies of requests: read within a size, parsed without blocking other requests."""
+"""Bodies of requests: read within a size, parsed in steps that block no other one."""
