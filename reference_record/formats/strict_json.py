@@ -1,11 +1,13 @@
-"""JSON of unknown origin into typed structures: UTF-8, and no member twice.
+"""JSON that all programs understand alike.
 
-Two readers of one text must see the same (REC-004), so what libraries decide
-differently is refused.
+A text of unknown origin is read into typed structures: UTF-8, and no member twice. Two
+readers of one text must see the same (REC-004), so what libraries decide differently is
+refused. And a value has one text, its canonical one, of which its digest is made.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 from typing import Any, TypeVar
 
@@ -38,3 +40,13 @@ def _refuse_repeated(pairs: list[tuple[str, Any]]) -> None:
         if name in names:
             raise ValueError(f"the member {name[:64]!r} stands twice")
         names.add(name)
+
+
+def canonical_json(value: Any) -> bytes:
+    """The text of a value: members in the order of their names, and no white space."""
+    return msgspec.json.encode(value, order="deterministic")
+
+
+def sha256_of_json(value: Any) -> str:
+    """The SHA-256 of the canonical text, in hexadecimal digits."""
+    return hashlib.sha256(canonical_json(value)).hexdigest()

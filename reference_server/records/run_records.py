@@ -27,6 +27,7 @@ from reference_record.formats.names import (
     STATEMENT,
     recording_name,
 )
+from reference_record.formats.strict_json import canonical_json
 from reference_record.keys import SigningKey, load_or_make, make_key
 from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
@@ -380,5 +381,4 @@ def _reopened(run_id: str, files: UnsignedRecord, statement: bytes) -> Record:
 
 def _shown_manifest(run: RunHead) -> bytes:
     """The bytes that `manifest_sha256` covers: without sealed seeds (SEAL-002)."""
-    shown = without_sealed_seeds(run.manifest)
-    return msgspec.json.encode(shown, order="deterministic")
+    return canonical_json(without_sealed_seeds(run.manifest))

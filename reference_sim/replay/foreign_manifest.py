@@ -6,7 +6,6 @@ whose small result is compared with the benchmarks that the machine itself offer
 
 from __future__ import annotations
 
-import hashlib
 import re
 from typing import Annotated, Any, Final
 
@@ -15,7 +14,7 @@ from msgspec import Meta
 
 from reference_record.broken import BrokenRecord
 from reference_record.formats.names import MANIFEST, STATEMENT
-from reference_record.formats.strict_json import read_json
+from reference_record.formats.strict_json import read_json, sha256_of_json
 from reference_record.statement import Evaluation
 
 # No server announces more actions in one predict.
@@ -69,7 +68,7 @@ def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
         evaluation.run.images,
         read.max_chunk,
         evaluation.manifest_sha256,
-        sha256_of(open_part),
+        sha256_of_json(open_part),
         _part_of(evaluation.score.get("select")),
         commitment if _is_sha256(commitment) else None,
     )
@@ -98,11 +97,6 @@ def selected(manifest: dict[str, Any], part: Part | None) -> dict[str, Any]:
 
 def _is_sha256(text: object) -> bool:
     return isinstance(text, str) and re.fullmatch("[0-9a-f]{64}", text) is not None
-
-
-def sha256_of(manifest: dict[str, Any]) -> str:
-    canonical = msgspec.json.encode(manifest, order="deterministic")
-    return hashlib.sha256(canonical).hexdigest()
 
 
 def without_sealed_seeds(manifest: dict[str, Any]) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES
 from reference_record.formats.opened_seeds import OpenedBenchmark, seeds_for
+from reference_record.formats.strict_json import sha256_of_json
 from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
@@ -30,7 +31,6 @@ from reference_sim.replay.foreign_manifest import (
     BenchmarkChoice,
     read_choice,
     selected,
-    sha256_of,
     without_sealed_seeds,
 )
 
@@ -112,10 +112,10 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
     if reason is not None:
         raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
     manifest = selected(resolved.manifest, choice.select)
-    if sha256_of(manifest) == choice.manifest_sha256:
+    if sha256_of_json(manifest) == choice.manifest_sha256:
         return ReplayedBenchmark(manifest, resolved.world)
     open_part = without_sealed_seeds(manifest)
-    if sha256_of(open_part) != choice.open_sha256:
+    if sha256_of_json(open_part) != choice.open_sha256:
         raise UnusableRecord(
             f"{benchmark_id} is another one here: its manifest has another SHA-256. "
             "Install the version of the record: proctor verify shows it"

@@ -12,12 +12,12 @@ import re
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, TypeAlias
 
-import msgspec
 from pydantic import BaseModel, Field, model_validator
 
 from reference_server.generated import models
 from reference_server.http import codec
 from reference_server.rules.refusal import Refused
+from reference_server.runs.service import body_digest
 
 NO_KEY = "EMPTY"
 # End of an `eval_url` → the policy protocol that asks there (FLE-019).
@@ -134,8 +134,7 @@ class EvaluationRequest(_Defaults):
 
     def digest(self, number: int) -> str:
         """Equal for an equal request: how a repeat is recognised (FLE-003, FLE-004)."""
-        canonical = msgspec.json.encode(self._labels(number), order="deterministic")
-        return hashlib.sha256(canonical).hexdigest()
+        return body_digest(self._labels(number))
 
 
 class RequestReference(BaseModel):

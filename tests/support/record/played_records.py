@@ -19,6 +19,7 @@ from reference_record.formats.recording_parts import (
     parts_of,
     read_part,
 )
+from reference_record.formats.strict_json import canonical_json
 from reference_record.recording import EpisodeResult, Message, Turn
 from reference_record.recording_file import join_parts
 from reference_record.score import Outcome, compute_score
@@ -84,7 +85,7 @@ def save_played_record(
     options: those of `found`, if it is calibration. faults: how often each episode
     begins again after its first chunk.
     """
-    manifest = msgspec.json.encode(found.manifest, order="deterministic")
+    manifest = canonical_json(found.manifest)
     lines, recordings = [], {}
     for index in range(len(found.episodes)):
         if index not in only:
