@@ -4,14 +4,12 @@ failures that the implementer knows of.
 
 import itertools
 import json
-import os
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
 
-import jsonschema
 import pytest
 
 from conformance.cli.arguments import (
@@ -29,57 +27,38 @@ from conformance.verdicts.expect import VIOLATION_FOUND
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.mutants.fork_servers import mutant_command
+from tests.support.forking import forked_servers
+from tests.support.kit.run_kit import run_kit
 from tests.support.paths import ROOT
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 
-SCHEMA = json.loads(
-    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
-)
-MUTANT = f"{sys.executable} -m tests.mutants.serve names_the_wrong_expected_seq"
-SERVER_COMMAND = f"{sys.executable} -m reference_server"
+
+def server_command(*options: str) -> str:
+    return shlex.join([*forked_servers.server_command(), *options])
 
 
-def run_kit(report: Path, *arguments: str) -> tuple[int, str, dict[str, Any]]:
-    """Exit code, output, and report.json, or nothing where none was written."""
-    done = subprocess.run(
-        [sys.executable, "-m", "conformance", "--report", str(report), *arguments],
-        cwd=ROOT,
-        env=os.environ | {"COLUMNS": "80"},
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert "Traceback" not in done.stderr, done.stderr
-    written: dict[str, Any] = {}
-    if (report / "report.json").exists():
-        written = json.loads((report / "report.json").read_text())
-        jsonschema.validate(written, SCHEMA)
-    return done.returncode, done.stdout, written
-
-
-def outcomes(report: dict[str, Any]) -> dict[str, str]:
-    return {row["requirement_id"]: row["outcome"] for row in report["rows"]}
+def mutant() -> str:
+    """The command of a server with one wrong row, PRED-004."""
+    return shlex.join([*mutant_command(), "names_the_wrong_expected_seq"])
 
 
 def test_dry_run_lists_checks_and_sends_nothing(tmp_path: Path) -> None:
-    code, output, written = run_kit(tmp_path, "--dry-run", "--only", "PRED-00,AUTH")
-    assert code == 0
-    assert not written
-    assert load_ledger()["PRED-004"].text in output
-    assert "test_pred_004_cannot_skip_or_go_back" in output
-    assert "LEASE-" not in output
-    last = output.splitlines()[-1]
-    assert "no request was sent; 3 of the 17 selected rules are not observable" in last
+    kit = run_kit(tmp_path, "--dry-run", "--only", "PRED-00,AUTH")
+    assert kit.code == 0
+    assert not kit.report
+    assert load_ledger()["PRED-004"].text in kit.output
+    assert "test_pred_004_cannot_skip_or_go_back" in kit.output
+    assert "LEASE-" not in kit.output
+    said = "no request was sent; 3 of the 17 selected rules are not observable"
+    assert said in kit.last_line
 
 
 def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
-    code, output, _ = run_kit(
-        tmp_path, "--dry-run", "--only", "SVC", "--profile", "crash"
-    )
-    assert code == 2
-    assert output.startswith("0 checks")
+    kit = run_kit(tmp_path, "--dry-run", "--only", "SVC", "--profile", "crash")
+    assert kit.code == 2
+    assert kit.output.startswith("0 checks")
 
 
 def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
@@ -127,19 +106,15 @@ def test_quick_mixes_the_checks_of_the_files(quick: bool, are_apart: bool) -> No
 def test_rules_after_the_time_limit_are_not_verified(
     tmp_path: Path, processes: str
 ) -> None:
-    arguments = ("--start-cmd", SERVER_COMMAND, "--max-time", "0.1", "-n", processes)
-    code, output, written = run_kit(tmp_path, *arguments)
-    assert code == 2
-    assert "time limit reached (--max-time 0.1)" in output.splitlines()[-1]
-    found_outcomes, ledger = outcomes(written), load_ledger()
+    arguments = ("--start-cmd", server_command(), "--max-time", "0.1", "-n", processes)
+    kit = run_kit(tmp_path, *arguments)
+    assert kit.code == 2
+    assert "time limit reached (--max-time 0.1)" in kit.last_line
+    ledger = load_ledger()
     off = ("ebench", "flageval", "public_board", "record_import", "cluster")
-    disabled_profiles_rows = {
-        id_ for id_ in found_outcomes if ledger[id_].profile in off
-    }
-    assert {
-        id_ for id_, outcome in found_outcomes.items() if outcome != "not_verified"
-    } == disabled_profiles_rows
-    assert {found_outcomes[id_] for id_ in disabled_profiles_rows} == {"not_applicable"}
+    not_offered = {rule for rule in kit.rows if ledger[rule].profile in off}
+    assert kit.rules_with("not_applicable") == not_offered
+    assert kit.rules_with("not_verified") == kit.rows.keys() - not_offered
 
 
 @pytest.mark.parametrize(
@@ -186,9 +161,9 @@ def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
 @pytest.mark.parametrize("seconds", ["0", "-1", "nan"])
 def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
     time = f"--max-time={seconds}"
-    code, output, _ = run_kit(tmp_path, "--url", "http://127.0.0.1:1", time)
-    assert code == 2
-    assert "must be greater than 0" in output
+    kit = run_kit(tmp_path, "--url", "http://127.0.0.1:1", time)
+    assert kit.code == 2
+    assert "must be greater than 0" in kit.output
 
 
 # --- services of several base URLs ---
@@ -212,11 +187,11 @@ def test_base_urls_are_read(options: list[str], says: str) -> None:
 
 def test_nodes_are_started_and_judged_across(tmp_path: Path) -> None:
     """Expect the rules of the profile `cluster` judged, and requests at both nodes."""
-    command = f"{SERVER_COMMAND} --cluster on --recordings off"
+    command = server_command("--cluster", "on", "--recordings", "off")
     options = ("--nodes", "2", "--only", "CLU-001,CLU-002,SVC-001", "--exchanges")
-    code, output, written = run_kit(tmp_path, "--start-cmd", command, *options)
-    assert code == 0, output
-    assert set(outcomes(written).values()) == {"passed"}
+    kit = run_kit(tmp_path, "--start-cmd", command, *options)
+    assert kit.code == 0, kit.output
+    assert set(kit.outcomes.values()) == {"passed"}
     logs = [tmp_path / "server.log", tmp_path / "server-2.log"]
     assert all(log.stat().st_size for log in logs)
 
@@ -228,57 +203,56 @@ def test_known_failure_is_excused_and_a_stale_one_is_not(tmp_path: Path) -> None
     known = tmp_path / "known"
     known.write_text("PRED-004  # fixed in our next release\n")
     options = ("--only", "PRED-003,PRED-004", "--known-failures", str(known))
-    code, output, written = run_kit(tmp_path, "--start-cmd", MUTANT, *options)
-    assert code == 0, output
-    assert outcomes(written) == {"PRED-003": "passed", "PRED-004": "failed"}
-    assert "known fail." in output
+    kit = run_kit(tmp_path, "--start-cmd", mutant(), *options)
+    assert kit.code == 0, kit.output
+    assert kit.outcomes == {"PRED-003": "passed", "PRED-004": "failed"}
+    assert "known fail." in kit.output
     assert "#c62828" in (tmp_path / "badge.svg").read_text()
 
-    code, output, written = run_kit(tmp_path, "--start-cmd", SERVER_COMMAND, *options)
-    assert code == 1
-    assert written["stale_known_failures"] == ["PRED-004"]
-    last = output.splitlines()[-1]
-    assert last == "known failures that now pass: ['PRED-004']"
+    kit = run_kit(tmp_path, "--start-cmd", server_command(), *options)
+    assert kit.code == 1
+    assert kit.report["stale_known_failures"] == ["PRED-004"]
+    assert kit.last_line == "known failures that now pass: ['PRED-004']"
 
 
 def test_known_failure_excuses_no_other(tmp_path: Path) -> None:
     known = tmp_path / "known"
     known.write_text("PRED-003  # not the one that fails\n")
     only = ("--only", "PRED-004")
-    arguments = ("--start-cmd", MUTANT, *only, "--known-failures", str(known))
-    code, _, written = run_kit(tmp_path, *arguments)
-    assert code == 1
-    assert written["stale_known_failures"] == []
+    arguments = ("--start-cmd", mutant(), *only, "--known-failures", str(known))
+    kit = run_kit(tmp_path, *arguments)
+    assert kit.code == 1
+    assert kit.report["stale_known_failures"] == []
 
 
 def test_known_failure_with_an_unknown_id_is_refused(tmp_path: Path) -> None:
     known = tmp_path / "known"
     known.write_text("PRDE-004  # a slip\n")
     where = ("--url", "http://127.0.0.1:1", "--known-failures", str(known))
-    code, output, _ = run_kit(tmp_path, *where)
-    assert code == 2
-    assert "line 1: unknown rule id PRDE-004; did you mean PRED-004" in output
+    kit = run_kit(tmp_path, *where)
+    assert kit.code == 2
+    said = "line 1: unknown rule id PRDE-004; did you mean PRED-004"
+    assert said in kit.output
 
 
 @pytest.mark.parametrize("only", ["PRED-004,LIFE-201", "LIFE-201,PRED-004"])
 def test_fail_fast_ends_at_the_first_violation(tmp_path: Path, only: str) -> None:
     """A mutant with one wrong row. Expect what --only names after it not verified."""
     options = ("--fail-fast", "--only", only)
-    code, _, written = run_kit(tmp_path, "--start-cmd", MUTANT, *options)
-    found = {row["requirement_id"]: row for row in written["rows"]}
-    assert code == 1
-    assert found["PRED-004"]["outcome"] == "failed"
+    kit = run_kit(tmp_path, "--start-cmd", mutant(), *options)
+    assert kit.code == 1
+    assert kit.outcomes["PRED-004"] == "failed"
     if only.startswith("LIFE"):
-        assert found["LIFE-201"]["outcome"] == "passed"
+        assert kit.outcomes["LIFE-201"] == "passed"
     else:
-        assert found["LIFE-201"]["outcome"] == "not_verified"
-        assert found["LIFE-201"]["reason"] == VIOLATION_FOUND
+        assert kit.outcomes["LIFE-201"] == "not_verified"
+        assert kit.rows["LIFE-201"]["reason"] == VIOLATION_FOUND
 
 
 def test_fail_fast_and_known_failures_exclude_each_other(tmp_path: Path) -> None:
     file = tmp_path / "known"
     file.write_text("ATT-001 # a reason\n")
     options = ("--url", "http://127.0.0.1:1", "--known-failures", str(file))
-    code, output, _ = run_kit(tmp_path, *options, "--fail-fast")
-    assert code == 2
-    assert "exclude each other" in output
+    kit = run_kit(tmp_path, *options, "--fail-fast")
+    assert kit.code == 2
+    assert "exclude each other" in kit.output

@@ -1,26 +1,16 @@
 """The kit against servers that implement nothing: it says so, and passes nothing."""
 
-import json
-import os
-import subprocess
-import sys
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 from xml.etree import ElementTree as ET
 
-import jsonschema
 import pytest
 
 from tests.support.kit import null_servers
 from tests.support.kit.null_servers import Behaviour, run_server
-from tests.support.paths import ROOT
+from tests.support.kit.run_kit import KitRun, run_kit
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 
-SCHEMA = json.loads(
-    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
-)
 # What answers that are valid and never change may satisfy: rules on single answers,
 # and rules that something does not happen. Nothing about playing, scoring, stopping,
 # refusing, or resuming is among them. Shrinks when a check learns to look closer.
@@ -33,44 +23,16 @@ CANNED_ANSWERS_PASS = frozenset(
 )
 
 
-@dataclass
-class KitResult:
-    """One run of the kit as a person would start it."""
-
-    code: int
-    output: str
-    report: dict[str, Any]
-    junit: ET.Element
-
-    def passed(self) -> set[str]:
-        return {
-            row["requirement_id"]
-            for row in self.report["rows"]
-            if row["outcome"] == "passed"
-        }
-
-    def last_line(self) -> str:
-        return self.output.strip().splitlines()[-1]
+def judge(folder: Path, *options: str) -> KitRun:
+    """Run the kit; expect a report in every form, also where it cannot judge."""
+    kit = run_kit(folder, *options, PROCTOR_TOKEN="secret-token")
+    assert kit.report
+    assert (folder / "report.html").exists()
+    return kit
 
 
-def run_kit_on(report: Path, *arguments: str) -> KitResult:
-    environment = os.environ | {"PROCTOR_TOKEN": "secret-token", "COLUMNS": "80"}
-    done = subprocess.run(
-        [sys.executable, "-m", "conformance", "--report", str(report), *arguments],
-        cwd=ROOT,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert "Traceback" not in done.stderr, done.stderr
-    written = json.loads((report / "report.json").read_text())
-    jsonschema.validate(written, SCHEMA)
-    assert written["exit_code"] == done.returncode
-    assert (report / "report.html").exists()
-    junit = ET.fromstring((report / "junit.xml").read_text())  # noqa: S314 - ours
-    return KitResult(done.returncode, done.stdout, written, junit)
+def read_junit(folder: Path) -> ET.Element:
+    return ET.fromstring((folder / "junit.xml").read_text())  # noqa: S314 - ours
 
 
 @pytest.mark.parametrize(
@@ -91,32 +53,31 @@ def test_cannot_judge_a_null_server(
     tmp_path: Path, behaviour: Behaviour, says: str
 ) -> None:
     with run_server(behaviour) as url:
-        kit = run_kit_on(tmp_path, "--url", url)
+        kit = judge(tmp_path, "--url", url)
     assert kit.code == 2
-    assert says in kit.last_line()
-    assert kit.last_line().startswith("not decided")
-    assert kit.passed() == set()
-    assert kit.junit.find(".//testcase[@name='preflight']/error") is not None
+    assert says in kit.last_line
+    assert kit.last_line.startswith("not decided")
+    assert kit.rules_with("passed") == set()
+    assert read_junit(tmp_path).find(".//testcase[@name='preflight']/error") is not None
 
 
 def test_cannot_judge_where_nothing_listens(tmp_path: Path) -> None:
     with run_server(null_servers.echo) as url:
         pass
-    kit = run_kit_on(tmp_path, "--url", url)
+    kit = judge(tmp_path, "--url", url)
     assert kit.code == 2
-    assert "no response to" in kit.last_line()
+    assert "no response to" in kit.last_line
 
 
 def test_canned_answers_pass_no_rule_about_playing(tmp_path: Path) -> None:
     with run_server(null_servers.canned_answers) as url:
-        kit = run_kit_on(tmp_path, "--url", url)
+        kit = judge(tmp_path, "--url", url)
     assert kit.code == 1
-    assert kit.passed() <= CANNED_ANSWERS_PASS
-    assert kit.last_line() == "NOT conformant"
-    failures = kit.junit.findall(".//failure")
-    failed = [row for row in kit.report["rows"] if row["outcome"] == "failed"]
-    assert len(failures) == len(failed) > 50
-    assert not any(row["outcome"] == "kit_error" for row in kit.report["rows"])
+    assert kit.rules_with("passed") <= CANNED_ANSWERS_PASS
+    assert kit.last_line == "NOT conformant"
+    failures = read_junit(tmp_path).findall(".//failure")
+    assert len(failures) == len(kit.rules_with("failed")) > 50
+    assert not kit.rules_with("kit_error")
     for path in tmp_path.iterdir():
         assert "secret-token" not in path.read_text()
     assert "secret-token" not in kit.output
@@ -127,10 +88,10 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
     with run_server(
         null_servers.stop_answering_after(150, null_servers.canned_answers)
     ) as url:
-        kit = run_kit_on(tmp_path, "--url", url, "-n", processes)
+        kit = judge(tmp_path, "--url", url, "-n", processes)
     assert kit.code == 2
-    assert "server stopped responding during" in kit.last_line()
-    assert len(kit.report["rows"]) > 100
+    assert "server stopped responding during" in kit.last_line
+    assert len(kit.rows) > 100
 
 
 @pytest.mark.parametrize(
@@ -149,13 +110,13 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
 def test_cannot_judge_with_bad_arguments(
     tmp_path: Path, arguments: list[str], says: str
 ) -> None:
-    kit = run_kit_on(tmp_path, *arguments)
+    kit = judge(tmp_path, *arguments)
     assert kit.code == 2
-    assert says in kit.last_line()
+    assert says in kit.last_line
 
 
 def test_cannot_judge_an_empty_selection(tmp_path: Path) -> None:
     with run_server(null_servers.canned_answers) as url:
-        kit = run_kit_on(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
+        kit = judge(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
     assert kit.code == 2
-    assert "select no rule" in kit.last_line()
+    assert "select no rule" in kit.last_line

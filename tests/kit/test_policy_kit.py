@@ -2,13 +2,9 @@
 breaks.
 """
 
-import contextlib
 import json
-import os
 import random
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -26,34 +22,16 @@ from reference_client.policies import policy_http_app
 from reference_client.policies.policy_http_app import PolicyApp, Refusal
 from tests.support.client import policy_apps
 from tests.support.client.policy_apps import ACTION, KEY, CountingPolicy, make_app
+from tests.support.kit.run_kit import KitRun, run_policy_kit
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts policy servers and kits")
 
 
-def run_policy_kit(
-    url: str, report: Path, *more: str, key: str = KEY
-) -> tuple[int, Any]:
-    """The exit code, and outcome by id."""
-    flags = ["--url", url, *more, "--report", str(report), "--seed", "1"]
-    done = subprocess.run(
-        [sys.executable, "-m", "conformance.policy", *flags],
-        cwd=ROOT,
-        env=os.environ | {"PROCTOR_POLICY_KEY": key},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    code, rows = read_report(report)
-    assert done.returncode == code, done.stderr
-    return code, rows
-
-
-def read_report(report: Path) -> tuple[int, Any]:
-    found = json.loads((report / "report.json").read_text())
-    rows = {row["requirement_id"]: row["outcome"] for row in found["rows"]}
-    return found["exit_code"], rows | {"problem": found["problem"]}
+def judge(url: str, folder: Path, *options: str, key: str = KEY) -> KitRun:
+    flags = ("--url", url, *options, "--seed", "1")
+    return run_policy_kit(folder, *flags, PROCTOR_POLICY_KEY=key)
 
 
 # --- policies that are broken on purpose; each is an app and the row that it breaks ---
@@ -203,60 +181,25 @@ def test_every_rule_that_can_be_seen_has_a_server_that_breaks_it() -> None:
 
 def test_our_own_server_is_conformant(tmp_path: Path) -> None:
     with policy_apps.run_app(make_app().app) as url:
-        code, rows = run_policy_kit(url, tmp_path)
-    assert (code, rows.pop("problem")) == (0, None)
-    assert set(rows.values()) == {"passed"}
-    schema = json.loads(
-        (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
-    )
-    report = json.loads((tmp_path / "report.json").read_text())
-    jsonschema.validate(report, schema)
-    assert report["conclusion"] == "conformant"
-
-
-# Its start takes longer than its checks: all of them by one process.
-JUDGE_ALL = """
-import sys
-from conformance.policy.__main__ import main
-for pair in sys.argv[1:]:
-    url, _, report = pair.partition("=")
-    main(["--url", url, "--report", report, "--seed", "1"])
-"""
-
-
-@pytest.fixture(scope="module")
-def reports(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder for each broken server, with what the kit said of it."""
-    folder = tmp_path_factory.mktemp("reports")
-    with contextlib.ExitStack() as stack:
-        urls = {
-            row: stack.enter_context(policy_apps.run_app(broken_app(break_it).app))
-            for row, break_it in BROKEN.items()
-        }
-        pairs = [f"{url}={folder / row}" for row, url in urls.items()]
-        done = subprocess.run(
-            [sys.executable, "-c", JUDGE_ALL, *pairs],
-            cwd=ROOT,
-            env=os.environ | {"PROCTOR_POLICY_KEY": KEY},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-    assert done.returncode == 0, done.stderr
-    return folder
+        kit = judge(url, tmp_path)
+    assert (kit.code, kit.report["problem"]) == (0, None)
+    assert set(kit.outcomes.values()) == {"passed"}
+    assert kit.report["conclusion"] == "conformant"
 
 
 @pytest.mark.parametrize("row", BROKEN)
-def test_a_broken_server_fails_exactly_its_row(row: str, reports: Path) -> None:
-    code, rows = read_report(reports / row)
-    assert code == 1
-    assert [name for name, outcome in rows.items() if outcome == "failed"] == [row]
+def test_a_broken_server_fails_exactly_its_row(row: str, tmp_path: Path) -> None:
+    with policy_apps.run_app(broken_app(BROKEN[row]).app) as url:
+        kit = judge(url, tmp_path)
+    assert kit.code == 1
+    assert kit.rules_with("failed") == {row}
 
 
 def test_without_a_key_the_key_rule_is_not_applicable(tmp_path: Path) -> None:
     with policy_apps.run_app(make_app(key=None).app) as url:
-        code, rows = run_policy_kit(url, tmp_path, "--only", "POL-012,POL-004", key="")
-    assert (code, rows["POL-012"], rows["POL-004"]) == (0, "not_applicable", "passed")
+        kit = judge(url, tmp_path, "--only", "POL-012,POL-004", key="")
+    assert kit.code == 0
+    assert kit.outcomes == {"POL-012": "not_applicable", "POL-004": "passed"}
 
 
 def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
@@ -267,10 +210,9 @@ def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
     (tmp_path / "b.json").write_text(json.dumps(other))
     with policy_apps.run_app(make_app().app) as url:
         flag = ("--benchmark", str(tmp_path / "b.json"), "--only", "POL-00")
-        code, rows = run_policy_kit(url, tmp_path, *flag)
-    assert code == 1
-    failed = [name for name, outcome in rows.items() if outcome == "failed"]
-    assert failed == ["POL-005"]
+        kit = judge(url, tmp_path, *flag)
+    assert kit.code == 1
+    assert kit.rules_with("failed") == {"POL-005"}
 
 
 def test_a_benchmark_is_read_from_a_server_by_its_name(
@@ -284,15 +226,15 @@ def test_a_benchmark_is_read_from_a_server_by_its_name(
     ):
         flags = ["--server", server.url, "--only", "POL-005", "--benchmark"]
         monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
-        code, rows = run_policy_kit(url, tmp_path, *flags, "calibration")
-        assert (code, rows["POL-005"]) == (0, "passed")
-        code, rows = run_policy_kit(url, tmp_path, *flags, "tabletop_state")
-        assert (code, rows["POL-005"]) == (2, "not_verified")
-        code, found = run_policy_kit(url, tmp_path, *flags, "tabletopp")
-        assert (code, "has no such benchmark" in found["problem"]) == (2, True)
+        kit = judge(url, tmp_path, *flags, "calibration")
+        assert (kit.code, kit.outcomes["POL-005"]) == (0, "passed")
+        kit = judge(url, tmp_path, *flags, "tabletop_state")
+        assert (kit.code, kit.outcomes["POL-005"]) == (2, "not_verified")
+        kit = judge(url, tmp_path, *flags, "tabletopp")
+        assert (kit.code, "has no such benchmark" in kit.report["problem"]) == (2, True)
         monkeypatch.delenv("PROCTOR_TOKEN")
-        code, found = run_policy_kit(url, tmp_path, *flags, "calibration")
-        assert (code, "set PROCTOR_TOKEN" in found["problem"]) == (2, True)
+        kit = judge(url, tmp_path, *flags, "calibration")
+        assert (kit.code, "set PROCTOR_TOKEN" in kit.report["problem"]) == (2, True)
 
 
 @pytest.mark.parametrize(
@@ -314,16 +256,16 @@ def test_a_benchmark_is_read_from_a_server_by_its_name(
 def test_what_cannot_be_judged_ends_with_2(
     arguments: list[str], said: str, tmp_path: Path
 ) -> None:
-    code, found = run_policy_kit(arguments[0], tmp_path, *arguments[1:])
-    assert code == 2
-    assert said in found["problem"]
+    kit = judge(arguments[0], tmp_path, *arguments[1:])
+    assert kit.code == 2
+    assert said in kit.report["problem"]
 
 
 def test_a_wrong_key_cannot_be_judged(tmp_path: Path) -> None:
     with policy_apps.run_app(make_app().app) as url:
-        code, found = run_policy_kit(url, tmp_path, key="wrong")
-    assert code == 2
-    assert "PROCTOR_POLICY_KEY" in found["problem"]
+        kit = judge(url, tmp_path, key="wrong")
+    assert kit.code == 2
+    assert "PROCTOR_POLICY_KEY" in kit.report["problem"]
 
 
 # --- the document ---

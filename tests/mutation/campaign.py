@@ -18,10 +18,10 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from tests.mutants.fork_servers import forked_kit
 from tests.mutation.judge import Judgement, judge
 from tests.mutation.syntax import MutantSource
 from tests.mutation.targets import ROOT, Target
+from tests.support.forking.forked_kits import kit_command
 from tools.measurements.git_commit import read_commit
 
 RESULTS = ROOT / "var" / "mutation"
@@ -122,9 +122,9 @@ class Campaign:
             if one.id not in known or known[one.id].outcome in again
         ]
         self._path.parent.mkdir(parents=True, exist_ok=True)
+        self._kit = kit_command()
         with (
             tempfile.TemporaryDirectory(prefix="proctor-mutation-") as directory,
-            forked_kit() as self._kit,
             ThreadPoolExecutor(self._jobs) as executor,
         ):
             for number in range(self._jobs):

@@ -9,7 +9,9 @@ asks is a `ForkedProcess`, or `stand_in.py` where a command is needed. Linux onl
 
 from __future__ import annotations
 
+import atexit
 import contextlib
+import functools
 import gc
 import importlib
 import json
@@ -21,6 +23,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -53,6 +56,14 @@ def fork_server(prepare: str) -> Iterator[Path]:
                 yield path
             finally:
                 process.stdin.close()  # ends it, as the end of this process would
+
+
+@functools.cache
+def shared_forks(prepare: str) -> Path:
+    """The socket of this process's one fork server of a program, until its end."""
+    stack = ExitStack()
+    atexit.register(stack.close)
+    return stack.enter_context(fork_server(prepare))
 
 
 def stand_in(path: Path) -> tuple[str, ...]:

@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-import atexit
-import functools
 import importlib
 import sys
 from collections.abc import Callable
-from contextlib import ExitStack
 from pathlib import Path
 
-from tests.support.forking.fork_server import CAN_FORK, Main, fork_server, stand_in
+from tests.support.forking.fork_server import CAN_FORK, Main, shared_forks, stand_in
 
 PROGRAM = (sys.executable, "-m", "reference_server")
 PREPARE = f"{__name__}:prepare_server"
 
 
-@functools.cache
 def server_forks() -> Path:
-    """The socket of this process's fork server, which is started at the first call."""
-    stack = ExitStack()
-    atexit.register(stack.close)
-    return stack.enter_context(fork_server(PREPARE))
+    """The socket of this process's fork server of servers."""
+    return shared_forks(PREPARE)
 
 
 def server_command() -> tuple[str, ...]:

@@ -1,0 +1,92 @@
+"""A whole kit in a process of its own, as its user starts it, but without its imports.
+
+It is forked (`tests/support/forking`). Only a test of how the program itself starts has
+a reason to start another interpreter.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import jsonschema_rs
+
+from tests.support.forking.forked_kits import KIT, POLICY_KIT, kit_command
+from tests.support.paths import ROOT
+
+REPORT_SCHEMA = jsonschema_rs.validator_for(
+    json.loads((ROOT / "conformance" / "reports" / "report.schema.json").read_text())
+)
+TIMEOUT_S = 600.0
+
+
+@dataclass(frozen=True)
+class KitRun:
+    """What a kit that has ended left: exit code, output, and its folder of reports."""
+
+    code: int
+    output: str
+    folder: Path
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """The document report.json, which fits its schema; empty if there is none."""
+        path = self.folder / "report.json"
+        if not path.exists():
+            return {}
+        report: dict[str, Any] = json.loads(path.read_text())
+        REPORT_SCHEMA.validate(report)
+        assert report["exit_code"] == self.code
+        return report
+
+    @cached_property
+    def rows(self) -> dict[str, dict[str, Any]]:
+        """The rows of the report by the ids of their rules."""
+        return {row["requirement_id"]: row for row in self.report["rows"]}
+
+    @property
+    def outcomes(self) -> dict[str, str]:
+        return {rule: row["outcome"] for rule, row in self.rows.items()}
+
+    def rules_with(self, outcome: str) -> set[str]:
+        return {rule for rule, found in self.outcomes.items() if found == outcome}
+
+    @property
+    def last_line(self) -> str:
+        return self.output.strip().splitlines()[-1]
+
+
+def run_kit(
+    folder: Path,
+    *options: str | Path,
+    program: str = KIT,
+    command: tuple[str, ...] | None = None,
+    **environment: str,
+) -> KitRun:
+    """Run a kit to its end. The kit may not break: a traceback fails the test.
+
+    folder: of its reports. program: KIT, or POLICY_KIT for the kit of policy servers.
+    command: starts the kit, where it is not to be forked. environment: variables of the
+    kit beside those of the tests.
+    """
+    done = subprocess.run(
+        [*(command or kit_command(program)), *options, "--report", folder],
+        cwd=ROOT,
+        env=os.environ | {"COLUMNS": "80"} | environment,
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr, done.stderr
+    return KitRun(done.returncode, done.stdout, folder)
+
+
+def run_policy_kit(folder: Path, *options: str | Path, **environment: str) -> KitRun:
+    """Run the kit of policy servers to its end."""
+    return run_kit(folder, *options, program=POLICY_KIT, **environment)
