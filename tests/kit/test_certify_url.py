@@ -1,6 +1,5 @@
 """A running server is judged by its URL and one token, as README begins."""
 
-import json
 import os
 import subprocess
 import sys
@@ -12,6 +11,7 @@ import pytest
 
 from conformance.checks.support.fuzz import _shorten_long_poll
 from conformance.client.connections.connection_pool import ConnectionPool, Connections
+from tests.support.kit.run_kit import run_kit
 from tests.support.paths import ROOT
 
 
@@ -45,28 +45,22 @@ def test_the_printed_line_certifies_the_server(tmp_path: Path) -> None:
         assert command[:2] == ["make", "conformance"]
         given = dict(word.split("=", 1) for word in command[2:])
         assert given["TOKEN"] == lines[1].split()[1]
-        options = ["--url", given["URL"], "--report", str(tmp_path / "report")]
-        done = subprocess.run(
-            [sys.executable, "-m", "conformance", *options],
-            cwd=ROOT,
-            env=os.environ | {"PROCTOR_TOKEN": given["TOKEN"]},
-            capture_output=True,
-            text=True,
-            check=False,
+        kit = run_kit(
+            tmp_path / "report",
+            *("--url", given["URL"]),
+            command=(sys.executable, "-m", "conformance"),
+            PROCTOR_TOKEN=given["TOKEN"],
         )
     finally:
         server.terminate()
         server.wait()
         assert server.stdout is not None
         server.stdout.close()
-    report = json.loads((tmp_path / "report" / "report.json").read_text())
-    rows = {row["requirement_id"]: row for row in report["rows"]}
-    wrong = [row for row in report["rows"] if row["outcome"] == "failed"]
-    assert done.returncode == 0, f"{wrong}\n{done.stdout[-3000:]}"
+    assert kit.code == 0, f"{kit.rules_with('failed')}\n{kit.output[-3000:]}"
     for name in ("PUSH-001", "CHAT-001"):
-        assert rows[name]["outcome"] == "not_verified"
-        assert "Allow it to call that address" in rows[name]["reason"]
-    assert rows["PRED-002"]["outcome"] == "passed"
+        assert kit.outcomes[name] == "not_verified"
+        assert "Allow it to call that address" in kit.rows[name]["reason"]
+    assert kit.outcomes["PRED-002"] == "passed"
 
 
 def test_a_generated_long_poll_waits_for_nothing() -> None:

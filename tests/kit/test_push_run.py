@@ -5,9 +5,6 @@ policy server obeys the rules of policy servers.
 """
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +15,7 @@ from conformance.policy import push_run, turn_builder
 from conformance.policy.scripted_policy import PolicyCall, ScriptedPolicy, busy_reply
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.verdicts.expect import SetUpFailed, Violation
-from tests.support.paths import ROOT
+from tests.support.kit.run_kit import run_kit
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers and kits")
@@ -28,23 +25,13 @@ def test_push_rules_are_not_verified_where_calls_are_not_allowed(
     server: ReferenceServer, tmp_path: Path
 ) -> None:
     """Its operator has allowed no network: that is right of it."""
-    command = ["--url", server.url, "--only", "PUSH,CHAT,SVC-001"]
-    command += ["--report", str(tmp_path)]
-    done = subprocess.run(
-        [sys.executable, "-m", "conformance", *command],
-        cwd=ROOT,
-        env=os.environ | {"PROCTOR_TOKEN": TOKENS["alice"]},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    report = json.loads((tmp_path / "report.json").read_text())
-    rows = {row["requirement_id"]: row for row in report["rows"]}
-    assert rows.pop("SVC-001")["outcome"] == "passed"
-    assert {row["outcome"] for row in rows.values()} == {"not_verified"}
+    options = ("--url", server.url, "--only", "PUSH,CHAT,SVC-001")
+    kit = run_kit(tmp_path, *options, PROCTOR_TOKEN=TOKENS["alice"])
+    assert kit.rules_with("passed") == {"SVC-001"}
+    assert kit.rules_with("not_verified") == kit.rows.keys() - {"SVC-001"}
     for name in ("PUSH-001", "CHAT-001"):
-        assert "refuses policy server URL http://127.0.0.1" in rows[name]["reason"]
-    assert done.returncode == 0, done.stdout
+        assert "refuses policy server URL http://127.0.0.1" in kit.rows[name]["reason"]
+    assert kit.code == 0, kit.output
 
 
 class FakeRun:

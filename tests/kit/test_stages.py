@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import http.server
 import json
-import subprocess
-import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -20,7 +18,7 @@ from conformance.specification.stages import LAST, STAGES, advice, stage_of
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
-from tests.support.paths import ROOT
+from tests.support.kit.run_kit import run_kit
 
 SERVICE = {
     "name": "first stage",
@@ -127,15 +125,7 @@ def test_a_server_of_the_first_stage(
     url: str, tmp_path: Path, stage: int, code: int, says: str
 ) -> None:
     """Nothing else is needed to be judged: no token, no benchmark."""
-    command = [sys.executable, "-m", "conformance", "--url", url, "--report"]
-    done = subprocess.run(
-        [*command, str(tmp_path), "--stage", str(stage)],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == code, done.stdout
-    assert says in done.stdout
-    report = json.loads((tmp_path / "report.json").read_text())
-    assert report["stage"] == stage
+    kit = run_kit(tmp_path, "--url", url, "--stage", str(stage))
+    assert kit.code == code, kit.output
+    assert says in kit.output
+    assert kit.report["stage"] == stage

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
+import shlex
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,7 +12,8 @@ import pytest
 
 from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
 from conformance.specification.ledger import load_ledger
-from tests.support.paths import ROOT
+from tests.support.forking.forked_servers import server_command
+from tests.support.kit.run_kit import run_kit
 from tests.support.profiles.ebench_client import EbenchClient, action, open_client
 from tests.support.profiles.flageval_client import (
     get_evaldiffs,
@@ -165,25 +164,13 @@ def state_of(http: httpx.Client, run_id: str) -> str:
 
 @pytest.mark.slow("starts two servers and a kit")
 def test_the_rules_of_both_hold_on_nodes(tmp_path: Path) -> None:
-    server = (
-        f"{sys.executable} -m reference_server --cluster on --recordings off "
-        f"--profiles {PROFILES['PROCTOR_PROFILES']}"
-    )
-    done = subprocess.run(
-        [
-            *(sys.executable, "-m", "conformance", "--start-cmd", server),
-            *("--nodes", "2", "--only", "EBE,FLE", "--report", str(tmp_path)),
-        ],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout[-3000:]
-    rows = json.loads((tmp_path / "report.json").read_text())["rows"]
-    passed = {row["requirement_id"] for row in rows if row["outcome"] == "passed"}
+    server = [*server_command(), "--cluster", "on", "--recordings", "off"]
+    server += ["--profiles", PROFILES["PROCTOR_PROFILES"]]
+    options = ("--nodes", "2", "--only", "EBE,FLE", "--start-cmd", shlex.join(server))
+    kit = run_kit(tmp_path, *options)
+    assert kit.code == 0, kit.output[-3000:]
     ledger = load_ledger().values()
     asked = {row.id for row in ledger if row.profile in ("ebench", "flageval")}
     # What an operator has chosen, or only the storage shows, is seen by other tests.
     not_seen = {"EBE-029", "FLE-017", "FLE-023", "FLE-024"}
-    assert passed == asked - not_seen
+    assert kit.rules_with("passed") == asked - not_seen

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.forking.forked_servers import server_command
-from tests.support.kit.kit_outcomes import kit_outcomes
+from tests.support.kit.run_kit import run_kit
 
 pytestmark = pytest.mark.slow("starts servers and kits")
 
@@ -27,5 +27,5 @@ def test_small_limits_of_an_account_are_judged(
 ) -> None:
     server = (*server_command(), *flags.split())
     command = ("--start-cmd", shlex.join(server), "--only", ",".join(rules))
-    outcomes, printed = kit_outcomes(tmp_path, *command)
-    assert outcomes == dict.fromkeys(rules, "passed"), printed
+    kit = run_kit(tmp_path, *command)
+    assert kit.outcomes == dict.fromkeys(rules, "passed"), kit.output

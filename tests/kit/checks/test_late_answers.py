@@ -11,7 +11,7 @@ import pytest
 from conformance.checks.support.expected_states import WAIT_S, expect_changed
 from conformance.exchanges.answer import Answer
 from conformance.verdicts.expect import Inconclusive, TooLate, Violation
-from tests.support.kit.kit_outcomes import kit_outcomes
+from tests.support.kit.run_kit import run_kit
 
 SERVER = f"{sys.executable} -m tests.support.kit.server_with_late_answers"
 
@@ -29,8 +29,8 @@ def test_what_is_answered_late_is_no_violation(
 ) -> None:
     command = f"{SERVER} {late}"
     options = ("--start-cmd", command, "--only", ",".join(expected), "-n", "2")
-    outcomes, printed = kit_outcomes(tmp_path, *options)
-    assert outcomes == expected, printed
+    kit = run_kit(tmp_path, *options)
+    assert kit.outcomes == expected, kit.output
 
 
 def unchanged(waited_s: float) -> Answer:

@@ -3,8 +3,8 @@ wrong answer. Each is taken from the kit's output and run by bash, with nothing 
 than curl and python3 at hand.
 """
 
-import json
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -15,7 +15,8 @@ from pathlib import Path
 import pytest
 
 from conformance.runner.server_process import AccountTokens, ServerProcess, claim_port
-from tests.support.paths import ROOT
+from tests.mutants.fork_servers import mutant_command
+from tests.support.kit.run_kit import run_kit
 
 TOOLS = ("bash", "base64", "curl", "python3", "sleep", "tee")
 
@@ -36,7 +37,7 @@ def few_tools(tmp_path: Path) -> Path:
 def start_mutant(mutant: str, directory: Path) -> Iterator[dict[str, str]]:
     """A fresh mutant, as the variables of the script."""
     tokens = AccountTokens.generate()
-    command = f"{sys.executable} -m tests.mutants.serve {mutant}"
+    command = shlex.join([*mutant_command(), mutant])
     log = directory / "server.log"
     with claim_port() as port:
         server = ServerProcess(command, tokens, directory=directory, port=port, log=log)
@@ -54,21 +55,13 @@ def start_mutant(mutant: str, directory: Path) -> Iterator[dict[str, str]]:
 
 def printed_script(mutant: str, requirement_id: str, report: Path) -> str:
     """What the kit prints of a mutant to be repeated."""
-    server = f"{sys.executable} -m tests.mutants.serve {mutant}"
-    kit = [sys.executable, "-m", "conformance", "--start-cmd", server, "--seed", "1"]
-    done = subprocess.run(
-        [*kit, "--only", requirement_id, "--report", str(report)],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert done.returncode == 1, done.stdout
-    card = done.stdout.partition("\n  reproduce ")[2].splitlines()
+    server = shlex.join([*mutant_command(), mutant])
+    options = ("--start-cmd", server, "--seed", "1", "--only", requirement_id)
+    kit = run_kit(report, *options)
+    assert kit.code == 1, kit.output
+    card = kit.output.partition("\n  reproduce ")[2].splitlines()
     lines = [line[4:] for line in card if line.startswith("    ") and line[4] != " "]
-    (row,) = json.loads((report / "report.json").read_text())["rows"]
-    assert lines == row["script"].splitlines()
+    assert lines == kit.rows[requirement_id]["script"].splitlines()
     return "\n".join(lines)
 
 

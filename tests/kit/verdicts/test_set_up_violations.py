@@ -1,7 +1,5 @@
 """A set-up that finds a violation: the rule that it names fails, whatever its check."""
 
-import json
-import subprocess
 import sys
 from pathlib import Path
 
@@ -14,7 +12,7 @@ from conformance.verdicts.expect import ANY_SEQUENCE
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
-from tests.support.paths import ROOT
+from tests.support.kit.run_kit import run_kit
 
 SEEN = Exchange(1, "SCORE-006/1", "GET", "http://x", None, {}, b"", 0, 200)
 
@@ -74,20 +72,8 @@ def test_a_server_that_breaks_a_rule_only_in_another_checks_set_up(
     Expect EPI-001 to fail, with the requests of the set-up that saw it.
     """
     server = f"{sys.executable} -m tests.support.kit.server_with_one_wrong_order"
-    done = subprocess.run(
-        [
-            *(sys.executable, "-m", "conformance", "--report", tmp_path),
-            *("--only", "EPI-001,SCORE-006", "--start-cmd", server),
-        ],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 1, done.stdout[-3000:]
-    report = json.loads((tmp_path / "report.json").read_text())
-    rows = {row["requirement_id"]: row for row in report["rows"]}
-    assert rows["EPI-001"]["outcome"] == "failed"
-    assert rows["EPI-001"]["exchanges"]
-    assert "another order" in rows["EPI-001"]["observed"]
-    assert rows["SCORE-006"]["outcome"] == "not_verified"
+    kit = run_kit(tmp_path, "--only", "EPI-001,SCORE-006", "--start-cmd", server)
+    assert kit.code == 1, kit.output[-3000:]
+    assert kit.outcomes == {"EPI-001": "failed", "SCORE-006": "not_verified"}
+    assert kit.rows["EPI-001"]["exchanges"]
+    assert "another order" in kit.rows["EPI-001"]["observed"]

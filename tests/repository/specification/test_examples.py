@@ -4,15 +4,13 @@ They were written from the specification alone; when one fails and the reference
 does not, suspect the kit of knowing the reference server.
 """
 
-import json
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 from conformance.specification.ledger import PROFILES, load_ledger
-from tests.support.paths import ROOT
+from tests.support.kit.run_kit import run_kit
 from tools.example_servers import (
     GO,
     SERVER_GO,
@@ -40,22 +38,9 @@ def not_offered(profiles: set[str]) -> set[str]:
 
 def without_verdict(command: str, reports: Path) -> set[str]:
     """Judge the server with the whole kit; return the rules that did not pass."""
-    done = subprocess.run(
-        [
-            *(sys.executable, "-m", "conformance", "--report", reports),
-            *("--seed", "7", "--start-cmd", command),
-        ],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        timeout=600,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    report = json.loads((reports / "report.json").read_text())
-    return {
-        row["requirement_id"] for row in report["rows"] if row["outcome"] != "passed"
-    }
+    kit = run_kit(reports, "--seed", "7", "--start-cmd", command)
+    assert kit.code == 0, kit.output
+    return kit.rows.keys() - kit.rules_with("passed")
 
 
 def test_server_js_is_conformant(tmp_path: Path) -> None:

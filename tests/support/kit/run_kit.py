@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -16,13 +17,13 @@ from typing import Any
 
 import jsonschema_rs
 
-from tests.support.forking.forked_kits import KIT, POLICY_KIT, kit_command
+from tests.support.forking.forked_kits import POLICY_KIT, kit_command
 from tests.support.paths import ROOT
 
 REPORT_SCHEMA = jsonschema_rs.validator_for(
     json.loads((ROOT / "conformance" / "reports" / "report.schema.json").read_text())
 )
-TIMEOUT_S = 600.0
+TIMEOUT_S = 1200.0
 
 
 @dataclass(frozen=True)
@@ -64,18 +65,16 @@ class KitRun:
 def run_kit(
     folder: Path,
     *options: str | Path,
-    program: str = KIT,
-    command: tuple[str, ...] | None = None,
+    command: Sequence[str] = (),
     **environment: str,
 ) -> KitRun:
     """Run a kit to its end. The kit may not break: a traceback fails the test.
 
-    folder: of its reports. program: KIT, or POLICY_KIT for the kit of policy servers.
-    command: starts the kit, where it is not to be forked. environment: variables of the
-    kit beside those of the tests.
+    folder: of its reports. command: starts the kit, if not as a forked `conformance`.
+    environment: variables of the kit beside those of the tests.
     """
     done = subprocess.run(
-        [*(command or kit_command(program)), *options, "--report", folder],
+        [*(command or kit_command()), *options, "--report", folder],
         cwd=ROOT,
         env=os.environ | {"COLUMNS": "80"} | environment,
         capture_output=True,
@@ -89,4 +88,5 @@ def run_kit(
 
 def run_policy_kit(folder: Path, *options: str | Path, **environment: str) -> KitRun:
     """Run the kit of policy servers to its end."""
-    return run_kit(folder, *options, program=POLICY_KIT, **environment)
+    command = kit_command(POLICY_KIT)
+    return run_kit(folder, *options, command=command, **environment)
