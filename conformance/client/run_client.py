@@ -15,6 +15,7 @@ from typing import Any
 from conformance.client.http_client import AnswerStream, HttpClient
 from conformance.client.request_context import RequestContext
 from conformance.exchanges.answer import Answer
+from conformance.exchanges.pages import read_pages
 from conformance.specification.document import Operation
 from conformance.verdicts.expect import (
     SetUpFailed,
@@ -116,17 +117,14 @@ class RunClient:
     def episodes(self) -> list[dict[str, Any]]:
         """Read all pages of the episodes."""
         episodes: list[dict[str, Any]] = SetUpList()
-        params: dict[str, Any] = {}
         empty = 0
-        while empty < _MAX_EMPTY_PAGES:
-            page = self._require("list_episodes", params=params)
+        for page in read_pages(lambda p: self._require("list_episodes", params=p)):
             episodes += page["episodes"]
             empty += not page["episodes"]
-            if page["next_cursor"] is None:
-                return episodes
-            params = {"cursor": page["next_cursor"]}
-        text = f"`list_episodes` returned {empty} pages without an episode"
-        raise SetUpFailed(text, breaks="EPI-006")
+            if empty == _MAX_EMPTY_PAGES and page["next_cursor"] is not None:
+                text = f"`list_episodes` returned {empty} pages without an episode"
+                raise SetUpFailed(text, breaks="EPI-006")
+        return episodes
 
     def stop(self, mode: str = "abort") -> dict[str, Any]:
         """Stop the run."""

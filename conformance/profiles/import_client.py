@@ -5,6 +5,7 @@ from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.exchanges.answer import Answer
+from conformance.exchanges.pages import read_pages
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed, describe_answer
 
@@ -13,7 +14,6 @@ _REPLAY_S = 60.0
 _POLL_S = 0.05
 _LONGEST_POLL_S = 0.5
 _PAGE_LIMIT = 100
-_PAGES_MAX = 2000
 
 
 def send_record(context: CheckContext, archive: bytes, **how: Any) -> Answer:
@@ -54,15 +54,13 @@ def listed_imports(
     context: CheckContext, limit: int = _PAGE_LIMIT, **how: Any
 ) -> list[dict[str, Any]]:
     """Give the imports of `list_imports`, of all pages."""
-    imports: list[dict[str, Any]] = []
-    params: dict[str, Any] = {"limit": limit}
-    for _ in range(_PAGES_MAX):
-        page = expect.ok(context.call("list_imports", params=params, **how))
-        imports += page["imports"]
-        if page["next_cursor"] is None:
-            return imports
-        params = params | {"cursor": page["next_cursor"]}
-    raise SetUpFailed("`list_imports` does not end", breaks="REC-120")
+
+    def read(params: dict[str, Any]) -> Any:
+        return expect.ok(context.call("list_imports", params=params, **how))
+
+    endless = SetUpFailed("`list_imports` does not end", breaks="REC-120")
+    pages = read_pages(read, endless, limit=limit)
+    return [record_import for page in pages for record_import in page["imports"]]
 
 
 def listed_ids(context: CheckContext, **how: Any) -> list[str]:

@@ -4,6 +4,7 @@ Each check plays and publishes on a manifest of its own (`support/published_runs
 `oracle/expected_ranking.py` computes the expected ranking.
 """
 
+from itertools import islice
 from typing import Any
 
 from conformance.checks.support.given_states import without
@@ -17,6 +18,7 @@ from conformance.checks.support.published_runs import (
     try_publish,
 )
 from conformance.client.check_context import CheckContext
+from conformance.exchanges.pages import read_pages
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 
@@ -229,13 +231,12 @@ def test_brd_008_rows_are_in_their_order(context: CheckContext) -> None:
     Board(context).add("11111111")
     expected = [row["entry_id"] for row in board.expected()["rows"]]
     expect.equal(board.ranked_ids(), expected, "entries in the ranking")
-    entry_ids, params = [], {"limit": 3}
-    for _ in range(len(expected)):
-        page = board.ranking(**params)
-        entry_ids += [row["entry"]["entry_id"] for row in page["rows"]]
-        if page["next_cursor"] is None:
-            break
-        params["cursor"] = page["next_cursor"]
+    pages = read_pages(lambda params: board.ranking(**params), limit=3)
+    entry_ids = [
+        row["entry"]["entry_id"]
+        for page in islice(pages, len(expected))
+        for row in page["rows"]
+    ]
     expect.equal(entry_ids, expected, "entries on all pages of three")
 
 

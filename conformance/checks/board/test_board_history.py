@@ -16,6 +16,7 @@ from conformance.checks.support.published_runs import (
     require_entry,
 )
 from conformance.client.check_context import CheckContext
+from conformance.exchanges.pages import read_pages
 from conformance.profiles.history_tree import (
     consistency_proof,
     inclusion_path,
@@ -26,7 +27,6 @@ from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
-_PAGES_MAX = 2000
 # Proofs are read for these many of the last leaves, and the recursion is of all.
 _SIZES = 9
 PUBLISHED_MEMBERS = (
@@ -38,16 +38,16 @@ PUBLISHED_MEMBERS = (
 def read_leaves(context: CheckContext, limit: int = 1000) -> list[bytes]:
     """Read all leaves, page by page."""
     leaves: list[bytes] = []
-    params: dict[str, Any] = {"limit": limit}
-    for _ in range(_PAGES_MAX):
-        page = expect.ok(context.call("list_history", params=params))
+
+    def read(params: dict[str, Any]) -> Any:
+        return expect.ok(context.call("list_history", params=params))
+
+    endless = SetUpFailed("`list_history` does not end", breaks="BRD-013")
+    for page in read_pages(read, endless, limit=limit):
         for leaf in page["leaves"]:
             expect.equal(leaf["index"], len(leaves), "index of a leaf")
             leaves.append(leaf["leaf"].encode())
-        if page["next_cursor"] is None:
-            return leaves
-        params["cursor"] = page["next_cursor"]
-    raise SetUpFailed("`list_history` does not end", breaks="BRD-013")
+    return leaves
 
 
 def leaves_of(leaves: list[bytes], entry_id: str) -> list[dict[str, Any]]:

@@ -1,5 +1,6 @@
 """Episodes: order, attempts, results (EPI)."""
 
+import itertools
 import time
 from collections.abc import Callable
 from typing import Any
@@ -19,6 +20,7 @@ from conformance.checks.support.given_states import (
 from conformance.checks.support.long_run import EPISODES, long_run
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
+from conformance.exchanges.pages import read_pages
 from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
@@ -263,15 +265,18 @@ def test_epi_005_scores_every_episode_once(context: CheckContext) -> None:
 
 def pages(run: RunClient, *limits: int) -> list[list[dict[str, Any]]]:
     """Read all pages of the episodes, with each limit in its turn."""
-    read: list[list[dict[str, Any]]] = []
-    params: dict[str, Any] = {}
-    while "cursor" not in params or params["cursor"] is not None:
-        params["limit"] = limits[len(read) % len(limits)]
-        page = expect.ok(run.call("list_episodes", params=params))
-        read.append(page["episodes"])
-        params["cursor"] = page["next_cursor"]
-        expect.true(len(read) <= EPISODES + 1, "an end of the pages", len(read))
-    return read
+    limit = itertools.cycle(limits)
+    episodes: list[list[dict[str, Any]]] = []
+
+    def read(params: dict[str, Any]) -> Any:
+        params = params | {"limit": next(limit)}
+        return expect.ok(run.call("list_episodes", params=params))
+
+    for page in read_pages(read):
+        episodes.append(page["episodes"])
+        count = len(episodes)
+        expect.true(count <= EPISODES + 1, "an end of the pages", count)
+    return episodes
 
 
 @on_long_run

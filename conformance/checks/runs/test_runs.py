@@ -6,6 +6,7 @@ import uuid
 from collections.abc import Callable
 from datetime import datetime, timedelta
 from functools import partial
+from itertools import islice
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
@@ -14,6 +15,7 @@ from conformance.checks.support.long_run import long_run
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
+from conformance.exchanges.pages import read_pages
 from conformance.runner.requirement import on_long_run, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
@@ -121,29 +123,44 @@ def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> Non
     """Expect a page that leaves one run of an account to name the next page, and one
     without a run to name none.
     """
-    read = partial(context.call, "list_runs", http_client=account)
-    whole = expect.ok(read(params={"limit": _LONGEST_PAGE}))
-    page = whole
-    for _ in range(_LONGEST_PAGES_READ):
-        cursor = page["next_cursor"]
-        if cursor is None:
-            break
-        page = expect.ok(read(params={"limit": _LONGEST_PAGE, "cursor": cursor}))
+
+    def read(params: dict[str, Any]) -> Any:
+        return expect.ok(context.call("list_runs", params=params, http_client=account))
+
+    pages = islice(read_pages(read, limit=_LONGEST_PAGE), 1 + _LONGEST_PAGES_READ)
+    whole = next(pages)
+    for page in pages:
         if not page["runs"]:
             expect.equal(page["next_cursor"], None, "`next_cursor` of an empty page")
     limit = len(whole["runs"]) - 1
     if whole["next_cursor"] is not None or limit < 1:
         return
-    params: dict[str, Any] = {"limit": limit}
-    page = expect.ok(read(params=params))
-    shown = page["runs"]
-    if page["next_cursor"] is not None:
-        params["cursor"] = page["next_cursor"]
-        shown = shown + expect.ok(read(params=params))["runs"]
+    pages = islice(read_pages(read, limit=limit), 2)
+    shown = [run for page in pages for run in page["runs"]]
     # One page may show all of them: other checks delete runs meanwhile.
     last = whole["runs"][-1]["run_id"]
     if context.call("get_run", run_id=last, http_client=account).status != 404:
         expect.true(last in [run["run_id"] for run in shown], "the last run", shown)
+
+
+def _read_while_runs_are_added(
+    context: CheckContext, ids: set[str]
+) -> list[dict[str, Any]]:
+    """Read pages of five until all the ids were there, or the end; a run is submitted
+    and stopped before each page but the first.
+    """
+    seen: list[dict[str, Any]] = []
+
+    def read(params: dict[str, Any]) -> Any:
+        if "cursor" in params:
+            context.submit(wait_ready=False).stop()
+        return expect.ok(context.call("list_runs", params=params))
+
+    for page in islice(read_pages(read, limit=5), _PAGES_READ):
+        seen += page["runs"]
+        if ids <= {run["run_id"] for run in seen} or len(seen) > _RUNS_READ:
+            break
+    return seen
 
 
 @requirement("RUN-009")
@@ -166,17 +183,7 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
         context.require(
             partial(context.call, "stop_run", run_id=ids[number], json={}), 200, "stop"
         )
-    listed: list[dict[str, Any]] = []
-    params: dict[str, Any] = {"limit": 5}
-    for _ in range(_PAGES_READ):
-        if set(ids) <= {run["run_id"] for run in listed}:
-            break
-        page = expect.ok(context.call("list_runs", params=params))
-        listed += page["runs"]
-        if page["next_cursor"] is None or len(listed) > _RUNS_READ:
-            break
-        params["cursor"] = page["next_cursor"]
-        context.submit(wait_ready=False).stop()
+    listed = _read_while_runs_are_added(context, set(ids))
     listed_ids = [run["run_id"] for run in listed]
     expect.equal(
         [id_ for id_ in listed_ids if id_ in ids], ids[::-1], "the twelve runs"

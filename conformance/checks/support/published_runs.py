@@ -13,12 +13,12 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
+from conformance.exchanges.pages import read_pages
 from conformance.oracle.expected_ranking import RankedRun, expected_ranking
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 BENCHMARK = "calibration"
-_PAGES_MAX = 2000
 
 
 class Board:
@@ -131,16 +131,19 @@ def listed_entries(
     Gives the wanted ids as often and in the order that they came; entries of other
     checks come and go meanwhile.
     """
-    listed: list[str] = []
-    for _ in range(_PAGES_MAX):
+
+    def read(params: dict[str, Any]) -> Any:
         answer = context.call("list_entries", params=params, http_client=http_client)
-        page = expect.ok(answer)
+        return expect.ok(answer)
+
+    listed: list[str] = []
+    endless = SetUpFailed("`list_entries` does not end", breaks="BRD-007")
+    for page in read_pages(read, endless, **params):
         listed += [
             entry["entry_id"]
             for entry in page["entries"]
             if entry["entry_id"] in wanted
         ]
-        if page["next_cursor"] is None or wanted <= set(listed):
-            return listed
-        params = params | {"cursor": page["next_cursor"]}
-    raise SetUpFailed("`list_entries` does not end", breaks="BRD-007")
+        if wanted <= set(listed):
+            break
+    return listed

@@ -1,17 +1,19 @@
 """Submissions under test: the raw response, and a clean-up of the run."""
 
 import uuid
-from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import islice
 from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
+from conformance.exchanges.pages import read_pages
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 _PAGES_MAX = 10
+_PAGE_LIMIT = 100
 _NEWEST_PAGES = 3
 # Members that objects and maps have in some languages; as ids and keys they are
 # ordinary names.
@@ -46,24 +48,11 @@ def runs_of(context: CheckContext, body: dict[str, Any]) -> list[str]:
         call = partial(context.call, "list_runs", params=params)
         return context.require(call, 200, "list_runs")
 
-    for runs in _pages_of_runs(read, _NEWEST_PAGES):
-        ids = [r["run_id"] for r in runs if r["policy"]["name"] == name]
+    for page in islice(read_pages(read, limit=_PAGE_LIMIT), _NEWEST_PAGES):
+        ids = [r["run_id"] for r in page["runs"] if r["policy"]["name"] == name]
         if ids:
             return ids
     return []
-
-
-def _pages_of_runs(
-    read: Callable[[dict[str, Any]], Any], pages_max: int
-) -> Iterator[list[dict[str, Any]]]:
-    """Give the runs of one page of `list_runs` after another, newest first."""
-    params: dict[str, Any] = {"limit": 100}
-    for _ in range(pages_max):
-        page = read(params)
-        yield page["runs"]
-        if page["next_cursor"] is None:
-            return
-        params = params | {"cursor": page["next_cursor"]}
 
 
 def whole_submission(context: CheckContext) -> dict[str, Any]:
@@ -91,8 +80,8 @@ def find_listed(context: CheckContext, ids: set[str]) -> dict[str, dict[str, Any
     def read(params: dict[str, Any]) -> Any:
         return expect.ok(context.call("list_runs", params=params))
 
-    for runs in _pages_of_runs(read, _PAGES_MAX):
-        listed |= {r["run_id"]: r for r in runs if r["run_id"] in ids}
+    for page in islice(read_pages(read, limit=_PAGE_LIMIT), _PAGES_MAX):
+        listed |= {r["run_id"]: r for r in page["runs"] if r["run_id"] in ids}
         if ids <= set(listed):
             break
     missing = ids - set(listed)
