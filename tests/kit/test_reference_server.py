@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
+import shlex
 from pathlib import Path
 
 import pytest
 
 from conformance.specification.ledger import load_ledger
-from tests.support.paths import ROOT
+from tests.support.forking.forked_servers import server_command
+from tests.support.kit.run_kit import run_kit
 
 
 @pytest.mark.slow("starts a server and a kit")
@@ -24,19 +23,10 @@ def test_the_reference_server_obeys_the_rules_of_an_area(
     # The kit's model servers are on this machine.
     monkeypatch.setenv("PROCTOR_ALLOW_PRIVATE_POLICIES", "127.0.0.0/8")
     monkeypatch.setenv("PROCTOR_PROFILES", profiles)
-    server = f"{sys.executable} -m reference_server"
-    kit = [sys.executable, "-m", "conformance", "--start-cmd", server, "--only", area]
-    done = subprocess.run(
-        [*kit, "--report", str(tmp_path)],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout[-3000:]
-    rows = json.loads((tmp_path / "report.json").read_text())["rows"]
-    outcomes = {row["requirement_id"]: row["outcome"] for row in rows}
-    assert outcomes == {
+    options = ("--start-cmd", shlex.join(server_command()), "--only", area)
+    kit = run_kit(tmp_path, *options)
+    assert kit.code == 0, kit.output[-3000:]
+    assert kit.outcomes == {
         row.id: "passed" if row.is_observable else "not_verified"
         for row in load_ledger().values()
         if row.id.startswith(f"{area}-")
