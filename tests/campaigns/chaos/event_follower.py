@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import http.client
+import contextlib
 import threading
 from collections.abc import Iterator
 from typing import Any
-from urllib.parse import urlsplit
+
+import httpx
 
 from conformance.client.event_reader import EventParser
 from tests.campaigns.campaign_server import WATCHER
@@ -19,7 +20,7 @@ class EventFollower:
 
     def __init__(self, url: str, history: History, timeout_s: float) -> None:
         self.episodes: list[dict[str, Any]] = []
-        self._address, self._timeout_s = urlsplit(url).netloc, timeout_s
+        self._url, self._timeout_s = url, timeout_s
         self._history = history
         self._path = f"/v1/runs/{history.run_id}/events"
         self._last_id = ""
@@ -53,34 +54,34 @@ class EventFollower:
                 yield f"{self._path} sent {episode}, {acknowledged} was acknowledged"
 
     def _run(self) -> None:
-        while not self._is_closed.is_set():
-            connection = http.client.HTTPConnection(
-                self._address, timeout=self._timeout_s
-            )
-            try:
-                if self._follow(connection):
-                    return
-            except (OSError, http.client.HTTPException):
-                pass  # it continues after the last id
-            finally:
-                connection.close()
-            self._is_closed.wait(RETRY_S)
+        with httpx.Client(
+            base_url=self._url, timeout=self._timeout_s, trust_env=False
+        ) as client:
+            while not self._is_closed.is_set():
+                # After a fault it continues behind the last id.
+                with contextlib.suppress(httpx.HTTPError):
+                    if self._follow(client):
+                        return
+                self._is_closed.wait(RETRY_S)
 
-    def _follow(self, connection: http.client.HTTPConnection) -> bool:
-        """One connection; whether nothing will follow."""
+    def _follow(self, client: httpx.Client) -> bool:
+        """One stream of events; whether nothing will follow."""
         headers = {"Authorization": f"Bearer {WATCHER}"}
         if self._last_id:
             headers["Last-Event-ID"] = self._last_id
-        connection.request("GET", self._path, headers=headers)
-        answer = connection.getresponse()
-        if answer.status not in (200, 503):
-            if answer.status != 204:
-                self._refused.append(f"{self._path}: {answer.status} {answer.read()!r}")
-            return True
-        parser = EventParser()
-        while not self._is_closed.is_set() and (part := answer.read1()):
-            for event in parser.feed(part) if answer.status == 200 else []:
-                self._last_id = event.id or self._last_id
-                if event.kind == "episode":
-                    self.episodes.append(event.body)
+        with client.stream("GET", self._path, headers=headers) as answer:
+            status = answer.status_code
+            if status not in (200, 503):
+                if status != 204:
+                    body = answer.read()
+                    self._refused.append(f"{self._path}: {status} {body!r}")
+                return True
+            parser = EventParser()
+            for part in answer.iter_raw() if status == 200 else ():
+                for event in parser.feed(part):
+                    self._last_id = event.id or self._last_id
+                    if event.kind == "episode":
+                        self.episodes.append(event.body)
+                if self._is_closed.is_set():
+                    break
         return False

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import http.client
 from collections import deque
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from urllib.parse import urlsplit
 
+import httpx
 import pytest
 
 from tests.support.client.faulty_proxy import FaultyProxy, serve_in_thread
@@ -15,14 +14,12 @@ from tests.support.client.faulty_proxy import FaultyProxy, serve_in_thread
 @pytest.mark.parametrize(
     ("fault", "arrives", "error"),
     [
-        ("lose_request", 0, http.client.RemoteDisconnected),
-        ("lose_answer", 1, http.client.RemoteDisconnected),
-        ("cut_answer", 1, http.client.IncompleteRead),
+        ("lose_request", 0, "without sending a response"),
+        ("lose_answer", 1, "without sending a response"),
+        ("cut_answer", 1, "without sending complete message body"),
     ],
 )
-def test_the_proxy_applies_its_faults(
-    fault: str, arrives: int, error: type[Exception]
-) -> None:
+def test_the_proxy_applies_its_faults(fault: str, arrives: int, error: str) -> None:
     arrived: list[str] = []
 
     class Upstream(BaseHTTPRequestHandler):
@@ -40,16 +37,11 @@ def test_the_proxy_applies_its_faults(
         upstream_url = f"http://127.0.0.1:{upstream.server_address[1]}"
         with serve_in_thread(FaultyProxy(upstream_url)) as proxy:
             proxy.faults["/x"] = deque([fault])
-            with pytest.raises(error):
+            with pytest.raises(httpx.RemoteProtocolError, match=error):
                 get_x(proxy)
             assert len(arrived) == arrives
             assert get_x(proxy) == b"true"
 
 
 def get_x(proxy: FaultyProxy) -> bytes:
-    connection = http.client.HTTPConnection(urlsplit(proxy.url).netloc)
-    try:
-        connection.request("GET", "/x")
-        return connection.getresponse().read()
-    finally:
-        connection.close()
+    return httpx.get(f"{proxy.url}/x", trust_env=False).content
