@@ -11,14 +11,12 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any
 
-from jsonschema import Draft202012Validator
-
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
 from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedContext
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
-from conformance.specification.document import load_spec
+from conformance.specification.document import load_spec, schema_faults
 from conformance.specification.stages import BENCHMARKS, LAST, RUNS
 from conformance.verdicts.expect import SetUpFailed, Violation, describe_answer
 
@@ -114,12 +112,9 @@ def _read_service(context: CheckContext) -> dict[str, Any]:
     needs = {name: described[name] for name in ("protocol", "limits")}
     needs |= dict.fromkeys(("profiles", "encodings", "image_codecs"), _NAMES)
     schema = {"type": "object", "required": list(needs), "properties": needs}
-    faults = list(Draft202012Validator(schema).iter_errors(answer.json))
+    faults = schema_faults(schema, answer.json)
     if faults:
-        raise CannotJudge(
-            f"invalid response to GET /v1: {faults[0].json_path} "
-            f"{faults[0].message}; {needed}"
-        )
+        raise CannotJudge(f"invalid response to GET /v1: {faults[0]}; {needed}")
     service: dict[str, Any] = answer.json
     return service
 

@@ -185,10 +185,19 @@ class Spec:
         is_valid_quickly, detailed_validator = self._validators[key]
         if is_valid_quickly(body):
             return []
-        return [
-            f"{error.json_path}: {error.message[:300]}"
-            for error in detailed_validator.iter_errors(body)
-        ]
+        return _explain(detailed_validator, body)
+
+
+def schema_faults(schema: Any, body: Any) -> list[str]:
+    """List how a body breaks a schema, without formats."""
+    return _explain(_Validator(schema), body)
+
+
+def _explain(validator: Any, body: Any) -> list[str]:
+    return [
+        f"{error.json_path}: {error.message[:300]}"
+        for error in validator.iter_errors(body)
+    ]
 
 
 def _with_ranges(schema: Any) -> Any:

@@ -11,7 +11,7 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-import jsonschema
+import jsonschema_rs
 import msgspec
 import pytest
 from securesystemslib.dsse import Envelope as OtherEnvelope
@@ -48,9 +48,9 @@ SCHEMAS = json.loads((ROOT / "spec" / "schema" / "record.json").read_text())
 SCORES = sorted((ROOT / "spec" / "vectors" / "scoring").glob("*.json"))
 
 
-def schema(name: str) -> jsonschema.Draft202012Validator:
+def schema(name: str) -> jsonschema_rs.Draft202012Validator:
     document = {"$ref": f"#/$defs/{name}", "$defs": SCHEMAS["$defs"]}
-    return jsonschema.Draft202012Validator(document)
+    return jsonschema_rs.Draft202012Validator(document)
 
 
 def payload_of(envelope: bytes) -> Any:

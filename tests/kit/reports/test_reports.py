@@ -4,7 +4,6 @@ import json
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-import jsonschema
 import pytest
 
 from conformance.cli.arguments import BadArguments, read_known_failures
@@ -22,12 +21,9 @@ from conformance.specification.document import load_spec
 from conformance.verdicts.result import Result, as_plain, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.run_kit import REPORT_SCHEMA
 from tests.support.pages.browser import Browser
-from tests.support.paths import ROOT
 
-SCHEMA = json.loads(
-    (ROOT / "conformance" / "reports" / "report.schema.json").read_text()
-)
 PROFILES = list(ledger.PROFILES)
 
 
@@ -126,7 +122,7 @@ def test_reports_agree(tmp_path: Path) -> None:
     judged.settings.report = str(tmp_path)
     write_reports(judged)
     plain = json.loads((tmp_path / "report.json").read_text())
-    jsonschema.validate(plain, SCHEMA)
+    REPORT_SCHEMA.validate(plain)
     ids = [row["requirement_id"] for row in plain["rows"]]
     cases = ET.fromstring((tmp_path / "junit.xml").read_text()).iter("testcase")  # noqa: S314
     assert [case.get("name") for case in cases] == ids
@@ -154,7 +150,7 @@ def test_problem_is_an_error_in_every_report() -> None:
     assert judged.exit_code == 2
     assert 'message="no response"' in junit(judged)
     assert "no response" in page(judged)
-    jsonschema.validate(as_plain(judged), SCHEMA)
+    REPORT_SCHEMA.validate(as_plain(judged))
 
 
 def test_failures_of_one_cause_share_a_card() -> None:

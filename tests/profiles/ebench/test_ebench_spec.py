@@ -7,7 +7,7 @@ import json
 import re
 from typing import Any
 
-import jsonschema
+import jsonschema_rs
 import pytest
 import yaml
 
@@ -67,7 +67,7 @@ def test_the_rows_fit_the_schema_of_rows_and_are_in_the_ledger() -> None:
     extensions = json.loads((SPEC / "schema" / "extensions.json").read_text())
     rows = DOCUMENT["x-requirements"]
     schema = extensions["properties"]["x-requirements"]
-    jsonschema.validate(rows, schema | {"$defs": extensions["$defs"]})
+    jsonschema_rs.validate(schema | {"$defs": extensions["$defs"]}, rows)
     ledger = load_ledger()
     for row in rows:
         assert (ledger[row["id"]].profile, row["profile"]) == ("ebench", "ebench")

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-import jsonschema
+import jsonschema_rs
 import pytest
 
 from reference_sim.exports.every_eval_ever import portable, write_evaluation
@@ -21,7 +21,7 @@ VECTORS = ROOT / "spec" / "vectors" / "record"
 
 def validate(value: object, schema: str) -> None:
     found = json.loads((SCHEMAS / f"{schema}.schema.json").read_text())
-    jsonschema.Draft7Validator(found).validate(value)
+    jsonschema_rs.Draft7Validator(found).validate(value)
 
 
 def exported(record: Path, folder: Path) -> tuple[dict[str, Any], list[dict[str, Any]]]:
