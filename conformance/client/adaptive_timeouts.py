@@ -1,5 +1,6 @@
-"""Timeouts for a state or for capacity, which get shorter after each miss."""
+"""Timeouts for a state or for capacity, and pauses between two looks at it."""
 
+import time
 from collections import Counter
 
 _TIMEOUT_MIN_S = 0.5
@@ -23,3 +24,16 @@ class AdaptiveTimeouts:
     def record_miss(self, what: str) -> None:
         """Note that the wait was in vain."""
         self._misses[what] += 1
+
+
+class GrowingPauses:
+    """Pauses between two looks: each is twice the last one, up to the longest."""
+
+    def __init__(self, first_s: float, longest_s: float) -> None:
+        self._next_s = first_s
+        self._longest_s = longest_s
+
+    def wait(self) -> None:
+        """Wait for the next pause."""
+        time.sleep(self._next_s)
+        self._next_s = min(2 * self._next_s, self._longest_s)

@@ -12,6 +12,7 @@ import uuid
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from conformance.client.adaptive_timeouts import GrowingPauses
 from conformance.client.http_client import AnswerStream, HttpClient
 from conformance.client.request_context import RequestContext
 from conformance.exchanges.answer import Answer
@@ -140,7 +141,7 @@ class RunClient:
         """Poll until the run is in a state."""
         timeout_s = self.context.shared.timeouts.of(state, timeout_s)
         deadline = time.monotonic() + timeout_s
-        pause_s = _POLL_FIRST_S
+        pauses = GrowingPauses(_POLL_FIRST_S, _POLL_LONGEST_S)
         while self.get()["state"] != state:
             if time.monotonic() > deadline:
                 self.context.shared.timeouts.record_miss(state)
@@ -148,8 +149,7 @@ class RunClient:
                     f"run state is `{self.body['state']}`, expected `{state}` "
                     f"within {timeout_s:g} s"
                 )
-            time.sleep(pause_s)
-            pause_s = min(2 * pause_s, _POLL_LONGEST_S)
+            pauses.wait()
         return self.body
 
     def worker(self, worker_id: str | None = None) -> "WorkerClient":

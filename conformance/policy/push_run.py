@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 from urllib.parse import urlsplit
 
+from conformance.client.adaptive_timeouts import GrowingPauses
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
@@ -107,7 +108,7 @@ def require_place(run: RunClient) -> None:
 def expect_end(run: RunClient, state: str) -> dict[str, Any]:
     """Expect a run to end in a state, and give its body."""
     deadline = time.monotonic() + END_TIMEOUT_S
-    pause_s = _POLL_S
+    pauses = GrowingPauses(_POLL_S, _POLL_LONGEST_S)
     while (body := run.get())["state"] not in ENDED:
         if time.monotonic() > deadline:
             require_place(run)
@@ -115,8 +116,7 @@ def expect_end(run: RunClient, state: str) -> dict[str, Any]:
                 f"a run that becomes `{state}`",
                 f"`{body['state']}` after {END_TIMEOUT_S:g} s",
             )
-        time.sleep(pause_s)
-        pause_s = min(1.5 * pause_s, _POLL_LONGEST_S)
+        pauses.wait()
     if body["state"] != state:
         observed = f"a run that is `{body['state']}` ({body['reason']})"
         raise Violation(f"a run that becomes `{state}`", observed)
@@ -128,15 +128,14 @@ def expect_policy_fault(
 ) -> dict[str, Any]:
     """Expect `policy_fault` in the first episode, and give the episode."""
     deadline = time.monotonic() + within_s
-    pause_s = _POLL_S
+    pauses = GrowingPauses(_POLL_S, _POLL_LONGEST_S)
     while "policy_fault" not in (episode := run.episodes()[0]):
         if time.monotonic() > deadline:
             raise expect.missed(
                 f"`policy_fault` of an episode within {within_s:g} s",
                 expect.format_value(dict(episode)),
             )
-        time.sleep(pause_s)
-        pause_s = min(1.5 * pause_s, _POLL_LONGEST_S)
+        pauses.wait()
     expect.true(episode["policy_fault"], "a text in `policy_fault`")
     return episode
 

@@ -3,6 +3,7 @@
 import time
 from typing import Any
 
+from conformance.client.adaptive_timeouts import GrowingPauses
 from conformance.client.check_context import CheckContext
 from conformance.exchanges.answer import Answer
 from conformance.exchanges.pages import read_pages
@@ -35,7 +36,7 @@ def accepted(context: CheckContext, archive: bytes, **how: Any) -> dict[str, Any
 
 def finished(context: CheckContext, import_id: str) -> dict[str, Any]:
     """Poll until an import is finished."""
-    pause_s = _POLL_S
+    pauses = GrowingPauses(_POLL_S, _LONGEST_POLL_S)
     until = time.monotonic() + context.shared.timeouts.of("replay", _REPLAY_S)
     while True:
         body: dict[str, Any] = expect.ok(
@@ -46,8 +47,7 @@ def finished(context: CheckContext, import_id: str) -> dict[str, Any]:
         if time.monotonic() > until:
             context.shared.timeouts.record_miss("replay")
             raise Inconclusive(f"the import is `{body['state']}` for {_REPLAY_S:g} s")
-        time.sleep(pause_s)
-        pause_s = min(2 * pause_s, _LONGEST_POLL_S)
+        pauses.wait()
 
 
 def listed_imports(
