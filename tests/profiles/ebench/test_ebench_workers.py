@@ -23,6 +23,7 @@ from tests.support.profiles.ebench_client import (
     run_of,
     submit_native_run,
 )
+from tests.support.raw_answers import read_answer
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.waiting import wait_until
 
@@ -206,16 +207,6 @@ def request_of(
     return "\r\n".join([*lines, "", ""]).encode() + body
 
 
-def read_till(connection: socket.socket, mark: bytes) -> tuple[bytes, bytes, bytes]:
-    """What comes before a mark, the mark, and what came with it."""
-    received = b""
-    while mark not in received:
-        part = connection.recv(2**16)
-        assert part, received
-        received += part
-    return received.partition(mark)
-
-
 def send_and_disconnect(
     server: ReferenceServer, client: EbenchClient, verb: str, body: bytes
 ) -> None:
@@ -258,10 +249,7 @@ def test_closing_after_the_whole_answer_confirms_it(
     for _ in range(100):
         with socket.create_connection((host, port), TIMEOUT_S) as connection:
             connection.sendall(request)
-            head, _, received = read_till(connection, b"\r\n\r\n")
-            length = int(head.lower().partition(b"content-length: ")[2].split()[0])
-            while len(received) < length:
-                received += connection.recv(2**16)
+            read_answer(connection)
     assert count(client.reset()) == 100
 
 

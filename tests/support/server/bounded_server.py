@@ -108,26 +108,3 @@ def bounded_server(**limits: Any) -> Iterator[BoundedServer]:
     server = BoundedServer(ConnectionLimits(**{"check_interval_s": 0.05, **limits}))
     yield server
     server.end()
-
-
-def read_to_end(connection: socket.socket) -> bytes:
-    """All until the server hangs up; a reset is an end, too."""
-    parts = []
-    with contextlib.suppress(ConnectionError):
-        while part := connection.recv(2**16):
-            parts.append(part)
-    return b"".join(parts)
-
-
-def read_answer(connection: socket.socket) -> tuple[int, bytes]:
-    """Status and body of one answer with a Content-Length; the next stays unread."""
-    head = b""
-    while not head.endswith(b"\r\n\r\n"):
-        part = connection.recv(1)
-        assert part, f"the server hung up after {head!r}"
-        head += part
-    left = int(head.lower().partition(b"content-length:")[2].split()[0])
-    body = b""
-    while len(body) < left:
-        body += connection.recv(left - len(body))
-    return int(head.split()[1]), body

@@ -8,11 +8,8 @@ import time
 
 import pytest
 
-from tests.support.server.bounded_server import (
-    bounded_server,
-    read_answer,
-    read_to_end,
-)
+from tests.support.raw_answers import read_answer, read_to_end
+from tests.support.server.bounded_server import bounded_server
 from tests.support.waiting import wait_until
 
 GET = b"GET /now HTTP/1.1\r\nHost: x\r\n\r\n"

@@ -10,7 +10,8 @@ from reference_server.http.connections.joined_answer import (
     JOINED_BYTES_MAX,
     JoinedAnswer,
 )
-from tests.support.server.bounded_server import bounded_server, read_answer
+from tests.support.raw_answers import read_answer
+from tests.support.server.bounded_server import bounded_server
 
 if TYPE_CHECKING:
     import asyncio

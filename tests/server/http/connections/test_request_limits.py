@@ -18,6 +18,7 @@ import pytest
 
 from reference_server.generated import models
 from reference_server.generated.problem_codes import PROBLEMS
+from tests.support.raw_answers import read_to_end
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action
 
@@ -56,11 +57,7 @@ class LiveRun:
             # The server may stop listening before all is said.
             with contextlib.suppress(OSError):
                 connection.sendall(request)
-            parts = []
-            with contextlib.suppress(ConnectionError):
-                while part := connection.recv(2**16):
-                    parts.append(part)
-        return b"".join(parts)
+            return read_to_end(connection)
 
 
 @pytest.fixture(scope="module")
