@@ -6,7 +6,6 @@ Their content is the simulator's; the hash and the refusals are decided here.
 from __future__ import annotations
 
 import asyncio
-import hashlib
 import hmac
 import json
 from collections.abc import Mapping
@@ -15,6 +14,7 @@ from typing import Any, cast
 
 import msgspec
 
+from reference_record.formats.strict_json import sha256_of_json
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules import submission as submission_rules
 from reference_server.rules.lifecycle import Refuse
@@ -223,18 +223,13 @@ def _simulator_config(
     return found.world
 
 
-def canonical(manifest: Manifest | Mapping[str, Any]) -> bytes:
-    """What is hashed of a manifest, and what others may have of it (SEAL-002)."""
-    return msgspec.json.encode(without_sealed_seeds(manifest), order="deterministic")
-
-
 def digest(manifest: Manifest | Mapping[str, Any]) -> str:
     """The `manifest_sha256` of a manifest with its episodes (BEN-005).
 
     SEAL-004: a seed of few bits could be found by its hash, so that of sealed splits is
     covered by the commitment alone.
     """
-    return hashlib.sha256(canonical(manifest)).hexdigest()
+    return sha256_of_json(without_sealed_seeds(manifest))
 
 
 async def _unavailable(benchmark_id: str) -> str | None:

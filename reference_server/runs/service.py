@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import hashlib
 import secrets
 import time
 from collections.abc import Awaitable, Callable, Mapping, Sequence
@@ -19,9 +18,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Literal, cast
 
-import msgspec
-
 from reference_record.export import Record
+from reference_record.formats.strict_json import sha256_of_json
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
@@ -487,5 +485,4 @@ def _has_entry() -> Refused:
 
 def body_digest(submission: Json) -> str:
     """RUN-003, RUN-028: equal values are the same body, however they were written."""
-    canonical = msgspec.json.encode(submission, order="deterministic")
-    return hashlib.sha256(canonical).hexdigest()
+    return sha256_of_json(submission)
