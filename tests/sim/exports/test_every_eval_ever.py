@@ -14,14 +14,13 @@ from reference_sim.exports.every_eval_ever import portable, write_evaluation
 from reference_sim.exports.source import open_source
 from tests.support.paths import ROOT
 from tests.support.record.played_records import save_calibration_record
+from tests.support.sim.evaluation_schemas import read_schema
 
-SCHEMAS = ROOT / "tests" / "sim" / "exports" / "every_eval_ever"
 VECTORS = ROOT / "spec" / "vectors" / "record"
 
 
 def validate(value: object, schema: str) -> None:
-    found = json.loads((SCHEMAS / f"{schema}.schema.json").read_text())
-    jsonschema_rs.Draft7Validator(found).validate(value)
+    jsonschema_rs.Draft7Validator(read_schema(schema)).validate(value)
 
 
 def exported(record: Path, folder: Path) -> tuple[dict[str, Any], list[dict[str, Any]]]:
@@ -44,7 +43,7 @@ def exported(record: Path, folder: Path) -> tuple[dict[str, Any], list[dict[str,
 
 
 def test_a_record_with_every_outcome(tmp_path: Path) -> None:
-    """Two successes of four; the score, its interval and the episodes follow."""
+    """Two successes of four. Expect the rate, the score and every episode."""
     log, samples = exported(VECTORS / "good.proctor", tmp_path)
     rate, score = log["evaluation_results"]
     assert rate["score_details"]["score"] == 0.5
@@ -59,24 +58,13 @@ def test_a_record_with_every_outcome(tmp_path: Path) -> None:
     assert sorted(outcomes) == ["abandoned", "failure", "success", "success"]
     correct = [sample["evaluation"]["is_correct"] for sample in samples]
     assert correct == [outcome == "success" for outcome in outcomes]
-
-
-def test_the_mean_of_samples_is_the_value_of_the_result_that_they_name(
-    tmp_path: Path,
-) -> None:
-    """With graded scores, which are facts of the sample and not its score."""
-    log, samples = exported(VECTORS / "good.proctor", tmp_path)
-    rate, mean_score = log["evaluation_results"]
+    # The samples name the rate; their graded scores are facts beside it.
     ids = {sample["evaluation_result_id"] for sample in samples}
     assert ids == {rate["evaluation_result_id"]}
-    scores = [sample["evaluation"]["score"] for sample in samples]
-    assert sum(scores) / len(scores) == rate["score_details"]["score"]
+    assert sum(sample["evaluation"]["score"] for sample in samples) / 4 == 0.5
     graded = [float(sample["metadata"]["episode_score"]) for sample in samples]
-    assert sum(graded) / len(graded) == mean_score["score_details"]["score"]
-
-
-def test_what_a_record_does_not_say_is_unknown(tmp_path: Path) -> None:
-    log, _ = exported(VECTORS / "good.proctor", tmp_path)
+    assert sum(graded) / 4 == 0.5625
+    # Facts that the record does not hold are unknown.
     assert log["source_metadata"]["evaluator_relationship"] == "other"
     assert log["model_info"]["additional_details"]["model_availability"] == "unknown"
     said = log["source_metadata"]["additional_details"]
