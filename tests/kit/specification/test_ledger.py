@@ -11,7 +11,6 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Any
 
-import jsonschema_rs
 import pytest
 
 from conformance.specification.document import SPEC_DIRECTORY, load_spec
@@ -89,12 +88,6 @@ def test_every_check_is_short() -> None:
     for check in checks:
         lines = (check.end_lineno or 0) - check.lineno + 1
         assert lines <= LONGEST_CHECK, f"{check.name} has {lines} lines"
-
-
-def test_extensions_are_valid() -> None:
-    schema = json.loads((SPEC_DIRECTORY / "schema" / "extensions.json").read_text())
-    document = {name: load_spec().document[name] for name in EXTENSIONS}
-    jsonschema_rs.validate(schema, document)
 
 
 def texts(node: Any) -> Iterator[str]:

@@ -15,7 +15,6 @@ from conformance.run_settings import Settings
 from conformance.runner import preflight
 from conformance.specification.document import Spec, load_spec
 from tests.support.kit.null_servers import SERVICE, Reply, Request, run_server
-from tests.support.paths import SPEC
 
 
 def kit_of(version: str, patch: pytest.MonkeyPatch) -> None:
@@ -71,8 +70,3 @@ def test_an_older_server_gets_no_request_but_the_description(
         with pytest.raises(preflight.CannotJudge, match=r"the kit of Proctor 1\.0 "):
             preflight.inspect(settings)
     assert requests == {"GET /v1"}
-
-
-def test_the_page_on_versions_says_so() -> None:
-    page = " ".join((SPEC / "VERSIONING.md").read_text().split())
-    assert "sends nothing but `describe_service`, ends with exit code 2" in page

@@ -19,7 +19,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
 from tests.support.paths import ROOT
-from tests.support.repository.imports import nodes_of
+from tests.support.repository.imports import PACKAGES, nodes_of
 
 GENERATED = (
     "generated_clients/*",
@@ -132,10 +132,6 @@ MORE_SIBLINGS = {
     "tests/support": "a folder for each package, and what starts servers",
     "tools": "a file for each command, and folders of commands of several files",
 }
-PACKAGES = (
-    *("conformance", "reference_client", "reference_record"),
-    *("reference_server", "reference_sim"),
-)
 
 
 @functools.cache

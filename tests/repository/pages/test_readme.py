@@ -27,25 +27,6 @@ def test_commands_stand_in_the_first_25_lines() -> None:
         assert f"make {target}" in beginning
 
 
-def test_make_knows_every_command() -> None:
-    """Whatever README says after `make` is a target."""
-    targets = set(
-        re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(), re.MULTILINE)
-    )
-    assert (
-        set(re.findall(r"(?:^    |`)make ([a-z-]+)", README, re.MULTILINE)) <= targets
-    )
-
-
-def test_folders_and_links_exist() -> None:
-    """Folders and links are there."""
-    places = re.findall(r"^\| `([a-z_]+)/`", README, re.MULTILINE)
-    links = re.findall(r"\]\(([A-Za-z/._-]+)\)", README)
-    assert len(places) > 5
-    for place in [*places, *links]:
-        assert (ROOT / place).exists(), place
-
-
 def test_program_says_what_it_needs(tmp_path: Path) -> None:
     (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     file = tmp_path / "evaluate.py"
