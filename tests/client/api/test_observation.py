@@ -14,39 +14,17 @@ from reference_client import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.generated.messages import Turn
 from reference_sim.process.encoding import encode_image
+from tests.support.kit.null_servers import TURN
 
 BLACK = np.zeros((2, 2, 3), np.uint8)
 
 
 def turn_with(**parts: Any) -> Turn:
     """A turn whose observation has these parts."""
-    return msgspec.convert(
-        {
-            "session_id": "s",
-            "seq": 0,
-            "episode": {
-                "episode_id": "e1",
-                "index": 1,
-                "task": "lift_cube",
-                "instruction": "Lift it.",
-                "attempt": 1,
-                "step": 3,
-                "max_steps": 10,
-            },
-            "observation": {"state": {}, "images": {}, "tensors": {}} | parts,
-            "executed_steps": 0,
-            "stopped_early": False,
-            "rewards": [],
-            "terminated": False,
-            "truncated": False,
-            "done": False,
-            "lease": {"expires_at": "2026-01-01T00:00:00Z", "idle_timeout_s": 1},
-            "timing": dict.fromkeys(
-                ("total_s", "queue_s", "simulate_s", "render_s", "encode_s"), 0
-            ),
-        },
-        Turn,
-    )
+    episode = {"episode_id": "e1", "instruction": "Lift it.", "step": 3}
+    observation = {"state": {}, "images": {}, "tensors": {}} | parts
+    turn = TURN | {"episode": TURN["episode"] | episode, "observation": observation}
+    return msgspec.convert(turn, Turn)
 
 
 def image(codec: str, width: int, height: int, channels: int, data: bytes) -> Any:

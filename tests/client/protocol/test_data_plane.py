@@ -21,6 +21,7 @@ from reference_client.protocol.data_plane import JSON, MSGPACK, DataPlane
 from reference_client.protocol.retry_policy import FAILURES
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.faulty_proxy import serve_in_thread
+from tests.support.kit.null_servers import TURN
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action as action
 
@@ -93,21 +94,9 @@ def test_an_unused_buffer_is_reused(echo_worker: EchoWorker) -> None:
 
 def turn_body(seq: int) -> dict[str, Any]:
     image = {"codec": "raw", "width": 2, "height": 2, "channels": 3, "data": PIXELS}
-    times = ("total_s", "queue_s", "simulate_s", "render_s", "encode_s")
-    return {
-        "session_id": "s",
-        "seq": seq,
-        "observation": {"state": {}, "images": {"c": image}, "tensors": {}},
-        "executed_steps": 1,
-        "stopped_early": False,
-        "rewards": [0],
-        "terminated": False,
-        "truncated": False,
-        "done": False,
-        "lease": {"expires_at": "2026-01-01T00:00:00Z", "idle_timeout_s": 1},
-        "timing": dict.fromkeys(times, 0),
-        "of_a_later_version": {"x": 1},
-    }
+    observation = {"state": {}, "images": {"c": image}, "tensors": {}}
+    changed = {"session_id": "s", "seq": seq, "observation": observation}
+    return TURN | changed | {"of_a_later_version": {"x": 1}}
 
 
 class CannedServer(ThreadingHTTPServer):
@@ -193,7 +182,7 @@ def test_a_closed_connection_is_opened_again() -> None:
         assert server.connections == 3
 
 
-TURN = msgspec.json.encode(turn_body(1))
+ENCODED = msgspec.json.encode(turn_body(1))
 
 
 @pytest.mark.parametrize(
@@ -201,10 +190,10 @@ TURN = msgspec.json.encode(turn_body(1))
     [
         ("text/html", b"<h1>Welcome</h1>"),
         (JSON, b"{"),
-        (JSON, TURN.replace(b'"seq":1', b'"seq":"1"')),
-        (JSON, TURN.replace(b'"session_id":"s",', b"")),
-        (JSON, TURN.replace(b'"data":"', b'"data":"*')),
-        (MSGPACK, TURN),
+        (JSON, ENCODED.replace(b'"seq":1', b'"seq":"1"')),
+        (JSON, ENCODED.replace(b'"session_id":"s",', b"")),
+        (JSON, ENCODED.replace(b'"data":"', b'"data":"*')),
+        (MSGPACK, ENCODED),
     ],
 )
 def test_an_invalid_turn_is_an_error(media_type: str, body: bytes) -> None:
@@ -219,7 +208,7 @@ def test_an_invalid_turn_is_an_error(media_type: str, body: bytes) -> None:
 
 
 def test_a_refused_connection_counts_as_unreachable() -> None:
-    with canned_server(JSON, TURN) as (server, plane):
+    with canned_server(JSON, ENCODED) as (server, plane):
         pass
     with pytest.raises(FAILURES) as caught:
         predict_once(plane)

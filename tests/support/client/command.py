@@ -53,16 +53,6 @@ class Held(Graded):
         return super().act(observation)
 
 
-class HeldAtEachStep(Graded):
-    """Says that it acts; the first step needs a file `go`, the others `go_on`."""
-
-    def act(self, observation):
-        pathlib.Path(f"acting-{id(self)}-{os.getpid()}").touch()
-        while not pathlib.Path("go_on" if observation.step else "go").exists():
-            time.sleep(0.01)
-        return super().act(observation)
-
-
 class HeldAtStepThree:
     """Executes three actions, the fourth with a file `go`, the rest with `go_on`."""
 

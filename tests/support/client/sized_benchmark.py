@@ -7,31 +7,14 @@ from typing import Any
 
 from proctor_client import Benchmark
 
+from tests.support.kit.null_servers import BENCHMARK
+
 VECTOR = {
     "unit": "1",
     "rotation": "none",
     "frame": "none",
     "relative": False,
     "out_of_range": "unbounded",
-}
-REST = {
-    "benchmark_id": "dynamics",
-    "version": "1",
-    "title": "Dynamics",
-    "description": "Sizes for tests.",
-    "manifest_sha256": "0" * 64,
-    "episodes_total": 1,
-    "tasks": ["lift"],
-    "splits": ["test"],
-    "control_rate_hz": 20,
-    "max_steps": 100,
-    "max_attempts": 3,
-    "max_faults": 3,
-    "success_rule": "score_1",
-    "image_sizes": [{"width": 128, "height": 128}],
-    "image_codecs": ["raw"],
-    "simulator": {"name": "none", "version": "1"},
-    "unavailable_reason": None,
 }
 
 
@@ -43,7 +26,7 @@ def benchmark_of(
     max_chunk: int = 64,
 ) -> Benchmark:
     """state, action: name → size. images: name → channels."""
-    document: dict[str, Any] = REST | {
+    document: dict[str, Any] = BENCHMARK | {
         "max_chunk": max_chunk,
         "action_space": {name: VECTOR | {"size": n} for name, n in action.items()},
         "observation_space": {

@@ -69,7 +69,7 @@ RUN = {
     "created_at": _TIME,
     "updated_at": _TIME,
 }
-_BENCHMARK = {
+BENCHMARK: dict[str, Any] = {
     "benchmark_id": "calibration",
     "version": "1",
     "title": "",
@@ -92,7 +92,7 @@ _BENCHMARK = {
     "unavailable_reason": None,
 }
 _LEASE = {"expires_at": _TIME, "idle_timeout_s": 600}
-_TURN = {
+TURN: dict[str, Any] = {
     "session_id": "session-1",
     "seq": 0,
     "episode": {
@@ -160,15 +160,15 @@ def canned_answers(request: Request) -> Reply:
         return 201, _JSON | {"Location": "/v1/runs/run-1"}, _dump(RUN)
     named: dict[str, Any] = {
         "v1": SERVICE,
-        "benchmarks": {"benchmarks": [_BENCHMARK]},
-        "calibration": _BENCHMARK,
+        "benchmarks": {"benchmarks": [BENCHMARK]},
+        "calibration": BENCHMARK,
         "runs": {"runs": [RUN], "next_cursor": None},
         "episodes": {"episodes": [], "next_cursor": None},
         "score": _SCORE,
-        "predict": _TURN | {"seq": 1},
+        "predict": TURN | {"seq": 1},
         "heartbeat": _LEASE,
     }
-    body = named.get(last, _TURN if "/workers/" in path else RUN)
+    body = named.get(last, TURN if "/workers/" in path else RUN)
     return 200, _JSON | {"ETag": '"1"'}, _dump(body)
 
 

@@ -14,13 +14,12 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
 
 from tests.support.client.command import ProctorCommand, options
-from tests.support.client.faulty_proxy import serve_in_thread
+from tests.support.kit.null_servers import always, run_server
 from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
 from tests.support.waiting import wait_until
@@ -115,15 +114,7 @@ def test_a_hostile_server_puts_nothing_on_the_command_line(complete: Complete) -
     ]
     body = json.dumps({"runs": runs}).encode()
 
-    class Hostile(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            self.send_header("Content-Length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
-
-    with serve_in_thread(ThreadingHTTPServer(("127.0.0.1", 0), Hostile)) as server:
-        url = f"http://127.0.0.1:{server.server_port}"
+    with run_server(always(200, body)) as url:
         words = complete_in_time(complete, "proctor results ", url)
         assert words == ["run_1", "run_3"]
 

@@ -144,41 +144,6 @@ def test_clipping_is_reported_at_once_and_at_the_end(
     assert re.search(r"^Clipped: (\d+) of \1 actions", proctor.err, re.MULTILINE)
 
 
-@pytest.mark.parametrize(
-    ("line", "meant"),
-    [
-        ("rnu", "unknown command rnu; did you mean run?"),
-        ("status --stat x", "unknown option --stat; did you mean --state?"),
-        ("submit --assumes {}", "--assumes is an option of proctor run only"),
-        ("status --state runing", "--state cannot be runing (choose from 'queued'"),
-        ("status --watch", "--watch needs a run id"),
-        ("benchmarks calibratoin", "did you mean calibration?"),
-        ("submit --benchmark calibratoin", "did you mean calibration?"),
-        ("results run/1", "'run/1' is no id of a run; `proctor status` lists them"),
-        ("compare run_a b!", "'b!' is no id of a run"),
-        ("submit --benchmark Calibration!", "lower-case letters, digits and _"),
-        ("run --benchmark calibration --policy policies:Gradd", "mean Graded?"),
-        (
-            """submit --benchmark calibration --options {"taks":[]}""",
-            "options has no member 'taks'; did you mean tasks?",
-        ),
-        (
-            "submit --benchmark calibration --idle-timeout-s 0.1",
-            "idle_timeout_s must be at least 1.0, not 0.1",
-        ),
-    ],
-)
-def test_what_was_probably_meant_is_said(
-    proctor: ProctorCommand, line: str, meant: str
-) -> None:
-    """Expect one line, without a pattern or a sentence of a library."""
-    words = line.split()
-    assert proctor(*words) == 2
-    assert meant in proctor.err
-    assert proctor.err.count("\n") == 1
-    assert not re.search(r"regular expression|\^\[|validation|constrained", proctor.err)
-
-
 def test_a_file_alone_is_answered_with_a_name_in_it(proctor: ProctorCommand) -> None:
     Path("alone.py").write_text(
         "raise SystemExit\n\n\ndef _x():\n    pass\n\n\nclass Mine:\n    pass\n"

@@ -42,10 +42,12 @@ def test_an_interruption_costs_no_attempt(
         said = policy_folder / "stderr"
         wait_until(lambda: "Stopping" in said.read_text(), "it is said")
         (policy_folder / "go").touch()
-        process.communicate(timeout=TIMEOUT_S)
-        assert process.returncode == 128 + number
-    text = (policy_folder / "stderr").read_text()
+        out, _ = process.communicate(timeout=TIMEOUT_S)
+        assert (process.returncode, out) == (128 + number, "")
+    text = said.read_text()
     assert WAITS.search(text), text
+    assert ": 0/1 episodes scored" in text
+    assert "Traceback" not in text
     assert direct_client.control.get_run(run_id).live_workers == 1
     (command,) = RESUME.findall(text)
     assert command.endswith("--takeover")

@@ -9,7 +9,6 @@ import importlib.util
 import json
 import os
 import re
-import shlex
 import signal
 import subprocess
 import sys
@@ -30,10 +29,7 @@ from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
-RESUME = re.compile(r"^  (proctor run .*)$", re.MULTILINE)
 RUN_BLOCKING_POLICY = ["run", "--no-dry-turn", "--policy", "policies:Held"]
-# A stopped worker may execute one more action before it knows, and no second one.
-RUN_BLOCKED_TWICE = ["run", "--no-dry-turn", "--policy", "policies:HeldAtEachStep"]
 
 
 def acting_policies(policy_folder: Path) -> int:
@@ -93,37 +89,6 @@ def test_debug_shows_where_a_policy_raises(proctor: ProctorCommand) -> None:
     assert "return 1 / 0" in proctor.err
 
 
-def test_ctrl_c_detaches_and_prints_the_resume_command(
-    server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
-) -> None:
-    """Both workers think when it comes. Expect 130, no session left but what is said
-    to wait, and that the command which is printed completes the run."""
-    tasks = options(*["count"] * 3)
-    flags = ["--workers", "2", "--processes"]
-    with start_proctor(
-        policy_folder, server.url, *RUN_BLOCKED_TWICE, *tasks, *flags
-    ) as process:
-        wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
-        run_id = direct_client.latest().run_id
-        process.send_signal(signal.SIGINT)
-        wait_until(lambda: "Stopping" in stderr_text(policy_folder), "it is said")
-        (policy_folder / "go").touch()
-        assert wait_for_exit(process) == (130, "")
-    # After one more action its episode waits.
-    waiting = stderr_text(policy_folder).count(" waits at step ")
-    assert direct_client.control.get_run(run_id).live_workers == waiting
-    assert "Traceback" not in stderr_text(policy_folder)
-    assert ": 0/3 episodes scored" in stderr_text(policy_folder)
-    (command,) = RESUME.findall(stderr_text(policy_folder))
-    assert f"--run-id {run_id}" in command
-    (policy_folder / "go_on").touch()
-    with start_proctor(
-        policy_folder, server.url, *shlex.split(command)[1:], "--json"
-    ) as process:
-        code, out = wait_for_exit(process)
-    assert (code, json.loads(out)["score"]) == (0, 1.0)
-
-
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_a_second_ctrl_c_ends_at_once(
     server: ReferenceServer, policy_folder: Path, processes: list[str]
@@ -140,25 +105,6 @@ def test_a_second_ctrl_c_ends_at_once(
         assert wait_for_exit(process) == (130, "")
     assert "proctor: terminated" in stderr_text(policy_folder)
     wait_until_ended(children)
-
-
-def test_sigterm_detaches(
-    server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
-) -> None:
-    """A batch system ends the job. Expect 143, and no session left but what is said
-    to wait."""
-    with start_proctor(
-        policy_folder, server.url, *RUN_BLOCKED_TWICE, *options("count")
-    ) as process:
-        wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
-        run_id = direct_client.latest().run_id
-        process.terminate()
-        wait_until(lambda: "Stopping" in stderr_text(policy_folder), "it is said")
-        (policy_folder / "go").touch()
-        assert wait_for_exit(process) == (143, "")
-    assert RESUME.search(stderr_text(policy_folder))
-    waiting = stderr_text(policy_folder).count(" waits at step ")
-    assert direct_client.control.get_run(run_id).live_workers == waiting
 
 
 def test_processes_leave_when_their_parent_is_killed(
@@ -247,12 +193,3 @@ def test_the_server_and_the_kit_are_programs_of_their_own(
         main([command, "--is_public", "3"])
     assert commands == [[sys.executable, "-m", module, "--is_public", "3"]]
     assert importlib.util.find_spec(f"{module}.__main__") is not None
-
-
-@pytest.mark.parametrize("command", ["serve", "conformance"])
-def test_a_program_that_is_not_installed_is_named(
-    command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("importlib.util.find_spec", lambda _name: None)
-    assert main([command]) == 2
-    assert "pip install 'proctor-eval[" in capsys.readouterr().err

@@ -18,19 +18,11 @@ from reference_client.evaluation.declared_policy import (
 )
 from reference_client.evaluation.parameters import submission
 from tests.support.client.command import ProctorCommand, options
-from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 GRADED = ["run", "--policy", "policies.py:Graded"]
 BEST = ["run", "--policy", "policies.py:best"]
 THREE = options(*["score"] * 3)
-
-
-@pytest.fixture
-def proctor(
-    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    return ProctorCommand(server.url, capsys)
 
 
 def begin(proctor: ProctorCommand, *flags: str) -> str:
