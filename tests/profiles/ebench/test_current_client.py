@@ -100,19 +100,6 @@ def test_a_limit_of_attempts_is_the_operator_s(chosen: ReferenceServer) -> None:
         assert client.status()["repeated_attempts"] == 1
 
 
-def test_attempts_are_not_limited_unless_the_operator_does(http: httpx.Client) -> None:
-    client = open_client(http, "score")
-    for _ in range(5):
-        client.reset()
-        client.step({"0": action(score=0.5)})
-        client.workers("kill")
-    assert episodes_of(client)[0]["attempt"] == 6
-    assert client.status()["repeated_attempts"] == 5
-    client.reset()
-    client.step({"0": action(score=1, end=1)})
-    assert episodes_of(client)[0]["result"]["attempt"] == 6
-
-
 # --- another execution ---
 
 
@@ -155,16 +142,6 @@ def test_the_limit_of_a_list_may_be_shorter_than_a_turn(
         assert client.step([{"0": action()}] * 3)
         body = dump_pickle([{"0": action()}] * 4)
         assert client.send("step", body).status_code == 422
-
-
-def test_a_long_list_with_one_bad_action_is_not_begun(http: httpx.Client) -> None:
-    """EBE-012: though the bad action is not in its first turn."""
-    client = open_client(http, "count", options={"max_steps": 1000})
-    bad = [{"0": action()}] * 99 + [{"0": action(success=7)}]
-    answer = client.send("step", dump_pickle(bad))
-    assert answer.status_code == 422
-    assert answer.json()["errors"][0]["pointer"] == "/99/0/action"
-    assert count(client.step({"0": action()})[0]) == 1
 
 
 def test_a_long_list_whose_client_left_is_executed_once(http: httpx.Client) -> None:

@@ -259,21 +259,3 @@ def test_an_unreachable_model_is_named(client: httpx.Client) -> None:
     answer = wait_until_finished(client, request_id)
     assert "s-gone: OOR: " in answer["err_msg"]
     assert "is unreachable" in answer["err_msg"]
-
-
-def test_a_baseline_of_nothing_releases_nothing(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    """Baseline and model answer nothing that can be read: they do not differ."""
-    chat.reply = "no idea"
-    names = ["u-nvidia-origin", "u-twin"]
-    both = submit_evaluation(client, *(model_info(chat, name) for name in names))
-    alone = submit_evaluation(client, model_info(chat, "u-alone"))
-    for request_id in (both, alone):
-        wait_until_finished(client, request_id)
-    results = get_evaldiffs(client, both)["eval_results"]
-    diffs = post(client, "/evaluation_diffs", request_ids=[both, alone])["eval_diffs"]
-    for one in (*results.values(), *diffs):
-        assert one["release"] is False
-        assert one["warning"].startswith("The baseline has scored nothing")
-        assert {d["diff"] for d in one["details"]} == {0.0}
