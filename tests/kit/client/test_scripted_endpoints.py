@@ -21,15 +21,9 @@ def leave_in_a_body(url: str, path: bytes) -> None:
         assert caller.recv(1) == b""  # closed without a response
 
 
-def test_client_that_leaves_in_a_body(capfd: pytest.CaptureFixture[str]) -> None:
-    with ScriptedChat() as chat:
+def test_callers_that_leave_in_a_body(capfd: pytest.CaptureFixture[str]) -> None:
+    with ScriptedChat() as chat, ScriptedPolicy() as policy:
         leave_in_a_body(chat.url, b"/v1/chat/completions")
-        assert chat.requests == []
-    assert capfd.readouterr().err == ""
-
-
-def test_client_of_a_policy_that_leaves(capfd: pytest.CaptureFixture[str]) -> None:
-    with ScriptedPolicy() as policy:
         leave_in_a_body(policy.url, b"/v1/policy/predict")
-        assert policy.calls == []
+        assert (chat.requests, policy.calls) == ([], [])
     assert capfd.readouterr().err == ""

@@ -19,12 +19,6 @@ from tests.support.record.played_records import Chunk, play_chunks, save_played_
 from tests.support.sim.echo_records import other_action, other_digest, save_echo
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    (tmp_path / "recordings").mkdir()
-    return tmp_path
-
-
 def video(record: Path, **more: Any) -> int:
     job = {"kind": "video", "record": str(record), "output": str(record.parent / "v")}
     return main([json.dumps(job | {"json": True} | more)])

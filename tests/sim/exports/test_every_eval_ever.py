@@ -71,14 +71,13 @@ def test_a_record_with_every_outcome(tmp_path: Path) -> None:
     assert "without a signature" in said["note"]
 
 
-def test_the_same_record_gives_the_same_bytes(tmp_path: Path) -> None:
-    (tmp_path / "recordings").mkdir()
-    path = tmp_path / "run-1.proctor"
-    save_calibration_record(path, tmp_path / "recordings")
+def test_the_same_record_gives_the_same_bytes(folder: Path) -> None:
+    path = folder / "run-1.proctor"
+    save_calibration_record(path, folder / "recordings")
     contents = []
-    for folder in ("first", "second"):
-        exported(path, tmp_path / folder)
-        files = sorted(p for p in (tmp_path / folder).rglob("*") if p.is_file())
+    for name in ("first", "second"):
+        exported(path, folder / name)
+        files = sorted(p for p in (folder / name).rglob("*") if p.is_file())
         contents.append([(p.name, p.read_bytes()) for p in files])
     assert contents[0] == contents[1]
 

@@ -72,16 +72,15 @@ def test_an_export_names_its_record_and_recordings(
     kind: str,
     read: Callable[[Path], Origins],
     episodes: list[int] | None,
-    tmp_path: Path,
+    folder: Path,
 ) -> None:
-    (tmp_path / "recordings").mkdir()
-    record = save_echo(tmp_path)
+    record = save_echo(folder)
     job = {"kind": kind, "record": str(record), "episodes": episodes}
-    assert main([json.dumps(job | {"output": str(tmp_path / "made")})]) == 0
+    assert main([json.dumps(job | {"output": str(folder / "made")})]) == 0
     source = open_source(record)
     recordings = {
         line.index: line.recording.sha256
         for line in source.lines()
         if line.recording is not None and (episodes is None or line.index in episodes)
     }
-    assert read(tmp_path / "made") == ({source.statement_sha256}, recordings)
+    assert read(folder / "made") == ({source.statement_sha256}, recordings)

@@ -26,12 +26,6 @@ from tests.support.record.played_records import save_played_record
 from tests.support.sim.echo_records import ECHO, other_action, play_45_steps, save_echo
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    (tmp_path / "recordings").mkdir()
-    return tmp_path
-
-
 def export(record: Path, **more: Any) -> int:
     job = {"kind": "lerobot", "record": str(record), "json": True}
     return main([json.dumps(job | {"output": str(record.parent / "set")} | more)])
@@ -105,11 +99,6 @@ def test_what_diverged_is_left_out(
     assert len([*(folder / "set").rglob("*.mp4")]) == 1
     said = json.loads((folder / "set" / "meta" / "proctor.json").read_text())
     assert [one["episode"] for one in said["left_out"]] == [1]
-
-
-def test_what_came_before_a_fault_is_left_out(folder: Path) -> None:
-    assert export(save_echo(folder, faults=1), episodes=[0]) == 0
-    assert len(rows_of(folder, "data/chunk-000/file-000.parquet")) == 45
 
 
 def test_tasks_are_the_instructions(folder: Path) -> None:

@@ -24,9 +24,8 @@ from tests.support.record.played_records import (
 
 
 @pytest.fixture
-def record(tmp_path: Path) -> Path:
-    (tmp_path / "recordings").mkdir()
-    return save_calibration_record(tmp_path / "run-1.proctor", tmp_path / "recordings")
+def record(folder: Path) -> Path:
+    return save_calibration_record(folder / "run-1.proctor", folder / "recordings")
 
 
 def test_every_turn_comes_back_as_it_was_recorded(record: Path, tmp_path: Path) -> None:
@@ -54,16 +53,14 @@ def test_every_turn_comes_back_as_it_was_recorded(record: Path, tmp_path: Path) 
             assert row[name] == getattr(turn, name), name
 
 
-def test_every_episode_has_its_row(tmp_path: Path) -> None:
+def test_every_episode_has_its_row(folder: Path) -> None:
     """Also one without a result, and one whose seed is the secret of the host."""
     found = benchmark_registry.resolve("calibration", OPTIONS | {"sealed": True})
     del found.manifest["episodes"][1]["seed"]
-    (tmp_path / "recordings").mkdir()
-    path = tmp_path / "run-1.proctor"
-    recordings = tmp_path / "recordings"
-    save_played_record(path, recordings, found, play_chunks, only=(0, 2))
-    write_tables(open_source(path), tmp_path)
-    rows = pq.read_table(tmp_path / "episodes.parquet").to_pylist()
+    path = folder / "run-1.proctor"
+    save_played_record(path, folder / "recordings", found, play_chunks, only=(0, 2))
+    write_tables(open_source(path), folder)
+    rows = pq.read_table(folder / "episodes.parquet").to_pylist()
     shown = [(r["task"], r["split"], r["seed"], r["outcome"], r["score"]) for r in rows]
     assert shown == [
         ("score", "even", 1000, "success", 1.0),
@@ -101,27 +98,25 @@ def test_rows_are_written_in_groups(
     assert sizes == [4, 2]
 
 
-def test_a_start_after_a_fault_has_the_next_number(tmp_path: Path) -> None:
+def test_a_start_after_a_fault_has_the_next_number(folder: Path) -> None:
     found = benchmark_registry.resolve("calibration", OPTIONS)
-    (tmp_path / "recordings").mkdir()
-    path = tmp_path / "run-1.proctor"
-    save_played_record(path, tmp_path / "recordings", found, play_chunks, faults=1)
-    write_tables(open_source(path), tmp_path)
-    rows = pq.read_table(tmp_path / "turns.parquet").to_pylist()
+    path = folder / "run-1.proctor"
+    save_played_record(path, folder / "recordings", found, play_chunks, faults=1)
+    write_tables(open_source(path), folder)
+    rows = pq.read_table(folder / "turns.parquet").to_pylist()
     assert [row["start_number"] for row in rows] == [1, 2, 2] * 3
 
 
-def test_what_fits_no_table_is_refused(tmp_path: Path) -> None:
+def test_what_fits_no_table_is_refused(folder: Path) -> None:
     """Nothing has compared the actions of a record with the spaces of its manifest."""
 
     def other(index: int, _number: int, turn: Turn) -> Turn:
         return msgspec.structs.replace(turn, at="yesterday") if index else turn
 
-    (tmp_path / "recordings").mkdir()
-    path = tmp_path / "run-1.proctor"
-    save_calibration_record(path, tmp_path / "recordings", other)
+    path = folder / "run-1.proctor"
+    save_calibration_record(path, folder / "recordings", other)
     with pytest.raises(UnusableRecord, match="yesterday is no time"):
-        write_tables(open_source(path), tmp_path)
+        write_tables(open_source(path), folder)
     bare = ROOT / "spec" / "vectors" / "record" / "good.proctor"
     with pytest.raises(UnusableRecord, match="no action space"):
-        write_tables(open_source(bare), tmp_path)
+        write_tables(open_source(bare), folder)
