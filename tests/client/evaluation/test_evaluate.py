@@ -20,6 +20,7 @@ from tests.support.client.direct_client import ACCEPT_ANY, DirectClient
 from tests.support.client.evaluations import (
     ProgressRecorder,
     calibration_evaluation,
+    continued_evaluation,
     ignore_progress,
     run_in_thread,
 )
@@ -245,10 +246,8 @@ def test_takeover_continues_the_episode_of_a_crashed_program(
     score = evaluate(
         lambda: policy,
         url=server.url,
-        token=TOKENS["alice"],
-        run_id=run.run_id,
         takeover=True,
-        progress=ignore_progress,
+        **continued_evaluation(run.run_id),
     )
     assert policy.first is not None
     assert policy.first.step == 3
@@ -308,12 +307,7 @@ def test_episodes_of_a_dead_session_are_played(
     run = direct_client.submit("score", "score", "score", idle_timeout_s=1)
     direct_client.attach(run.run_id, "dead")
     score = evaluate(
-        GradedPolicy,
-        url=server.url,
-        token=TOKENS["alice"],
-        run_id=run.run_id,
-        workers=2,
-        progress=ignore_progress,
+        GradedPolicy, url=server.url, workers=2, **continued_evaluation(run.run_id)
     )
     assert score.counts.success == 3
 

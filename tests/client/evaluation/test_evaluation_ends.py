@@ -31,6 +31,7 @@ from reference_client.evaluation.uncaught_errors import _print_text
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import (
     calibration_evaluation,
+    continued_evaluation,
     ignore_progress,
     run_in_thread,
 )
@@ -64,13 +65,7 @@ def test_a_failed_run_states_its_reason_and_resumes(server: ReferenceServer) -> 
     assert caught.value.retryable
     run_id = caught.value.run.run_id
     FaultingPolicy.fault = 0.0
-    score = evaluate(
-        FaultingPolicy,
-        url=server.url,
-        token=TOKENS["alice"],
-        run_id=run_id,
-        progress=ignore_progress,
-    )
+    score = evaluate(FaultingPolicy, url=server.url, **continued_evaluation(run_id))
     assert score.score == 1.0
 
 
@@ -83,13 +78,7 @@ def test_a_run_that_cannot_resume_is_reported(server: ReferenceServer) -> None:
         evaluate(UnplayablePolicy, url=server.url, **calibration_evaluation("fault"))
     run_id = caught.value.run.run_id
     with pytest.raises(RunFailed, match="It cannot be resumed"):
-        evaluate(
-            GradedPolicy,
-            url=server.url,
-            token=TOKENS["alice"],
-            run_id=run_id,
-            progress=ignore_progress,
-        )
+        evaluate(GradedPolicy, url=server.url, **continued_evaluation(run_id))
 
 
 @pytest.mark.parametrize("mode", ["abort", "drain"])
@@ -126,13 +115,7 @@ def test_a_completed_run_has_its_score_at_once(server: ReferenceServer) -> None:
     first = evaluate(
         GradedPolicy, url=server.url, **calibration_evaluation("score", "score")
     )
-    again = evaluate(
-        GradedPolicy,
-        url=server.url,
-        token=TOKENS["alice"],
-        run_id=first.run_id,
-        progress=ignore_progress,
-    )
+    again = evaluate(GradedPolicy, url=server.url, **continued_evaluation(first.run_id))
     assert again == first
 
 
@@ -253,12 +236,7 @@ def test_an_interrupted_episode_is_continued_at_its_step(
     assert f'run_id="{run_id}", takeover=True) continues it' in note
     RaisingPolicy.may_pass = True
     score = evaluate(
-        RaisingPolicy,
-        url=server.url,
-        token=TOKENS["alice"],
-        run_id=run_id,
-        takeover=True,
-        progress=ignore_progress,
+        RaisingPolicy, url=server.url, takeover=True, **continued_evaluation(run_id)
     )
     assert (score.score, direct_client.attempts(run_id)) == (1.0, [1])
     assert RaisingPolicy.steps == [0, 1, 2, 2, 3]
@@ -328,11 +306,7 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
     run = direct_client.control.get_run(run_id)
     assert (run.state.value, run.live_workers) == ("ready", 0)
     assert evaluate(
-        GradedPolicy,
-        url=server.url,
-        token=TOKENS["alice"],
-        run_id=run_id,
-        progress=ignore_progress,
+        GradedPolicy, url=server.url, **continued_evaluation(run_id)
     ).complete
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import signal
 import socket
-import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -93,15 +92,11 @@ def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:
     assert (answer.status_code, answer.json()["code"]) == (429, "worker_limit")
 
 
-@pytest.mark.parametrize("at_root", [False, True])
-def test_stop_and_resume_keep_scored_episodes(
-    http: httpx.Client, at_root: bool
-) -> None:
+def test_stop_and_resume_keep_scored_episodes(http: httpx.Client) -> None:
     client = open_client(http, "score", "score", "score")
     client.step({"0": action(score=0.5, end=1)})
     client.step({"0": action(score=1)})
-    url = client.endpoint.partition("/api/predict/")[0] if at_root else client.endpoint
-    stopped = client.stop(f"{url}/stop")
+    stopped = client.stop()
     assert (stopped["code"], run_of(client)["state"]) == (0, "stopped")
     assert client.status()["status"] == "incomplete"
     refused = client.send("step", dump_pickle({"0": action()}))
@@ -220,22 +215,6 @@ def send_and_disconnect(
             lambda: run_of(client).get("runs_played_before") is not None,
             "an action of the run is executed",
         )
-
-
-@pytest.mark.parametrize("pause_s", [0.0, 0.6])
-def test_a_repeated_step_is_executed_once(
-    server: ReferenceServer, http: httpx.Client, pause_s: float
-) -> None:
-    """The first answer is lost; asked again while it is executed, or after that."""
-    client = open_client(http, "delay")
-    body = {"0": action(delay_s=0.3, vector=[1.0] * 8)}
-    send_and_disconnect(server, client, "step", dump_pickle(body))
-    time.sleep(pause_s)  # long enough to have ended, or not
-    seen, _ = client.step(body)
-    assert count(seen) == 1
-    # Now the answer has arrived: the same action is chosen anew.
-    assert count(client.step(body)[0]) == 2
-    assert count(client.step(body)[0]) == 3
 
 
 def test_closing_after_the_whole_answer_confirms_it(

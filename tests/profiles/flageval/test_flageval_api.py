@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-import threading
 from typing import Any
 
 import httpx
 import pytest
 
-from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
+from conformance.policy.scripted_chat import ScriptedChat
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.flageval.evaluation_responses import TOLERANCE, status_of
 from reference_server.profiles.operation_tables import profile_tables
@@ -20,8 +19,6 @@ from tests.support.profiles.flageval_client import (
     KEY,
     TASKS,
     get_evaldiffs,
-    get_progress,
-    is_refused,
     model_info,
     post,
     post_evaluation,
@@ -30,7 +27,7 @@ from tests.support.profiles.flageval_client import (
 )
 from tests.support.push_runs import episodes, wait_for_state
 from tests.support.server.runs import make_run
-from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.servers import TOKENS, ReferenceServer
 
 # --- from the request to the result ---
 
@@ -142,44 +139,6 @@ def test_requests_of_a_query_are_compared_with_the_first(
 
 
 # --- stopping, going on, failing ---
-
-
-def test_a_stopped_evaluation_resumes_where_it_stopped(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    """Stopped in the second dataset. Expect C, and the first dataset kept."""
-    may_continue, reached = threading.Event(), threading.Event()
-
-    def respond(request: ChatRequest) -> str:
-        if "count" in request.question and not may_continue.is_set():
-            reached.set()
-            may_continue.wait(TIMEOUT_S)
-        return "1"
-
-    chat.reply = respond
-    request_id = submit_evaluation(client, model_info(chat, "j-stopped"))
-    assert reached.wait(TIMEOUT_S)
-    answer = get_progress(client, request_id)
-    assert (answer["finished"], answer["status"]) == (False, "R")
-    assert (answer["datasets_progress"], answer["running_dataset"]) == ("1/2", "count")
-    assert answer["running_progress"] == "0/2"
-    result = get_evaldiffs(client, request_id)["eval_results"]["j-stopped"]
-    assert [d["status"] for d in result["details"]] == ["S", "R"]
-    assert [d["accuracy"] for d in result["details"]] == [1.0, None]
-
-    assert post(client, "/stop_evaluation", request_id=request_id)["err_code"] == 0
-    answer = get_progress(client, request_id)
-    assert (answer["finished"], answer["status"]) == (True, "C")
-    result = get_evaldiffs(client, request_id)["eval_results"]["j-stopped"]
-    assert [d["status"] for d in result["details"]] == ["S", "C"]
-    before = [e.get("result") for e in episodes(client, request_id)]
-    may_continue.set()
-    assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
-    assert wait_until_finished(client, request_id)["status"] == "S"
-    after = [e["result"] for e in episodes(client, request_id)]
-    assert after[:4] == before[:4]
-    for path in ("/stop_evaluation", "/resume_evaluation"):
-        assert is_refused(post(client, path, request_id=request_id), "completed")
 
 
 def test_a_model_that_does_not_answer_is_out_of_retries(

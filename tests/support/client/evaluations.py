@@ -23,6 +23,11 @@ def calibration_evaluation(*tasks: str, **options: Any) -> dict[str, Any]:
     }
 
 
+def continued_evaluation(run_id: str) -> dict[str, Any]:
+    """Arguments by which a run goes on."""
+    return {"token": TOKENS["alice"], "run_id": run_id, "progress": ignore_progress}
+
+
 def ignore_progress(_progress: Progress) -> None:
     """For evaluations whose progress is not compared."""
 
