@@ -18,7 +18,7 @@ import pytest
 
 from conformance.policy import turn_builder
 from reference_client import Observation
-from reference_client.policies import policy_http_app
+from reference_client.policies import policy_http_app, serve_command
 from reference_client.policies.policy_http_app import PolicyApp
 from tests.support.client.policy_apps import (
     KEY,
@@ -254,19 +254,12 @@ def test_the_command_serves_an_expert_to_a_real_benchmark(
 
 
 @pytest.mark.parametrize("policy", ["nowhere.py:X", "json:nothing"])
-def test_an_invalid_policy_reference_is_reported(policy: str, tmp_path: Path) -> None:
-    done = subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "reference_client.policies.serve_command",
-            "--policy",
-            policy,
-        ],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.returncode == 2
-    assert done.stderr.startswith("proctor: ")
+def test_an_invalid_policy_reference_is_reported(
+    policy: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert serve_command.main(["--policy", policy]) == 2
+    assert capsys.readouterr().err.startswith("proctor: ")

@@ -9,6 +9,7 @@ from functools import partial
 import httpx
 import pytest
 
+from conformance.client import request_context
 from conformance.client.adaptive_timeouts import AdaptiveTimeouts
 from conformance.client.check_context import CheckContext
 from conformance.client.exchange_log import ExchangeLog
@@ -120,7 +121,10 @@ def context() -> Iterator[CheckContext]:
             yield CheckContext(shared, "TEST-001")
 
 
-def test_a_request_refused_for_capacity_is_repeated(context: CheckContext) -> None:
+def test_a_request_refused_for_capacity_is_repeated(
+    context: CheckContext, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(request_context, "_CAPACITY_TIMEOUT_S", 1.0)
     full = answer(503, {"code": "no_capacity", "detail": "full"})
     free = answer(200, {})
     answers = iter([full, full, free])

@@ -31,6 +31,7 @@ from tests.support.repository.imports import (
     nodes_of,
     tops,
 )
+from tests.support.repository.specification import DOCUMENT
 from tests.support.server.runs import make_run
 
 CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
@@ -212,7 +213,6 @@ def test_nothing_reads_a_format_that_carries_code() -> None:
 
 # --- the lifecycle ---
 
-DOCUMENT = yaml.safe_load((ROOT / "spec" / "openapi.yaml").read_text())
 LIFECYCLE = DOCUMENT["x-lifecycle"]
 
 

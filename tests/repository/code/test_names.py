@@ -161,18 +161,23 @@ def split_words(text: str) -> Iterator[str]:
     return (word.lower() for word in WORD.findall(text))
 
 
-def findings() -> Iterator[tuple[str, int, str]]:
+@functools.cache
+def findings() -> list[tuple[str, int, str]]:
     """File, line (0: its name) and word of each banned word."""
     banned = {word for words in BANNED for word in words.split()}
+    # Few lines have these letters at all; only those are split into words.
+    any_banned = re.compile("|".join(banned), re.IGNORECASE)
+    found = []
     for name in hand_written():
         try:
             lines = (ROOT / name).read_text("utf-8").splitlines()
         except UnicodeDecodeError:  # a picture
             lines = []
         for number, line in enumerate([name, *lines]):
-            for word in split_words(line):
-                if word in banned:
-                    yield name, number, word
+            if any_banned.search(line):
+                words = split_words(line)
+                found += [(name, number, word) for word in words if word in banned]
+    return found
 
 
 def entry_for(name: str, word: str) -> tuple[str, str] | None:

@@ -9,12 +9,8 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-import yaml
+from tests.support.repository.specification import DOCUMENT
 
-from tests.support.paths import ROOT
-
-SPEC = ROOT / "spec" / "openapi.yaml"
-DOCUMENT: dict[str, Any] = yaml.safe_load(SPEC.read_text())
 SCHEMAS: dict[str, Any] = DOCUMENT["components"]["schemas"]
 OPEN = "x-extensible-enum"
 # By these a client decides what it does next: complete within a major version.

@@ -10,8 +10,9 @@ from reference_client.generated import protocol_version as of_client
 from reference_server.generated import protocol_version as of_server
 from reference_server.http.handlers import SOFTWARE_VERSION
 from tests.support.paths import ROOT, SPEC
+from tests.support.repository.specification import DOCUMENT
 
-VERSION = yaml.safe_load((SPEC / "openapi.yaml").read_text())["info"]["version"]
+VERSION = DOCUMENT["info"]["version"]
 
 
 @pytest.mark.parametrize(

@@ -15,8 +15,8 @@ import sys
 from pathlib import Path
 
 import pytest
-import yaml
 
+from conformance.specification.document import load_spec
 from reference_client.command.command_line import aliases
 from reference_client.command.main import main
 from reference_client.command.usage_error import UsageError
@@ -413,6 +413,5 @@ def test_the_command_is_installed_under_its_name() -> None:
 
 
 def test_ids_of_workers_are_those_of_the_specification() -> None:
-    document = yaml.safe_load((ROOT / "spec" / "openapi.yaml").read_text())
-    pattern = document["components"]["parameters"]["WorkerId"]["schema"]["pattern"]
-    assert pattern == f"^{WORKER_ID.pattern}$"
+    parameters = load_spec().document["components"]["parameters"]
+    assert parameters["WorkerId"]["schema"]["pattern"] == f"^{WORKER_ID.pattern}$"
