@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import http.server
 import json
-import threading
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -18,25 +15,10 @@ from conformance.specification.stages import LAST, STAGES, advice, stage_of
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.null_servers import SERVICE, Reply, Request, run_server
 from tests.support.kit.run_kit import run_kit
 
-SERVICE = {
-    "name": "first stage",
-    "version": "1",
-    "protocol": {"min": "1.0", "max": "1.0"},
-    "profiles": ["core"],
-    "encodings": ["application/json"],
-    "image_codecs": ["raw"],
-    "server_time": "2026-01-01T00:00:00Z",
-    "limits": {
-        "max_body_bytes": 1000000,
-        "max_chunk": 4,
-        "idle_timeout_s_min": 1.0,
-        "idle_timeout_s_max": 600.0,
-        "max_workers": 2,
-        "wait_s_max": 30,
-    },
-}
+HEAD = {"Content-Type": "application/json", "Proctor-Version": "1.0"}
 
 
 def selected(stage: int | None) -> set[str]:
@@ -87,33 +69,11 @@ def test_a_stage_is_not_done_while_rules_are_skipped() -> None:
     assert "without --quick" in said
 
 
-class _FirstStage(http.server.BaseHTTPRequestHandler):
-    """Serves `describe_service` and nothing else."""
-
-    protocol_version = "HTTP/1.1"
-
-    def do_GET(self) -> None:
-        body = json.dumps(SERVICE if self.path == "/v1" else {}).encode()
-        self.send_response(200 if self.path == "/v1" else 404)
-        self.send_header("Content-Type", "application/json")
-        self.send_header("Content-Length", str(len(body)))
-        self.send_header("Proctor-Version", "1.0")
-        self.end_headers()
-        self.wfile.write(body)
-
-    def log_message(self, format: str, *args: object) -> None:  # noqa: A002
-        """Print nothing."""
-
-
-@pytest.fixture
-def url() -> Iterator[str]:
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), _FirstStage)
-    thread = threading.Thread(target=server.serve_forever)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_address[1]}"
-    server.shutdown()
-    thread.join()
-    server.server_close()
+def serve_first_stage(request: Request) -> Reply:
+    """Serve `describe_service` and nothing else."""
+    if request.path != "/v1":
+        return 404, HEAD, b"{}"
+    return 200, HEAD, json.dumps(SERVICE | {"profiles": ["core"]}).encode()
 
 
 @pytest.mark.slow("starts kits")
@@ -122,10 +82,11 @@ def url() -> Iterator[str]:
     [(1, 0, "stage 1 of 6 (describe) is done; next,"), (2, 2, "stage 2 of 6")],
 )
 def test_a_server_of_the_first_stage(
-    url: str, tmp_path: Path, stage: int, code: int, says: str
+    tmp_path: Path, stage: int, code: int, says: str
 ) -> None:
     """Nothing else is needed to be judged: no token, no benchmark."""
-    kit = run_kit(tmp_path, "--url", url, "--stage", str(stage))
+    with run_server(serve_first_stage) as url:
+        kit = run_kit(tmp_path, "--url", url, "--stage", str(stage))
     assert kit.code == code, kit.output
     assert says in kit.output
     assert kit.report["stage"] == stage

@@ -111,11 +111,11 @@ def test_the_summary_counts_and_names_every_channel(tmp_path: Path) -> None:
 
 
 def test_a_part_that_is_cut_anywhere_is_read_up_to_there(tmp_path: Path) -> None:
-    write_part(tmp_path, *(("/turn", make_turn(n)) for n in range(3)))
+    write_part(tmp_path, *(("/turn", make_turn(n)) for n in range(2)))
     (part,) = parts_of(tmp_path)
     whole = part.read_bytes()
-    ends = [len(whole) * n // 3 for n in range(4)]
-    assert len(list(read_part(part))) == 3
+    ends = [0, len(whole) // 2, len(whole)]
+    assert len(list(read_part(part))) == 2
     for size in range(len(whole) + 1):
         part.write_bytes(whole[:size])
         assert len(list(read_part(part))) == sum(end <= size for end in ends) - 1

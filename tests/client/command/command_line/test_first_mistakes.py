@@ -36,11 +36,6 @@ class Misspelt(Base):
         return values
 
 
-class WrongState(Base):
-    def act(self, observation):
-        return observation.state["cuont"]
-
-
 class NoInstruction:
     def reset(self):
         pass
@@ -101,7 +96,6 @@ def play(name: str, *flags: str) -> list[str]:
     [
         ("Short", "/actions/0/values is an array of 14"),
         ("Misspelt", "has sucess, which is no name; did you mean success"),
-        ("WrongState", "cuont: observation.state has count"),
         ("NoInstruction", "takes 1 positional argument"),
         ("TooMany", "/actions has 9000 actions; a chunk holds at most "),
         ("Quits", "The policy raised SystemExit: 0 (mistakes.py:"),
