@@ -37,51 +37,60 @@ def http_get(url: str, path: str, **headers: str) -> tuple[int, bytes, dict[str,
         connection.close()
 
 
+HELD = """
+import pathlib, time, policies
+
+
+class Held(policies.Graded):
+    def act(self, observation):
+        is_held = observation.episode_id == "e0002" and observation.step
+        while is_held and not pathlib.Path("go").exists():
+            time.sleep(0.01)
+        return super().act(observation)
+"""
+
+
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
-def test_the_page_shows_the_observations_of_the_workers(
+def test_the_page_shows_what_is_played_and_what_has_ended(
     server: ReferenceServer, policy_folder: Path, processes: list[str]
 ) -> None:
-    """A policy held in its second turn. Expect its picture, its times, the score so
-    far; and that no other site and no other path gets anything."""
-    (policy_folder / "slow.py").write_text(
-        "import pathlib, time, policies\n"
-        "class Slow(policies.Graded):\n"
-        "    def act(self, observation):\n"
-        "        while observation.step > 0 and not pathlib.Path('go').exists():\n"
-        "            time.sleep(0.01)\n"
-        "        return super().act(observation)\n"
-    )
-    run = ["run", "--policy", "slow:Slow", *options("echo"), "--view", *processes]
+    """A policy held in the second turn of its third episode. Expect its picture and its
+    times, the two episodes before in their order, the score so far; and that no other
+    site and no other path gets anything."""
+    (policy_folder / "held.py").write_text(HELD)
+    tasks = options("score", "count", "echo")
+    run = ["run", "--policy", "held:Held", *tasks, "--view", *processes]
     images = ["--images", "png:64x48"]
     with start_proctor(policy_folder, server.url, *run, *images) as process:
-        wait_until(
-            lambda: URL.search((policy_folder / "stderr").read_text()),
-            "there is a page",
-        )
-        found = URL.search((policy_folder / "stderr").read_text())
-        assert found is not None
-        url = found[1]
+        errors = policy_folder / "stderr"
+        wait_until(lambda: URL.search(errors.read_text()), "there is a page")
+        shown_url = URL.search(errors.read_text())
+        assert shown_url is not None
+        url = shown_url[1]
         states: list[Any] = []
 
-        def shows_a_worker() -> bool:
+        def shows_the_third_episode() -> bool:
             states.append(json.loads(http_get(url, "/state.json")[1]))
-            return bool(states[-1]["workers"]) and states[-1]["total"] == 1
+            worker = states[-1]["workers"].get("worker-0", {})
+            is_there = (worker.get("episode_id"), worker.get("step")) == ("e0002", 1)
+            return is_there and states[-1]["scored"] == 2
 
-        wait_until(shows_a_worker, "it shows the worker")
+        wait_until(shows_the_third_episode, "it shows the third episode")
         state = states[-1]
-        assert state["title"] == "Slow on calibration"
-        assert (state["scored"], state["total"], state["mean"]) == (0, 1, None)
+        assert state["title"] == "Held on calibration"
+        assert (state["total"], state["mean"]) == (3, 0.5)
+        results = state["results"]
+        assert [one["episode_id"] for one in results] == ["e0000", "e0001"]
+        assert [one["task"] for one in results] == ["score", "count"]
+        assert {type(one["score"]) for one in results} == {float}
         seen = state["workers"]["worker-0"]
         assert seen["instruction"] == "Calibration task echo."
-        assert (seen["step"], seen["episode_id"]) == (1, "e0000")
         assert min(seen["think_s"], seen["server_s"], seen["wire_s"]) >= 0
         data = base64.b64decode(seen["images"]["pattern"])
         assert PIL.Image.open(io.BytesIO(data)).size == (64, 48)
-
-        count = seen["values"]
-        assert count["count"] == "0.000"
-        assert count["action: success"] == "1.000"
-        assert (seen["fault"], seen["results"], state["results"]) == ("", [], [])
+        assert seen["values"]["count"] == "0.000"
+        assert seen["values"]["action: success"] == "1.000"
+        assert (seen["fault"], seen["results"]) == ("", results)
 
         status, page, headers = http_get(url, "/")
         assert status == 200
@@ -94,45 +103,6 @@ def test_the_page_shows_the_observations_of_the_workers(
     assert process.returncode == 0
     with pytest.raises(OSError, match="refused"):
         http_get(url, "/")
-
-
-@pytest.mark.parametrize("processes", [[], ["--processes"]])
-def test_the_page_lists_the_episodes_that_ended(
-    server: ReferenceServer, policy_folder: Path, processes: list[str]
-) -> None:
-    """A policy held in its third episode. Expect the two before, in their order."""
-    (policy_folder / "held.py").write_text(
-        "import pathlib, time, policies\n"
-        "class Held(policies.Graded):\n"
-        "    episodes = 0\n"
-        "    def reset(self, instruction):\n"
-        "        self.episodes += 1\n"
-        "    def act(self, observation):\n"
-        "        while observation.episode_id == 'e0002' and observation.step and "
-        "not pathlib.Path('go').exists():\n"
-        "            time.sleep(0.01)\n"
-        "        return super().act(observation)\n"
-    )
-    run = ["run", "--policy", "held:Held", "--view", *processes]
-    tasks = options("score", "count", "score")
-    with start_proctor(policy_folder, server.url, *run, *tasks) as process:
-        errors = policy_folder / "stderr"
-        wait_until(lambda: URL.search(errors.read_text()), "there is a page")
-        found = URL.search(errors.read_text())
-        assert found is not None
-        results: list[Any] = []
-
-        def shows_both() -> bool:
-            results[:] = json.loads(http_get(found[1], "/state.json")[1])["results"]
-            return len(results) == 2
-
-        wait_until(shows_both, "it shows two episodes")
-        assert [one["episode_id"] for one in results] == ["e0000", "e0001"]
-        assert [one["task"] for one in results] == ["score", "count"]
-        assert {type(one["score"]) for one in results} == {float}
-        (policy_folder / "go").touch()
-        process.communicate(timeout=TIMEOUT_S)
-    assert process.returncode == 0
 
 
 def contrast(first: str, second: str) -> float:
