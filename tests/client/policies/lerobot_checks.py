@@ -8,7 +8,7 @@ LeRobot saves them. The same dynamics are played by LeRobot's own evaluation and
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -265,12 +265,6 @@ def test_that_actions_are_those_of_lerobots_own_evaluation(
 
 
 # Through a server
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    with ReferenceServer(tmp_path_factory.mktemp("server")) as server:
-        yield server
 
 
 @pytest.fixture(scope="module")

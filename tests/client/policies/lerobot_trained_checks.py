@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -22,12 +21,6 @@ EXAMPLE = ROOT / "examples" / "trained_policy"
 LEROBOT_TRAIN = Path(sys.executable).with_name("lerobot-train")
 TASKS = ("reach", "press_button")
 EPISODES = 2
-
-
-@pytest.fixture(scope="module")
-def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    with ReferenceServer(tmp_path_factory.mktemp("server")) as server:
-        yield server
 
 
 @pytest.fixture(scope="module")

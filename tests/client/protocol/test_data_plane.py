@@ -22,20 +22,10 @@ from reference_client.protocol.retry_policy import FAILURES
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.faulty_proxy import serve_in_thread
 from tests.support.kit.null_servers import TURN
-from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.servers import TIMEOUT_S, TOKENS
 from tests.support.sim.calibration_action import calibration_action as action
 
 PIXELS = bytes(range(12))
-
-
-@pytest.fixture(scope="module")
-def direct_client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DirectClient]:
-    directory = tmp_path_factory.mktemp("server")
-    with (
-        ReferenceServer(directory) as server,
-        DirectClient(server.url) as direct_client,
-    ):
-        yield direct_client
 
 
 class EchoWorker:
