@@ -11,8 +11,9 @@ from PIL import Image
 
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.calibration import DEATH_EXIT_CODE, TASKS, Calibration
-from reference_sim.interface import Action, TaskUnplayable
+from reference_sim.interface import TaskUnplayable
 from reference_sim.process.encoding import encode, encode_image, encode_tensor
+from tests.support.sim.calibration_action import calibration_action as action
 
 WIDTH, HEIGHT = 16, 12
 
@@ -31,24 +32,6 @@ ELEMENTS: dict[str, tuple[str, list[float]]] = {
     "float32": ("f", [-2, -0.5, 0, 0.5, 2.0**-126, (2 - 2.0**-23) * 2.0**127]),
     "float64": ("d", [-2, -0.5, 0, 0.5, 2.0**-1022, (2 - 2.0**-52) * 2.0**1023]),
 }
-
-
-def action(**values: Any) -> Action:
-    """An action that does nothing but what is given."""
-    nothing: dict[str, list[float]] = {
-        "score": [0.0],
-        "success": [0.0],
-        "end": [0.0],
-        "delay_s": [0.0],
-        "fault": [0.0],
-        "vector": [0.0] * 8,
-        "clipped": [0.0, 0.0],
-    }
-    assert values.keys() <= nothing.keys()
-    return nothing | {
-        name: value if isinstance(value, list) else [float(value)]
-        for name, value in values.items()
-    }
 
 
 def start_episode(task: str) -> Calibration:

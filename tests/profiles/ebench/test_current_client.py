@@ -23,8 +23,8 @@ from tests.support.profiles.ebench_client import (
     episodes_of,
     load_pickle,
     open_client,
-    submit_native_run,
 )
+from tests.support.server.http_runs import submit
 from tests.support.server.runs import make_run
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -254,7 +254,7 @@ def test_every_equal_step_is_a_repetition_where_the_operator_says_so(
 def test_a_query_and_a_header_that_differ_are_refused(http: httpx.Client) -> None:
     """EBE-024: whichever of them names the run of the endpoint."""
     client = open_client(http, "count")
-    other = submit_native_run(http, "count")
+    other = submit(http, "count")
     for header, query in ((client.task_id, other), (other, client.task_id)):
         answer = http.post(
             f"{client.endpoint}/step",

@@ -25,8 +25,8 @@ from tests.support.profiles.ebench_client import (
     dump_pickle,
     open_client,
     run_of,
-    submit_native_run,
 )
+from tests.support.server.http_runs import submit
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 # --- tasks ---
@@ -106,7 +106,7 @@ def test_a_refusal_of_the_control_plane_is_an_envelope(
 def test_foreign_accounts_are_refused_in_an_envelope(
     server: ReferenceServer, http: httpx.Client
 ) -> None:
-    task_id = submit_native_run(http, "score")
+    task_id = submit(http, "score")
     with server.client("bob") as bob, server.client("reader") as reader:
         for client_of_account, code in ((bob, 404), (reader, 403)):
             foreign_client = EbenchClient(client_of_account, task_id)
@@ -125,7 +125,7 @@ def test_foreign_accounts_are_refused_in_an_envelope(
 
 
 def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
-    client = EbenchClient(http, submit_native_run(http, "count", "score"))
+    client = EbenchClient(http, submit(http, "count", "score"))
     client.find()
     assert http.get(f"{client.endpoint}/docs").status_code == 200
     first = client.reset()

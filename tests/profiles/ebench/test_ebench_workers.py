@@ -20,9 +20,9 @@ from tests.support.profiles.ebench_client import (
     episodes_of,
     open_client,
     run_of,
-    submit_native_run,
 )
 from tests.support.raw_answers import read_answer
+from tests.support.server.http_runs import submit
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.waiting import wait_until
 
@@ -37,7 +37,7 @@ def test_sixteen_workers_share_a_run(
     """Each in a thread of its own, as separate clients would be."""
     tasks = ["score", "count"] * 20
     scores = [round(0.01 * i, 2) for i in range(40)]
-    task_id = submit_native_run(http, *tasks)
+    task_id = submit(http, *tasks)
 
     def play(worker: str) -> int:
         with server.client() as own:

@@ -14,7 +14,8 @@ import httpx
 import pytest
 
 from tests.support.paths import ROOT
-from tests.support.profiles.ebench_client import load_pickle, submit_native_run
+from tests.support.profiles.ebench_client import load_pickle
+from tests.support.server.http_runs import submit
 
 VECTORS = json.loads((ROOT / "spec/vectors/ebench/requests.json").read_text())
 GENERATIONS = ("older", "current")
@@ -50,7 +51,7 @@ def send(http: httpx.Client, vector: dict[str, Any], run_id: str) -> httpx.Respo
 @pytest.mark.parametrize("generation", GENERATIONS)
 def test_recorded_requests_are_answered(http: httpx.Client, generation: str) -> None:
     """EBE-024, EBE-025: every one with 200, and metrics in the client's own form."""
-    run_id = submit_native_run(http, "score", "count")
+    run_id = submit(http, "score", "count")
     metrics = []
     for vector in VECTORS["vectors"]:
         if vector["generation"] != generation:

@@ -15,7 +15,8 @@ from typing import Any
 import httpx
 import numpy as np
 
-from tests.support.sim.calibration_action import SIZES
+from tests.support.server.http_runs import submit
+from tests.support.sim.calibration_action import calibration_action
 
 Json = dict[str, Any]
 CONTROL = "/api/v1/benchmark/onlineEvaluation"
@@ -122,29 +123,16 @@ class MaliciousObject:
 
 def action(**values: float | list[float]) -> Json:
     """An action of the benchmark calibration; names that are left out are zero."""
-    numbers: list[float] = []
-    for name, size in sorted(SIZES.items()):
-        value = values.get(name, 0.0)
-        numbers += value if isinstance(value, list) else [value] * size
+    parts = sorted(calibration_action(**values).items())
+    numbers = [number for _, part in parts for number in part]
     return {"action": np.array(numbers), "control_type": "joint_position"}
-
-
-def submit_native_run(http: httpx.Client, *tasks: str, **members: Any) -> str:
-    """A calibration run submitted by the native protocol; its id."""
-    body = {"benchmark_id": "calibration", "policy": {"name": "p"}, **members}
-    body["options"] = {"tasks": tasks} | members.get("options", {})
-    answer = http.post("/v1/runs", json=body)
-    assert answer.status_code == 201, answer.text
-    return str(answer.json()["run_id"])
 
 
 def open_client(
     http: httpx.Client, *tasks: str, workers: tuple[str, ...] = ("0",), **members: Any
 ) -> EbenchClient:
     """A client of a run whose workers have seen their first observation."""
-    client = EbenchClient(
-        http, submit_native_run(http, *tasks, **members), worker_ids=workers
-    )
+    client = EbenchClient(http, submit(http, *tasks, **members), worker_ids=workers)
     assert client.find()["data"]["ready"]
     client.reset()
     return client

@@ -7,12 +7,10 @@ import httpx
 from tests.support.sim.calibration_action import calibration_action
 
 
-def submit(client: httpx.Client, *tasks: str) -> str:
-    body = {
-        "benchmark_id": "calibration",
-        "policy": {"name": "p"},
-        "options": {"tasks": tasks},
-    }
+def submit(client: httpx.Client, *tasks: str, **members: Any) -> str:
+    """Submit a run with these tasks and further members; give its id."""
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}, **members}
+    body["options"] = {"tasks": tasks, **members.get("options", {})}
     answer = client.post("/v1/runs", json=body)
     assert answer.status_code == 201, answer.text
     return str(answer.json()["run_id"])

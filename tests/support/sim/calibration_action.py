@@ -11,7 +11,11 @@ SIZES = {
 }
 
 
-def calibration_action(**values: float) -> dict[str, list[float]]:
-    """Each part holds its value in every element, 0 without one."""
+def calibration_action(**values: float | list[float]) -> dict[str, list[float]]:
+    """Each part holds its list, or its number in every element; 0 without a value."""
     assert values.keys() <= SIZES.keys(), values
-    return {name: [float(values.get(name, 0))] * size for name, size in SIZES.items()}
+    given = {name: values.get(name, 0) for name in SIZES}
+    return {
+        name: value if isinstance(value, list) else [float(value)] * SIZES[name]
+        for name, value in given.items()
+    }
