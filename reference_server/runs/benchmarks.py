@@ -165,7 +165,7 @@ class Benchmarks:
 
 
 class SimulatorConfigs:
-    """What a simulator process needs for a run, looked up once per manifest and choice.
+    """Configurations of simulator processes, made once per manifest and choice.
 
     A benchmark does not change while the server runs, and its manifest is long: it is
     described and hashed again only for what is not in the cache.
@@ -221,6 +221,11 @@ def _simulator_config(
             "now has another manifest. Submit another run.",
         )
     return found.world
+
+
+def canonical(manifest: Manifest | Mapping[str, Any]) -> bytes:
+    """The bytes of a manifest that are hashed and may be published (SEAL-002)."""
+    return msgspec.json.encode(without_sealed_seeds(manifest), order="deterministic")
 
 
 def digest(manifest: Manifest | Mapping[str, Any]) -> str:

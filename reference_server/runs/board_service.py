@@ -113,9 +113,9 @@ class BoardService:
     async def _change(
         self, run_id: str, decide: Callable[[BoardEntry | None], Change], **how: Any
     ) -> Changed:
-        """What `BoardStore.change` stores, counted for the account.
+        """Store the change with `BoardStore.change`, and count it for the account.
 
-        A caller that is cancelled takes neither with it: what is kept is counted.
+        Neither is undone when the caller is cancelled: a stored entry is counted.
         """
 
         async def store() -> Changed:
@@ -127,7 +127,7 @@ class BoardService:
         return await self._registry.work.run_to_end(store())
 
     async def entry_id_of_run(self, run_id: str) -> str | None:
-        """Of its entry, withdrawn or not. Who may see that, `get` decides."""
+        """The id of its entry, withdrawn or not; `get` decides who may see it."""
         entry = await self._store.find_of_run(run_id)
         return None if entry is None else entry.entry_id
 

@@ -94,7 +94,7 @@ class RunService:
     registry: RunRegistry
     executor: SessionExecutor
     validate_submission: SubmissionValidator
-    # What of a submission others are compared with: nothing that is secret.
+    # Leaves the parts of a submission by which two are compared, without secrets.
     comparable_submission: Callable[[Json], Json]
     # None where nothing is recorded.
     records: RunRecords | None = None
@@ -158,7 +158,7 @@ class RunService:
         return await self.registry.add(run, idempotency_key, body_sha256)
 
     async def find_by_key(self, account: str, idempotency_key: str) -> KeyUse | None:
-        """What an Idempotency-Key of the account made, if it was used."""
+        """The run that an Idempotency-Key of the account made, if any."""
         return await self.registry.find_by_key(account, idempotency_key)
 
     async def check_key(
@@ -282,8 +282,8 @@ class RunService:
     async def get_run(self, account: str, run_id: str) -> Run:
         """The run in memory, with every lease that is over ended.
 
-        What is shown of it goes through `render_when_stored`: memory may be ahead of
-        the database.
+        Show it only through `render_when_stored`: memory may be ahead of the database,
+        and a crash would take back a change that a client has seen.
         """
         run = await self.registry.get(run_id, account)
         self.executor.sweep(run)

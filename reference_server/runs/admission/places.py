@@ -39,7 +39,7 @@ class Places:
         return run_id in self._account_of
 
     def run_ids(self) -> list[str]:
-        """Of the runs that have a place or wait for one."""
+        """The ids of the runs that have a place or wait for one."""
         return [*self._account_of, *self._waiting]
 
     def waiting_here(self) -> list[WaitingRun]:
@@ -59,7 +59,7 @@ class Places:
     def note_elsewhere(
         self, waiting: Iterable[WaitingRun], places: Mapping[str, int]
     ) -> None:
-        """What waits at other nodes now, and how many places each account has there."""
+        """Replace the runs that wait at other nodes, and accounts' places there."""
         new = {run.run_id: run for run in waiting}
         for run_id in self._elsewhere - new.keys():
             self.stop_waiting(run_id)

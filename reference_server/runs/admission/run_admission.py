@@ -121,8 +121,8 @@ class RunAdmission(RunFollower):
     def take_place(self, run: Run) -> None:
         """A worker attaches: the run has a place, or is refused and waits for one.
 
-        What waits gets the next place that is its own in turn, so that a repeat finds
-        it. LIM-004: others give back what they do not use.
+        A waiting run gets the next place when its turn comes, so that a repeated attach
+        finds it. LIM-004: other runs give back the places that they do not use.
         """
         if run.run_id in self.places:
             return
@@ -277,7 +277,7 @@ class RunAdmission(RunFollower):
             await self._other_queues.refresh()
 
     def note_queue(self, seen: StoredQueue) -> None:
-        """What waits at all nodes by now, and what became of others of `queued_ids`."""
+        """Take in the queue of all nodes, and the runs of `queued_ids` that left it."""
         assert self._ownership is not None, "without it there is no other node"
         me, queue, elsewhere = self._ownership.node_id, self._admission.queue, []
         for owned in (*seen.queued, *seen.left):
@@ -295,9 +295,9 @@ class RunAdmission(RunFollower):
     def note_waiting_elsewhere(
         self, waiting: Sequence[WaitingRun], places: Mapping[str, int]
     ) -> None:
-        """What other nodes let this one take, and the places of accounts there.
+        """Take in the runs that other nodes offer, and the places of accounts there.
 
-        By that, and by what waits here, the next runs get the places that are free.
+        The free places then go to the first of these runs and of those that wait here.
         """
         waiting = [run for run in waiting if not self._knows(run.run_id)]
         self._offered.offer(run.run_id for run in waiting)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from reference_server.rules.run import ENDED_SESSIONS_MAX, Run, Session, SessionEnd
 from reference_server.runs.memory.run_events import Departure, RunFollower
 
-# Of all runs together, at some 500 bytes each.
+# Ended sessions of all runs together, at some 500 bytes each.
 SESSIONS_MAX = 2**16
 
 
