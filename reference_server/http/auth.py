@@ -128,5 +128,5 @@ def is_local(request: Request) -> bool:
 
 
 def hash_of(secret: str) -> str:
-    """What is stored of a token."""
+    """The SHA-256 digest of a token, which is stored in its place."""
     return hashlib.sha256(secret.encode()).hexdigest()

@@ -3,7 +3,7 @@
 A wrong body of a few megabytes can hold millions of faults, and each costs hundreds of
 bytes. So a body beyond `WHOLE_BYTES_MAX` is first read level by level, by the shape of
 its message: names, kinds and numbers of entries. Below a level only those parts are
-read that the message has. What passes is validated like any other body (`codec`).
+read that the message has. A body that passes is validated like any other (`codec`).
 
 A shape permits more than its message does and never less. Must not know operations.
 """
@@ -73,7 +73,7 @@ async def read_message(model: type[Model], body: bytes, media_type: str) -> Mode
 def read_structure(
     model: type[BaseModel], body: bytes, media_type: str, *, closed: bool = True
 ) -> Any:
-    """What stands in a body, to be validated (ENC-011). Raises Refused.
+    """The decoded structure of a body, not yet validated (ENC-011). Raises Refused.
 
     closed: whether members that the model forbids are refused; else those of a large
     body are left out.
@@ -146,7 +146,7 @@ def _has_more_outside_strings(text: bytes, mark: bytes, most: int) -> bool:
 
 
 class _Shape(Protocol):
-    """What is permitted at one place of a message."""
+    """The values that are permitted at one place of a message."""
 
     def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
         """The plain structure of that place; at: its path. Raises Refused."""

@@ -1,4 +1,4 @@
-"""Limits for all connections of the server together, and which one gives way.
+"""Limits of all connections of the server together, and which connection gives way.
 
 A `ConnectionLimiter` counts connections by address, chooses the one to close when a
 limit is reached, and lets each connection check its deadlines once a second. It knows
@@ -15,7 +15,8 @@ from typing import Protocol
 
 from reference_server.process.freed_memory import FreedMemory
 
-# Bytes of a request line and headers (LIM-001); browsers and proxies send a quarter.
+# The most that a request line and headers may have (LIM-001); browsers and proxies send
+# a quarter of it.
 HEADER_BYTES = 2**15
 # Refused connections that may wait for their 503 at once; others are closed unanswered.
 REFUSED_MAX = 64
@@ -205,7 +206,10 @@ class ConnectionLimiter:
 
 
 def shared_address(host: str) -> str:
-    """The address that is counted: a client has a whole /64 of IPv6, which is one."""
+    """The address by which a client is counted: for IPv6 its /64 network.
+
+    One client can use all addresses of such a network.
+    """
     if ":" not in host:
         return host
     address = ip_address(host.partition("%")[0])

@@ -2,8 +2,8 @@
 
 The first SIGTERM or Ctrl-C begins: nothing new is taken in, and the turns in progress
 are finished and answered, for a bounded time in which the server still listens and
-`/readyz` says that it ends. A second signal ends at once. What is refused meanwhile is
-decided elsewhere.
+`/readyz` says that it ends. A second signal ends at once. Other modules decide which
+requests are refused meanwhile.
 """
 
 from __future__ import annotations

@@ -39,7 +39,8 @@ _SORTS: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
 }
 # Parts of a score, and what a column of a spreadsheet calls one of them.
 _GROUPS = {"by_task": "task", "by_split": "split"}
-# A spreadsheet executes a cell that begins so as a formula (CSV injection).
+# A cell that begins with one of these would be executed as a formula by a spreadsheet
+# program (CSV injection).
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 

@@ -25,7 +25,7 @@ log = logging.getLogger("proctor.pages")
 
 PAUSE_S = 1.0
 COMMENT = b":\n\n"
-# Readers of one account, or of accounts that share a token.
+# The most readers of one account, or of accounts that share a token.
 READERS_MAX = 400
 LATEST = 10
 PACE = 50
@@ -91,7 +91,7 @@ class _LiveRun:
             self._task.cancel()
 
     async def changes(self) -> AsyncGenerator[bytes, None]:
-        """The current part of the page, and each change; empty comments in between."""
+        """Yield the list of runs, then each change of it; empty comments in between."""
         sent = b""
         assert self._task is not None
         while True:

@@ -1,7 +1,7 @@
 """The pages of a server: one handler each, which fetches documents and renders them.
 
-Each runs with the token of the reader's session. The API's own refusal
-is shown as a page: the runs of other accounts are not found.
+Each runs with the token of the reader's session. A refusal of the API is shown as a
+page: the runs of other accounts are not found.
 """
 
 from __future__ import annotations

@@ -169,7 +169,7 @@ class Pages:
     # --- what holds for every page ---
 
     def _route(self, path: str, endpoint: Endpoint, *methods: str) -> Route:
-        """The route of a path below the pages; methods: GET, if none is named."""
+        """The route of a path below the pages. methods: GET, if none is named."""
 
         async def refuse(request: Request) -> Response:
             detail = f"{request.method[:16]} is not a method of this page."

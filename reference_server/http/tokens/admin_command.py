@@ -46,7 +46,7 @@ _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 
 
 class AdminError(Exception):
-    """What was asked cannot be done; the text says why, in one line."""
+    """The command cannot be carried out; the text says why, in one line."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -93,7 +93,7 @@ class TokenFile:
 
 
 def token_id(hashed: str) -> str:
-    """What a token is called: it says which one it is, and cannot be used as one."""
+    """The name of a token in logs and lists, which cannot be used as a token."""
     return hashed[:12]
 
 
@@ -107,7 +107,7 @@ def _require_private(path: Path) -> None:
 
 
 def read_bytes(path: Path) -> bytes:
-    """The content of the file. Raises OSError, also for what is no file of tokens."""
+    """The content of the file. Raises OSError, also for a pipe or a large file."""
     # A pipe would block for ever.
     with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
