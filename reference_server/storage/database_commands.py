@@ -27,7 +27,7 @@ from reference_server.storage.server_lock import lock_of
 _OF_MANIFEST = runs.c.manifest_sha256 == manifests.c.manifest_sha256
 _OF_RUN = episodes.c.number == runs.c.number
 _COUNT = sa.select(sa.func.count())
-# What is wrong → how many rows are.
+# Description of an inconsistency → query that counts its rows.
 _INCONSISTENT = {
     "runs without their manifest": _COUNT.select_from(
         runs.outerjoin(manifests, _OF_MANIFEST)
@@ -111,7 +111,7 @@ def _problems(connection: sa.Connection) -> list[str]:
 
 
 def back_up(url: str, args: argparse.Namespace) -> None:
-    """Of one moment; the file is its owner's alone."""
+    """Write a copy of one moment to a file that only its owner may read."""
     database, path = Database(url), Path(args.file)
     try:
         if database.is_postgresql:

@@ -60,7 +60,7 @@ class ImportStore:
         return await self._first(_of_account(query, account))
 
     async def oldest_unfinished(self) -> list[RecordImport]:
-        """Of each account that has one, oldest first."""
+        """The oldest unfinished import of each account, oldest first."""
         oldest = sa.select(sa.func.min(_imports.c.number)).where(_IS_UNFINISHED)
         numbers = oldest.group_by(_imports.c.account).scalar_subquery()
         query = sa.select(*_COLUMNS).where(_imports.c.number.in_(numbers))

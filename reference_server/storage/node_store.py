@@ -1,9 +1,9 @@
 """The nodes that share the database, and which of them owns a run.
 
-All times are those of the database's clock. What a row means is decided in
-`rules/run_owner.py`; what makes it safe is here: a node that was removed never comes
-back under its id, and each claim of a run increments its fence, which every write of
-the run names (`store.py`).
+All times are those of the database's clock. `rules/run_owner.py` decides what a row
+means; this module makes it safe: a node that was removed never comes back under its
+id, and each claim of a run increments its fence, which every write of the run names
+(`store.py`).
 """
 
 from __future__ import annotations
@@ -44,10 +44,10 @@ class ListedNode(NamedTuple):
 
 
 class OwnedRun(NamedTuple):
-    """What a node reads of a run that waits, or did: enough to take it.
+    """The columns of a waiting run that a node needs in order to take it.
 
-    is_new: it waits since it was submitted. Of one that was resumed its owner alone
-    knows what ended its sessions (DET-002, DET-005): no other node takes it.
+    is_new: it waits since it was submitted. No other node takes a run that was resumed:
+    its owner alone knows what ended its sessions (DET-002, DET-005).
     """
 
     run: WaitingRun
@@ -88,8 +88,8 @@ _silent_s = sa.func.abs(_Now() - _nodes.c.renewed_at, type_=sa.Float())
 _fence = sa.func.coalesce(_runs.c.fence, 0)
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
 _IS_QUEUED = _runs.c.state.in_(sorted(WAITING_STATES))
-# Nothing happened to it since it was submitted: no session of it was ever known. What
-# brings a run back to the queue is stored with a later time, also where a clock was set
+# Nothing happened to it since it was submitted: no session of it was ever known. A run
+# that comes back to the queue is stored with a later time, even if a clock was set
 # back; a claim alone changes no time.
 _IS_NEW = _runs.c.updated_at_wall == _runs.c.created_at_wall
 _OWNED = sa.select(
@@ -102,9 +102,9 @@ _QUEUED = _OWNED.where(_IS_QUEUED).order_by(_runs.c.number)
 _LEFT = _OWNED.where(
     ~_IS_QUEUED, _runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True))
 )
-# Of a run that is held in the queue: by the clock of its owner.
+# The run is held in the queue, until a time by the clock of its owner.
 _IS_HELD = _runs.c.queue_until_wall > 0
-# Of that many runs a node asks at once what became of them.
+# A node asks for the state of at most this many runs in one query.
 IDS_PER_QUERY = 500
 
 
@@ -116,13 +116,13 @@ class NodeStore:
         self._lives = _silent_s <= lease_s
 
     async def facts(self) -> dict[str, str]:
-        """What must be equal on all nodes, by name, as it is stored for the cluster."""
+        """The stored values that must be equal on all nodes, by name."""
         return await self._transactions.read(_read_facts)
 
     async def agree_on(
         self, facts: Mapping[str, str], url: str, lasting: Collection[str]
     ) -> dict[str, str]:
-        """Store what the cluster has not yet, and return what it has then, by name.
+        """Store the values that the cluster does not have; return all of them, by name.
 
         facts: what must be equal on all nodes, as this node has it; the caller compares
         it with what is returned. While no other node lives, those of this node replace
@@ -250,7 +250,7 @@ class NodeStore:
             return (await connection.execute(claimed)).rowcount == 1
 
     async def queue(self, known: Sequence[str]) -> StoredQueue:
-        """What waits at all nodes, and what became of the others of these runs."""
+        """The runs that wait at all nodes, and those of `known` that left the queue."""
 
         def fetch(connection: sa.Connection) -> StoredQueue:
             queued = [_owned_run(*row) for row in connection.execute(_QUEUED)]

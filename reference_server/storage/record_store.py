@@ -1,4 +1,4 @@
-"""What was signed: the statements of records, and the keys that signed them.
+"""Tables of signatures: the statements of records, and the keys that signed them.
 
 Statements are in one order, each naming the one before it, whichever node signs.
 """
@@ -59,7 +59,7 @@ class RecordStore:
             return await connection.scalar(query)
 
     async def last_statement_sha256(self) -> str | None:
-        """Of the statement that was signed last; None before the first."""
+        """The digest of the statement that was signed last; None before the first."""
         async with self._transactions.reading() as connection:
             return await connection.scalar(_LAST_STATEMENT)
 

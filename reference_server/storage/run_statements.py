@@ -119,7 +119,7 @@ def stored_episodes(
     end: int = 2**31 - 1,
     query: sa.Select[Any] = _EPISODES_IN_RANGE,
 ) -> list[rows.EpisodeRow]:
-    """What is stored of a run's episodes from start to end, as the query counts."""
+    """The rows of a run's episodes from start to end, counted as the query does."""
     if start == end:
         return []
     window = {"number": number, "start": start, "end": end}

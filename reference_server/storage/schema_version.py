@@ -18,7 +18,8 @@ from reference_server.storage.database_tables import TABLES
 # Oldest first; the last one is that of this code. Each is a file of `migrations/`.
 VERSIONS = ("0001", "0002", "0003")
 MIGRATIONS = Path(__file__).parent / "migrations"
-# Of those who would upgrade one PostgreSQL database at a time.
+# Key of the advisory lock by which only one process at a time upgrades a PostgreSQL
+# database.
 _UPGRADE_LOCK = 0x50726F63_75706772
 
 _version = sa.Table(

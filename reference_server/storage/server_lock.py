@@ -1,8 +1,8 @@
 """The lock of the one server that uses a database: a second one is refused.
 
-Of an SQLite file it is a file beside it, locked by the operating system. In PostgreSQL
-it is an advisory lock, held by a connection of its own. Both are released when the
-process ends, however it ends: after `kill -9` the next server starts at once.
+For SQLite the lock is a file beside the database, locked by the operating system. In
+PostgreSQL it is an advisory lock, held by a connection of its own. Both are released
+when the process ends, however it ends: after `kill -9` the next server starts at once.
 """
 
 from __future__ import annotations

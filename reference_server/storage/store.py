@@ -60,11 +60,11 @@ BeforeDelete = Callable[[sa.Connection, str, bool], None]
 
 
 def _delete_nothing_else(_: sa.Connection, _run_id: str, _host: bool) -> None:
-    """What precedes a deletion, unless something else is named."""
+    """The default of `before_delete`: no other table names the run."""
 
 
 async def _complete_nothing(_run: Run) -> None:
-    """What precedes a write, unless something else is named."""
+    """The default of `before_save`: the run is already complete."""
 
 
 class Store:
@@ -175,7 +175,7 @@ class Store:
         return scored
 
     def before_delete(self, call: BeforeDelete) -> None:
-        """Of another module of storage/, whose tables name runs."""
+        """Register the call of a module of storage/ whose tables name runs."""
         self._before_delete = call
 
     async def delete(
@@ -189,7 +189,7 @@ class Store:
         emptied = _statements.update().where(_statements.c.run_id == run.run_id)
         size = rows.stored_bytes(run)
         row = rows.deleted_run_row(now_wall)
-        # What it has in the history of the leaderboard is kept, and counted.
+        # Its leaves in the history of the leaderboard stay, and stay counted.
         counted = sa.func.coalesce(_runs.c.stored_bytes, size)
         kept = counted - size + row.pop("stored_bytes")
         of_run = _runs.update().where(_runs.c.number == run.number)
@@ -326,7 +326,7 @@ class Store:
                 )
 
     async def usage_of(self, account: str) -> Quota:
-        """What an account has of what its quota bounds."""
+        """Counts for the account all that its quota bounds."""
         return await self.transactions.read(
             partial(account_statements.usage_of, account=account)
         )
@@ -355,5 +355,5 @@ class Store:
             return [WaitingRun(*row) for row in found]
 
     async def sizes_of_accounts(self) -> tuple[dict[str, int], dict[str, int]]:
-        """Of each account the number of its Idempotency-Keys, and its stored bytes."""
+        """By account: the number of its Idempotency-Keys, and its stored bytes."""
         return await self.transactions.read(account_statements.sizes_of_accounts)

@@ -83,22 +83,22 @@ class Transactions:
             yield connection
 
     async def read_of_node(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """Give the result of `fetch`; no other read delays it. Raises StoreFailed."""
+        """The result of `fetch`, which other reads do not delay. Raises StoreFailed."""
         if not self._database.has_node_connections:
             return await self.read(fetch)
         async with self._database.node_transaction() as connection:
             return await connection.run_sync(fetch)
 
     async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """Run `store`, as `write` does, and give its result once its writes are stored.
+        """Run `store` as `write` does, after the writes before it; returns its result.
 
-        store: runs in another thread. Its error ends the transaction.
+        store: runs in another thread; an exception of it rolls the transaction back.
         """
         async with self.write_lock:
             return await self.write_at_once(store)
 
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """Give the result of `fetch`, which reads one snapshot."""
+        """The result of `fetch`, which reads one snapshot."""
         return await self._database.read(fetch)
 
     @asynccontextmanager
@@ -136,9 +136,9 @@ class Transactions:
         connection.execute(counted.values(counted=_accounts.c.counted + 1))
 
     def lock_order(self, connection: sa.Connection) -> None:
-        """Lock the order of all accounts, first in a transaction that appends to it.
+        """To be called first by a transaction that adds to a sequence of all accounts.
 
-        Until the transaction ends, no other node changes what it then reads: the last
-        statement, the leaves of the leaderboard, an entry.
+        Until it ends no other node changes the last statement, the leaves of the
+        leaderboard or an entry.
         """
         self.lock_account(connection, _OF_ALL_ACCOUNTS)
