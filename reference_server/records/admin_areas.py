@@ -28,14 +28,15 @@ RUNS_PER_READ = 200
 
 
 class CannotDo(Exception):
-    """The request cannot be fulfilled; the text says why, in one line."""
+    """The command cannot be carried out; the text says why, in one line."""
 
 
 @dataclass(frozen=True, slots=True)
 class AdminFiles:
-    """Where a server has what it signs and records; keep_days: its promise, 0 all.
+    """The files of a server that signs and records.
 
-    key_path, folder, seed_secret_path: None where they last as long as the server.
+    keep_days: how long the server promises to keep recordings; 0 is for good. key_path,
+    folder, seed_secret_path: None where they last as long as the server.
     benchmarks: the host's own, as in the setting.
     """
 

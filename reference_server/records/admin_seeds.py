@@ -96,7 +96,7 @@ def _opened(heads: list[RunHead], secret: bytes) -> Iterator[OpenedSeeds]:
 
 
 def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
-    """The seeds of the whole benchmark, also where the run is of a part of it."""
+    """The seeds of the whole benchmark, even if the run plays only a part of it."""
     benchmark_id = head.manifest["benchmark_id"]
     try:
         found = benchmark_registry.resolve(

@@ -1,7 +1,7 @@
 """Simulates records that were handed in again, one after another, accounts in turn.
 
 Each has a simulator beside those of runs, with low priority: no run waits for it. A
-replay that a restart cuts off begins again. It decides no level of trust.
+replay that a restart cuts off begins again. This module decides no level of trust.
 """
 
 from __future__ import annotations

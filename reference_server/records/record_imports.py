@@ -46,7 +46,7 @@ class HostKeys(Protocol):
 
     @property
     def host_name(self) -> str:
-        """The name of this server in its records."""
+        """The name of this server in the verdicts that it signs."""
 
     async def key_names(self) -> Mapping[str, str]:
         """keyid → whose key it is, of all that are known here."""
@@ -93,7 +93,8 @@ class RecordImports:
             opened=settings.opened,
         )
         self._receiving = Counter[str]()  # of each account
-        # Held from the count of an account's imports until the new one is stored.
+        # Held from the count of an account's imports until the new one is stored, so that
+        # two at once cannot exceed the quota together.
         self._adding = asyncio.Lock()
 
     async def open(self) -> None:

@@ -47,11 +47,11 @@ T = TypeVar("T")
 
 
 class ExaminationFailed(Exception):
-    """The record could not be read to its end; the record need not be at fault."""
+    """The record could not be read to its end, perhaps for a cause outside of it."""
 
 
 class Recorded:
-    """A verified record, as its replay needs it. choice: unchecked, as it stands there.
+    """A verified record, as its replay needs it. choice: as the record has it, unchecked.
 
     Each result is decoded when it is its turn: there may be 65,000.
     """
@@ -89,7 +89,7 @@ class RecordVerifier:
         return found.facts
 
     async def read_for_replay(self, path: Path) -> Recorded:
-        """Read a record that was examined. Raises as `examine` does, except NoTurn."""
+        """Read an examined record. Raises as `examine` does, except for NoTurn."""
         said = await _run("replay", path, REPLAYABLE_BYTES_MAX)
         head, _, lines = said.partition(b"\n")
         found = _decoded(head, Replayable)
@@ -112,7 +112,7 @@ def _broken(part: BrokenPart | None) -> BrokenRecord:
 
 
 async def _run(task: str, path: Path, bytes_max: int) -> bytes:
-    """The output of the process. Raises as `RecordVerifier.examine`."""
+    """Run the process; returns its output. Raises as `RecordVerifier.examine`."""
     process = await asyncio.create_subprocess_exec(
         *(sys.executable, "-P", "-m", "reference_server.records.verify_process"),
         *(task, str(path)),

@@ -1,8 +1,8 @@
 """The signed records of completed runs, and the keys that sign them.
 
-A record is signed when it is first fetched. Only its statement is stored: all
-other files follow from the run and its recordings. Each statement names the one that
-was signed before it. It decides no rule of runs, and knows no HTTP.
+A record is signed when it is first fetched. Only its statement is stored: all other files
+follow from the run and its recordings. Each statement names the one that was signed
+before it. This module decides no rule of runs, and knows no HTTP.
 """
 
 from __future__ import annotations
@@ -138,7 +138,7 @@ class RunRecords:
             try:
                 if has_leftovers:
                     await self.remove_leftovers(since_wall)
-                    # Nodes that come and go always leave some behind.
+                    # Nodes that come and go leave new ones at any time.
                     has_leftovers = self._recordings.is_shared
                     since_wall = time.time() - LEFTOVERS_S
                 await self.remove_deleted()
@@ -163,7 +163,7 @@ class RunRecords:
                 await self._remove_unused(run_id)
 
     async def _remove_unused(self, run_id: str) -> None:
-        """Remove the files that no result of a completed run names."""
+        """Remove files of a completed run that none of its results names."""
         found = await self._store.read_window(run_id, 0, None)
         episodes = () if found is None else found[1]
         fences = {e.index: e.recording.fence for e in episodes if e.recording}
@@ -380,5 +380,6 @@ def _reopened(run_id: str, files: UnsignedRecord, statement: bytes) -> Record:
 
 
 def _shown_manifest(run: RunHead) -> bytes:
-    """The bytes that `manifest_sha256` covers: without sealed seeds (SEAL-002)."""
-    return canonical_json(without_sealed_seeds(run.manifest))
+    """The bytes whose digest is `manifest_sha256`: without sealed seeds (SEAL-002)."""
+    shown = without_sealed_seeds(run.manifest)
+    return msgspec.json.encode(shown, order="deterministic")

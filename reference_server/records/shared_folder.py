@@ -1,12 +1,13 @@
 """Refuses a node that would record or sign apart from the others of its cluster.
 
 All nodes have one folder of recordings, one key that signs records, and one name of
-their host. The database stores which they are. A node whose own ones differ does
-not start, and ends when it joins again.
+their host. All three are stored in the database. A node whose own ones differ does not
+start, and ends when it joins again.
 
-Of the folder an id is stored, which a file in it has. A copy of the folder has the same
-file. So each node also makes a file there that is named by the id of the node, and a
-node that starts must find the files of all nodes that live. It knows no HTTP.
+The folder is stored by an id, which a file in the folder contains. A copy of the folder
+has the same file. So each node also makes a file there that is named by the id of the
+node, and a node that starts must find the files of all nodes that live. This module
+knows no HTTP.
 """
 
 from __future__ import annotations

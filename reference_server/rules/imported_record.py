@@ -98,7 +98,7 @@ def trust_of(one: RecordImport, names: Mapping[str, str], host: str) -> Trust:
 
 
 class ImportUsage(NamedTuple):
-    """The imports of one account that are not finished, and bytes of its archives."""
+    """An account's number of unfinished imports, and the bytes of all its archives."""
 
     waiting: int
     stored_bytes: int
