@@ -46,7 +46,7 @@ class HostKeys(Protocol):
 
     @property
     def host_name(self) -> str:
-        """The name of this server in the verdicts that it signs."""
+        """The name of this server as a signer of records."""
 
     async def key_names(self) -> Mapping[str, str]:
         """keyid → whose key it is, of all that are known here."""
@@ -93,8 +93,9 @@ class RecordImports:
             opened=settings.opened,
         )
         self._receiving = Counter[str]()  # of each account
-        # Held from the count of an account's imports until the new one is stored, so that
-        # two at once cannot exceed the quota together.
+        # Held from the check of an account's quota until the new import is stored, so
+        # that two at once can neither exceed the quota nor store the same archive
+        # twice.
         self._adding = asyncio.Lock()
 
     async def open(self) -> None:

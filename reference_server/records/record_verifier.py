@@ -51,7 +51,9 @@ class ExaminationFailed(Exception):
 
 
 class Recorded:
-    """A verified record, as its replay needs it. choice: as the record has it, unchecked.
+    """A verified record, as its replay needs it.
+
+    choice: as the record has it, unchecked.
 
     Each result is decoded when it is its turn: there may be 65,000.
     """

@@ -1,10 +1,10 @@
 """The recordings of this server's episodes on disk: begin, continue, finish, delete.
 
 A simulator process appends the turns (`reference_sim/process/recorder.py`). Facts that
-only the server knows (faults, how attempts end, the result) are appended here, in a part
-of its own. No file is touched in the event loop: each episode has one thread that does
-its work in order. A write that fails is reported when the episode begins again or is
-finished, never dropped.
+only the server knows (faults, how attempts end, the result) are appended here, in a
+part of its own. No file is touched in the event loop: each episode has one thread that
+does its work in order. A write that fails is reported when the episode begins again or
+is finished, never dropped.
 
     RECORDS/RUN_ID/00042.parts/000001.part    an episode in play
     RECORDS/RUN_ID/00042.mcap                 an episode with its result
@@ -230,7 +230,8 @@ class Recordings:
     def remove_drafts(self) -> None:
         """Remove files that were being joined when an earlier server ended. Blocks.
 
-        In a shared folder they may belong to another node: there `remove_unused` does it.
+        In a shared folder they may belong to another node: there `remove_unused` does
+        it.
         """
         if self.is_shared:
             return

@@ -1,8 +1,8 @@
 """The signed records of completed runs, and the keys that sign them.
 
-A record is signed when it is first fetched. Only its statement is stored: all other files
-follow from the run and its recordings. Each statement names the one that was signed
-before it. This module decides no rule of runs, and knows no HTTP.
+A record is signed when it is first fetched. Only its statement is stored: all other
+files follow from the run and its recordings. Each statement names the one that was
+signed before it. This module decides no rule of runs, and knows no HTTP.
 """
 
 from __future__ import annotations
