@@ -16,7 +16,7 @@ from reference_server.rules.events import is_final
 from reference_server.rules.run import State
 
 EVENT_STREAM = b"text/event-stream"
-# What begins another answer, and what may be repeated later.
+# Status of an answer that goes on with the stream, and of one that may do so later.
 _GOES_ON, _LATER = 200, 503
 _ID = re.compile(rb"^id: (\S+)$", re.MULTILINE)
 _RUN = re.compile(rb"^event: run\nid: \S+\ndata: (.*)$", re.MULTILINE)

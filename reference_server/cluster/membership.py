@@ -92,12 +92,12 @@ class Membership:
 
     @property
     def node_id(self) -> str:
-        """Of this node; another one after it was removed."""
+        """The id of this node; it gets another one after it was removed."""
         return self._node.node_id
 
     @property
     def secret(self) -> str:
-        """What the other nodes send this one to show that they are nodes."""
+        """The secret by which the other nodes prove to this one that they are nodes."""
         return self._node.secret
 
     def is_secret_of_other(self, secret: bytes) -> bool:
@@ -263,7 +263,7 @@ class Membership:
         raise OwnedElsewhere(run_id)
 
     def _may_claim(self, owner: StoredOwner) -> bool:
-        """Of a run whose owner is silent, or in the list no more."""
+        """Whether the owner of a run is silent for too long or no longer listed."""
         if not self._claims:
             return False
         if owner.node_id is None or owner.silent_s is None:

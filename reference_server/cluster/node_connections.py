@@ -47,7 +47,7 @@ _NOT_REACHED = (
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
-# What a request that is passed on counts as in the metrics of its first node.
+# Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
 # At least so long, and for a lease, a busy node may be silent and is still waited for.
 SILENT_S = 5.0
@@ -146,7 +146,7 @@ class NodeConnections:
             COUNTERS.passed_on["ok" if is_ok else "failed"].add(took_s)
 
     async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
-        """What a node answers to a request of this one; None if it ends."""
+        """Send a request to a node; returns the body of its answer, None if it ends."""
         headers = [(b"host", b"node"), (SECRET_HEADER, node.secret.encode())]
 
         async def ask() -> bytes | None:
@@ -253,7 +253,7 @@ def _body(part: bytes, *, more: bool) -> Message:
 async def _first_of(
     answer: Coroutine[Any, Any, T], *ends: Coroutine[Any, Any, object]
 ) -> T | None:
-    """What `answer` gives, or None if another ends before; raises what ended it."""
+    """The result of `answer`; None if one of `ends` is done before. Raises as these."""
     answering = asyncio.ensure_future(answer)
     ending = [asyncio.ensure_future(end) for end in ends]
     tasks: list[asyncio.Future[Any]] = [answering, *ending]

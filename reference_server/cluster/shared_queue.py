@@ -37,14 +37,14 @@ LOOK_S = 1.0
 PAUSE_S = 0.02
 # A long queue takes a node no more of its time than that, however many ask for it.
 LONG_QUEUE, RESTS_AFTER_READ = 200, 4
-# A node that has not reported for this long keeps the places it reported last.
+# A node that does not answer within this time keeps the places that it reported last.
 TIMEOUT_S = 0.5
 
 Work = Callable[[], Awaitable[None]]
 
 
 class _Announced(msgspec.Struct):
-    """The message of one node to another. has_changed: whether the queue has."""
+    """A message of one node to another. has_changed: whether its queue has changed."""
 
     has_changed: bool
 
@@ -104,13 +104,13 @@ class SharedQueue:
         if self._next_read is not None:
             await asyncio.wait([self._next_read])
 
-    # --- what RunAdmission asks for ---
+    # --- calls of RunAdmission ---
 
     async def refresh(self) -> None:
-        """Let RunAdmission know what waits at all nodes by now."""
+        """Pass the queue of all nodes to RunAdmission."""
         try:
             await self._read()
-        except StoreFailed as error:  # a place in the queue does not promise anything
+        except StoreFailed as error:  # a shown place in the queue may be out of date
             self._failures.report("a node cannot read the queue", str(error))
 
     async def take(self, run_id: str) -> bool:
@@ -125,23 +125,23 @@ class SharedQueue:
         return is_taken
 
     def announce(self) -> None:
-        """Note that the runs waiting here have changed, and are stored."""
+        """Tell the other nodes soon that the stored queue of this node has changed."""
         self._announce_is_due.set()
 
     def look(self) -> None:
-        """Note that there is a place here for a run that waits."""
+        """Look soon for runs of other nodes, because there is a free place here."""
         self._look_is_due.set()
 
-    # --- what waits ---
+    # --- the queue ---
 
     async def _read(self) -> StoredQueue:
-        """The queue as it is now; callers that ask before a read begins share it."""
+        """Read the queue; one read serves all callers that ask before it begins."""
         if self._next_read is None:
             # Nothing that it logs belongs to the request that began it.
             self._next_read = asyncio.get_running_loop().create_task(
                 self._read_next(), context=contextvars.Context()
             )
-            # Its error is for the callers that wait, and all of them may have left.
+            # Its exception is for the callers that wait; all of them may have left.
             self._next_read.add_done_callback(lambda t: t.cancelled() or t.exception())
         return await asyncio.shield(self._next_read)
 
@@ -159,7 +159,7 @@ class SharedQueue:
             return seen
 
     async def _look(self) -> None:
-        """Let runs in that wait at other nodes, if there is a place for them here."""
+        """Give free places of this node to runs that wait at other nodes."""
         if not self._membership.claims:
             return
         await self._membership.ensure_lease()

@@ -1,7 +1,7 @@
 """How the runs of other nodes are shown in lists: as their owners show them.
 
-What is stored of a run in play says nothing of its sessions. So a node that lists runs
-asks each owner once for all of its runs on the page.
+The database does not contain the sessions of a run that is played. So a node that lists
+runs asks each owner once for all of its runs on the page.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ ViewRun = Callable[[str, str], Awaitable[Json]]
 
 
 class _Page(msgspec.Struct):
-    """What one node asks another for: these runs, as seen at that endpoint."""
+    """A request of one node to another for views: of these runs, at that endpoint."""
 
     endpoint: str
     run_ids: list[str]
