@@ -73,12 +73,12 @@ def check_length(chunk: Sequence[Any], max_chunk: int, at: Sequence[str]) -> Non
 def whole_chunk_errors(
     actions: Sequence[action_space.Values], manifest: Mapping[str, Any]
 ) -> action_space.SpaceErrors:
-    """What is wrong with the actions of a chunk that is played in several turns."""
+    """The errors in the actions of a chunk that is played in several turns."""
     return action_space.action_errors(actions, {**manifest, "max_chunk": len(actions)})
 
 
 def _previous_command(made: list[Values], last: ReadLastCommand) -> ReadLastCommand:
-    """What a relative action is added to: the action before it, also of this chunk."""
+    """The base of a relative action: the action before it, also one of this chunk."""
     return (lambda: made[-1]) if made else last
 
 

@@ -28,8 +28,9 @@ from numpy.typing import NDArray
 
 OPCODES_MAX = 400_000
 VALUES_MAX = 400_000
-# What a pickle of any length may have, and what each byte may add: actions that many
-# workers share are few bytes, but a hundred bytes never stand for a million values.
+# Values that a pickle of any length may have, and values that each byte may add:
+# actions that many workers share are few bytes, but a hundred bytes never stand for a
+# million values.
 VALUES_OF_ANY, VALUES_PER_BYTE = 2**15, 4
 TEXT_MAX = 2**22  # characters, repeated references included
 DEPTH_MAX = 16

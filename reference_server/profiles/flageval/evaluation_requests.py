@@ -87,7 +87,10 @@ class EvaluationRequest(_Defaults):
     user_id: int | None = None
 
     def check(self) -> None:
-        """What no schema expresses (FLE-003). Raises Refused."""
+        """Check that the names of models differ, which no schema expresses (FLE-003).
+
+        Raises Refused.
+        """
         names = [info.eval_model for info in self.eval_infos]
         for number, name in enumerate(names):
             if name in names[:number]:
@@ -128,7 +131,7 @@ class EvaluationRequest(_Defaults):
         return checked | {"labels": self._labels(number)}
 
     def _labels(self, number: int) -> dict[str, Any]:
-        """What is stored with the run: the request without the key (FLE-017)."""
+        """The request without the key (FLE-017), which is stored with the run."""
         whole = self.model_dump(exclude={"eval_infos"})
         return whole | self.eval_infos[number].model_dump(exclude={"api_key"})
 
