@@ -37,8 +37,8 @@ from reference_server.telemetry.counters import COUNTERS, timed
 from reference_server.telemetry.spans import span, traceparent
 
 _PROBLEM_TEXT_MAX = 200
-# Of an answer; policy.yaml has it as what a server reads at least. Only actions may be
-# longer.
+# The longest answer that is read; by policy.yaml a server reads at least this much.
+# Only actions may be longer.
 ANSWER_BYTES_MAX = 2**20
 # The structure in a body; raises Refused. Large bodies are read in another thread.
 ReadAnswer: TypeAlias = Callable[[bytes], Any]
