@@ -238,7 +238,7 @@ def _check_database_and_keys(settings: Settings) -> None:
 
 
 def _check_cluster(settings: Settings) -> None:
-    """What this node records and signs must be that of the others."""
+    """Refuse to start a node that records or signs apart from the other nodes."""
     if settings.cluster == "off" or settings.recordings == "off":
         return
     folder, path = settings.records_path, settings.signing_key_path
@@ -291,9 +291,9 @@ def _check_simulators(settings: Settings) -> None:
 
 
 def _simulators_of(settings: Settings) -> dict[str, list[str]]:
-    """What simulators take of a machine, and the benchmarks that declare it.
+    """Resources of simulators → the benchmarks that declare them.
 
-    The setting comes first, without those that it is for.
+    The setting comes first, with an empty list: it is for all other benchmarks.
     """
     default = format_resources(parse_resources(settings.ray_resources))
     kinds: dict[str, list[str]] = {default: []}

@@ -1,9 +1,9 @@
-"""The span of every request, and of whose trace it is a part.
+"""The span of every request, and the trace that it belongs to.
 
-A layer between the application and its routes, there only where traces are recorded.
-Headers of a client on traces are not trusted: a `traceparent` is read only in its one
-exact form, and the operator decides whether it has an effect. The span is named by
-the route and never by the path.
+This is a layer between the application and its routes, there only where traces are
+recorded. Clients are not trusted with traces: a `traceparent` is read only in its one
+exact form, and the operator decides whether it has any effect. The span is named by the
+route and never by the path.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _METHODS = frozenset({"DELETE", "GET", "HEAD", "OPTIONS", "PATCH", "POST", "PUT"
 
 
 class TraceParent(NamedTuple):
-    """The trace that a request says it is a part of."""
+    """The trace that a request names as its own, by its header `traceparent`."""
 
     trace_id: int
     span_id: int

@@ -38,7 +38,7 @@ class AllowedHosts:
         return bool(self.names or self.suffixes)
 
     def check(self, host: str) -> None:
-        """Refuse what is no host; if there are names, also what is none of them."""
+        """Refuse a text that is not a host; if there are names, also any other host."""
         match = _HOST.fullmatch(host)
         if match is None:
             raise _refused("must be a host name or an address, and a port if any")

@@ -73,5 +73,5 @@ class NetworkSettings(BaseModel):
 
     @property
     def host_name(self) -> str:
-        """What records call this host."""
+        """The name of this host in records."""
         return self.public_url or self.host

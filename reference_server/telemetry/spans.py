@@ -1,9 +1,10 @@
 """Where the time of a request goes: spans, which a trace brings together.
 
-Each part of the server names here what it waits for. The one recorder of a process
-decides what becomes of it: `monitoring/traces.py` where the setting `traces` names a
-collector. Without a recorder a span costs one comparison. A span has names and numbers
-of ours: never a token, a key, a header or a part of a body. It knows no HTTP.
+Each part of the server opens a span around each thing that it waits for. The one
+recorder of a process decides what happens with them: it is `monitoring/traces.py` where
+the setting `traces` names a collector; without a recorder a span costs one comparison.
+A span has names and numbers of ours: never a token, a key, a header or a part of a
+body. This module knows no HTTP.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ class Span(Protocol):
 
 
 class Recorder(Protocol):
-    """Records spans, or drops them."""
+    """Creates the spans of a process."""
 
     def part(self, name: str, *, is_call: bool) -> Span:
         """As `span`."""
@@ -81,7 +82,7 @@ def span(name: str, *, is_call: bool = False) -> Span:
 
 
 def root_span(name: str) -> Span:
-    """A span of work that no request causes, in a trace of its own."""
+    """A span that no request causes: it begins a trace, sampled as requests are."""
     recorder = _recorder
     return NOT_RECORDED if recorder is None else recorder.root(name)
 
@@ -98,8 +99,8 @@ def traceparent(*, only_recorded: bool = False) -> str | None:
 
 
 def session_name(session_id: str) -> str:
-    """A name for a session that only those can match who know its id.
+    """A name of a session that can be assigned only by those who know its id.
 
-    A worker proves its session with the id itself, so a collector must not get it.
+    The id itself is the secret of a worker, and a collector must not learn it.
     """
     return hashlib.sha256(session_id.encode()).hexdigest()[:12]
