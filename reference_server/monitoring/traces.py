@@ -158,7 +158,7 @@ class Traces:
     # --- spans ---
 
     def request(self, parent: TraceParent | None, *, is_trusted: bool) -> Span:
-        """The span of a request: in its parent's trace, or in a new one linked to it."""
+        """The span of a request: in its parent's trace, or in a new linked one."""
         if parent is not None and is_trusted:
             if not parent.is_recorded:
                 return _not_recorded()

@@ -36,7 +36,7 @@ DETAIL_CHARS_MAX = 1000
 
 
 class RecordFacts(msgspec.Struct, frozen=True):
-    """Facts of a whole record, from its statement. score: None before all are scored."""
+    """Facts of a whole record, from its statement. score: None until all are scored."""
 
     keyid: str
     statement_sha256: str
