@@ -221,8 +221,8 @@ class RunService:
         between.
         """
         before_wall, last = time.time() - keep_days * DAY_S, 0
-        while found := await self.registry.ended_since(before_wall, last):
-            for last, run_id in found:  # noqa: B007 - where the next page begins
+        while page := await self.registry.ended_since(before_wall, last):
+            for last, run_id in page:  # noqa: B007 - where the next page begins
                 if not await self._is_kept(run_id, by_host=True):
                     # It may be deleted, resumed or published meanwhile.
                     with contextlib.suppress(Refused):
@@ -328,11 +328,11 @@ class RunService:
                 elsewhere.append(run)
             return run.number, self._run_view(endpoint, run)
 
-        found = await self.registry.reader.page(account, before, limit, view)
+        views = await self.registry.reader.page(account, before, limit, view)
         if elsewhere:
             fresh = await self.views_elsewhere(elsewhere, endpoint)
-            found = [(n, fresh.get(body["run_id"], body)) for n, body in found]
-        return found
+            views = [(n, fresh.get(body["run_id"], body)) for n, body in views]
+        return views
 
     async def list_episodes(
         self, account: str | None, run_id: str, start: int, end: int
@@ -376,15 +376,15 @@ class RunService:
         records = self._require_records()
         index = index_of(episode_id)
         start = 0 if index is None else index
-        _, found = await self.registry.reader.read_view(
+        _, episodes = await self.registry.reader.read_view(
             run_id, account, lambda run, some: (run, some), start, start + 1
         )
-        if index is None or not found:
+        if index is None or not episodes:
             raise Refused("not_found", f"The run has no episode {episode_id[:20]}.")
-        size = await records.recording_size(run_id, found[0])
+        size = await records.recording_size(run_id, episodes[0])
         if size is None:
             raise Refused("not_found", f"{episode_id} has no recording.")
-        return records.recording_path(run_id, found[0]), size
+        return records.recording_path(run_id, episodes[0]), size
 
     def _require_records(self) -> RunRecords:
         if self.records is None:

@@ -188,7 +188,7 @@ class ResourceManager:
         """End leases, which hold nothing that another request could wait for."""
         self._done_timer = None
         now, left = time.monotonic(), PACKED_AT_ONCE
-        for resources in [one for of_run in self._done.values() for one in of_run]:
+        for resources in [done for of_run in self._done.values() for done in of_run]:
             if lease_over(resources.session, now):
                 self._end_lease(resources)
             elif left and resources.run_in_memory is None:
@@ -261,10 +261,10 @@ class ResourceManager:
     ) -> None:
         """LIM-005: end a session of another account that does not use its own."""
         lent = [
-            LentSimulator(one.run.account, one.session)
-            for one in self._by_session.values()
-            if (one.handle is not None or one.acquiring)
-            and self._pool.makes_room(self._configs.find(one.run), config)
+            LentSimulator(holder.run.account, holder.session)
+            for holder in self._by_session.values()
+            if (holder.handle is not None or holder.acquiring)
+            and self._pool.makes_room(self._configs.find(holder.run), config)
         ]
         waiting, now = resources.run.account, time.monotonic()
         unused = session_to_end(lent, waiting, now, self._unused_s)

@@ -93,10 +93,10 @@ class Places:
     def wait(self, run: WaitingRun) -> None:
         """The run waits for a place: it is queued, or a worker wants to attach."""
         self._elsewhere.discard(run.run_id)
-        known = self._waiting.get(run.run_id)
-        if known is None:
+        earlier = self._waiting.get(run.run_id)
+        if earlier is None:
             self._waiting_of[run.account] += 1
-        if known != run:
+        if earlier != run:
             self._waiting[run.run_id] = run
             self._settled_until = -math.inf
 
@@ -189,8 +189,10 @@ class Places:
             self._give_back(next(iter(self._unplayed)))
 
     def _give_back_longest_unplayed(self, account: str) -> None:
-        found = (one for one in self._unplayed if self._account_of[one] == account)
-        self._give_back(next(found))
+        run_ids = (
+            run_id for run_id in self._unplayed if self._account_of[run_id] == account
+        )
+        self._give_back(next(run_ids))
 
     def _take(self, run_id: str, account: str) -> None:
         if run_id not in self._account_of:

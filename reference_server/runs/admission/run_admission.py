@@ -276,14 +276,14 @@ class RunAdmission(RunFollower):
         if self._other_queues is not None and self._admission.queue:
             await self._other_queues.refresh()
 
-    def note_queue(self, seen: StoredQueue) -> None:
+    def note_queue(self, stored: StoredQueue) -> None:
         """Take in the queue of all nodes, and the runs of `queued_ids` that left it."""
         assert self._ownership is not None, "without it there is no other node"
         me, queue, elsewhere = self._ownership.node_id, self._admission.queue, []
-        for owned in (*seen.queued, *seen.left):
+        for owned in (*stored.queued, *stored.left):
             if owned.owner != me:
                 self._forget_taken(owned)
-        for owned in seen.queued:
+        for owned in stored.queued:
             if owned.owner != me:
                 elsewhere.append(owned.run.number)
             elif owned.run.run_id not in queue and not self._knows(owned.run.run_id):

@@ -117,10 +117,10 @@ class MovedRuns:
         return run in self._complete
 
 
-def has_newer_owner(run: RunHead, seen: OwnedRun) -> bool:
+def has_newer_owner(run: RunHead, stored: OwnedRun) -> bool:
     """Whether a run of this node, as it was just seen, has another owner since then.
 
     A row that was read before this node became the owner has an older fence, and is
     not a newer owner.
     """
-    return run.fence < seen.fence and run.owner != seen.owner
+    return run.fence < stored.fence and run.owner != stored.owner
