@@ -238,8 +238,8 @@ def _in_json(blob: memoryview) -> tuple[bytes, bytes | memoryview, bytes]:
 
 def _large_images(content: Any) -> dict[str, Any]:
     """Those of a turn's observation that are not worth a copy, in its order."""
-    seen = content.get("observation") if isinstance(content, dict) else None
-    images = seen.get("images") if isinstance(seen, dict) else None
+    observation = content.get("observation") if isinstance(content, dict) else None
+    images = observation.get("images") if isinstance(observation, dict) else None
     if not isinstance(images, dict):
         return {}
     return {
@@ -280,13 +280,13 @@ def _contains_timestamp(data: Any) -> bool:
     """Whether a timestamp stands anywhere, however deep the sender put it."""
     rest = [data]
     while rest:
-        one = rest.pop()
-        if isinstance(one, datetime):
+        value = rest.pop()
+        if isinstance(value, datetime):
             return True
-        if isinstance(one, dict):
-            rest += [*one, *one.values()]
-        elif isinstance(one, list | tuple):
-            rest += one
+        if isinstance(value, dict):
+            rest += [*value, *value.values()]
+        elif isinstance(value, list | tuple):
+            rest += value
     return False
 
 

@@ -158,7 +158,9 @@ class EventStream:
             run_body, common_body = map(
                 msgspec.json.encode, (body, body | {"endpoint": None})
             )
-            episodes = [msgspec.json.encode(episode_view(one)) for one in scored]
+            episodes = [
+                msgspec.json.encode(episode_view(episode)) for episode in scored
+            ]
             return next_batch(cursor, run, run_body, episodes, common_body)
 
         window = (cursor.results_sent, cursor.results_sent + EPISODES_PER_BATCH)

@@ -282,12 +282,12 @@ class BoundedConnection(HttpToolsProtocol):
         tail, self._head_tail = self._head_tail, b""
         if tail:
             around = tail + data[position : position + _HEAD_END_MISSING]
-            found = around.find(_HEAD_END)
-            if found >= 0:
-                return position + found + len(_HEAD_END) - len(tail)
-        found = data.find(_HEAD_END, position)
-        if found >= 0:
-            return found + len(_HEAD_END)
+            end = around.find(_HEAD_END)
+            if end >= 0:
+                return position + end + len(_HEAD_END) - len(tail)
+        end = data.find(_HEAD_END, position)
+        if end >= 0:
+            return end + len(_HEAD_END)
         last = data[max(position, len(data) - _HEAD_END_MISSING) :]
         self._head_tail = (tail + last)[-_HEAD_END_MISSING:]
         return len(data)

@@ -111,7 +111,7 @@ class SharedMemory:
             address = connection.address
             by_address[address] = by_address.get(address, 0) + size
         most = max(by_address, key=by_address.__getitem__, default="")
-        return [one for one in self._by_connection if one.address == most]
+        return [holder for holder in self._by_connection if holder.address == most]
 
 
 class ConnectionLimiter:
@@ -196,7 +196,7 @@ class ConnectionLimiter:
         """One timer for all connections: a request sets none."""
         now = loop.time()
         groups = [*self._by_address.values(), self._leaving]
-        for connection in [one for group in groups for one in group]:
+        for connection in [member for group in groups for member in group]:
             connection.check_deadlines(now)
         self.bodies.give_back_freed()
         self.answers.give_back_freed()

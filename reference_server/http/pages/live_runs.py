@@ -63,7 +63,11 @@ class LiveRuns:
 
     def is_full(self, token: str) -> bool:
         """Whether this token has all the readers that it may have."""
-        counts = [run.readers for (one, _), run in self._runs.items() if one == token]
+        counts = [
+            run.readers
+            for (run_token, _), run in self._runs.items()
+            if run_token == token
+        ]
         return sum(counts) >= READERS_MAX
 
 
