@@ -159,8 +159,11 @@ class Database:
     @asynccontextmanager
     async def transaction_that_reads(self) -> AsyncIterator[AsyncConnection]:
         """Writes nothing, and leaves connections for those who write."""
-        async with self._place_to_read(), self._transaction_of(self.engine) as found:
-            yield found
+        async with (
+            self._place_to_read(),
+            self._transaction_of(self.engine) as connection,
+        ):
+            yield connection
 
     async def write(self, store: Callable[[sa.Connection], Found]) -> Found:
         """Run `store` in one transaction; returns its result once that is committed."""

@@ -100,14 +100,14 @@ async def _look(url: str) -> tuple[str | None, list[str]]:
 
 
 def _problems(connection: sa.Connection) -> list[str]:
-    found = []
+    problems = []
     if connection.dialect.name == "sqlite":
         answers = connection.exec_driver_sql("PRAGMA integrity_check").scalars()
-        found = [one for one in answers if one != "ok"]
+        problems = [answer for answer in answers if answer != "ok"]
     for name, query in _INCONSISTENT.items():
         if count := connection.scalar(query):
-            found.append(f"{count} {name}")
-    return found
+            problems.append(f"{count} {name}")
+    return problems
 
 
 def back_up(url: str, args: argparse.Namespace) -> None:
@@ -143,10 +143,10 @@ def _copy_sqlite(source: Path, target: Path) -> None:
         with (
             contextlib.closing(
                 sqlite3.connect(f"{source.absolute().as_uri()}?mode=ro", uri=True)
-            ) as found,
+            ) as original,
             contextlib.closing(sqlite3.connect(target)) as copy,
         ):
-            found.backup(copy)
+            original.backup(copy)
     except sqlite3.Error as error:
         raise StoreFailed(str(error)) from error
 

@@ -20,7 +20,7 @@ from reference_server.storage.column_types import any_number
 from reference_server.storage.database_tables import record_imports as _imports
 from reference_server.storage.store import Store
 
-_COLUMNS = [_imports.c[one.name] for one in fields(RecordImport)]
+_COLUMNS = [_imports.c[field.name] for field in fields(RecordImport)]
 _IS_UNFINISHED = _imports.c.state != "finished"
 
 
@@ -30,19 +30,19 @@ class ImportStore:
     def __init__(self, store: Store) -> None:
         self._transactions = store.transactions
 
-    async def add(self, one: RecordImport) -> None:
+    async def add(self, record_import: RecordImport) -> None:
         """Store a new one; it gets its number from the database."""
-        row = _row_of(one)
+        row = _row_of(record_import)
         del row["number"]
         async with self._transactions.write() as connection:
             await connection.execute(_imports.insert().values(row))
 
-    async def update(self, one: RecordImport) -> None:
+    async def update(self, record_import: RecordImport) -> None:
         """Store what changes of one; nothing if it was deleted."""
-        where = _imports.c.import_id == one.import_id
+        where = _imports.c.import_id == record_import.import_id
         async with self._transactions.write() as connection:
             await connection.execute(
-                _imports.update().where(where).values(_row_of(one))
+                _imports.update().where(where).values(_row_of(record_import))
             )
 
     async def delete(self, import_id: str) -> None:
@@ -100,13 +100,18 @@ def _of_account(query: sa.Select[Any], account: str | None) -> sa.Select[Any]:
     return query if account is None else query.where(_imports.c.account == account)
 
 
-def _row_of(one: RecordImport) -> dict[str, Any]:
-    row = {field.name: getattr(one, field.name) for field in fields(one)}
-    row["replay"] = one.replay and msgspec.json.encode(asdict(one.replay))
+def _row_of(record_import: RecordImport) -> dict[str, Any]:
+    row = {
+        field.name: getattr(record_import, field.name)
+        for field in fields(record_import)
+    }
+    row["replay"] = record_import.replay and msgspec.json.encode(
+        asdict(record_import.replay)
+    )
     return row
 
 
 def _import_of(row: dict[str, Any]) -> RecordImport:
     replay = row.pop("replay")
-    found = None if replay is None else msgspec.json.decode(replay, type=ImportReplay)
-    return RecordImport(**row, replay=found)
+    decoded = None if replay is None else msgspec.json.decode(replay, type=ImportReplay)
+    return RecordImport(**row, replay=decoded)

@@ -135,10 +135,10 @@ class NodeStore:
 
         def store(connection: sa.Connection) -> dict[str, str]:
             self._transactions.lock_order(connection)
-            known = _read_facts(connection)
+            agreed = _read_facts(connection)
             is_alone = connection.execute(others).first() is None
             if is_alone and any(
-                known.get(name, value) != value
+                agreed.get(name, value) != value
                 for name, value in facts.items()
                 if name not in lasting
             ):
@@ -146,12 +146,12 @@ class NodeStore:
                 if connection.execute(others).first() is not None:
                     raise StoreFailed("another node has just come back: start again")
             for name, value in facts.items():
-                if name in known and (name in lasting or not is_alone):
+                if name in agreed and (name in lasting or not is_alone):
                     continue
                 connection.execute(_facts.delete().where(_facts.c.name == name))
                 connection.execute(_facts.insert().values(name=name, value=value))
-                known[name] = value
-            return known
+                agreed[name] = value
+            return agreed
 
         return await self._transactions.write_in_turn(store)
 
@@ -223,23 +223,23 @@ class NodeStore:
         self,
         run_id: str,
         node_id: str,
-        seen: StoredOwner,
+        stored_owner: StoredOwner,
         after_restart: Mapping[State, State],
         reason: str,
     ) -> bool:
         """Make a node in the list the owner of a run, unless another one came first.
 
-        seen: the owner that is no more in the list. With its owner the run lost its
-        sessions: its state becomes what a restart makes of it.
+        stored_owner: the owner that is no longer in the list. With its owner the run
+        lost its sessions: its state becomes what a restart makes of it.
         """
         is_in_play = _runs.c.state.in_(after_restart)
         claimed = (
             _runs.update()
-            .where(_runs.c.run_id == run_id, _fence == seen.fence, _IS_THERE)
+            .where(_runs.c.run_id == run_id, _fence == stored_owner.fence, _IS_THERE)
             .where(sa.exists().where(_nodes.c.node_id == node_id))
             .values(
                 owner=node_id,
-                fence=seen.fence + 1,
+                fence=stored_owner.fence + 1,
                 state=sa.case(
                     dict(after_restart), value=_runs.c.state, else_=_runs.c.state
                 ),
@@ -249,13 +249,13 @@ class NodeStore:
         async with self._transactions.write_of_node() as connection:
             return (await connection.execute(claimed)).rowcount == 1
 
-    async def queue(self, known: Sequence[str]) -> StoredQueue:
-        """The runs that wait at all nodes, and those of `known` that left the queue."""
+    async def queue(self, known_ids: Sequence[str]) -> StoredQueue:
+        """The runs that wait at all nodes, and those of `known_ids` that left it."""
 
         def fetch(connection: sa.Connection) -> StoredQueue:
             queued = [_owned_run(*row) for row in connection.execute(_QUEUED)]
-            waiting = {one.run.run_id for one in queued}
-            gone = [run_id for run_id in known if run_id not in waiting]
+            waiting = {owned.run.run_id for owned in queued}
+            gone = [run_id for run_id in known_ids if run_id not in waiting]
             left: list[OwnedRun] = []
             for start in range(0, len(gone), IDS_PER_QUERY):
                 some = {"run_ids": gone[start : start + IDS_PER_QUERY]}

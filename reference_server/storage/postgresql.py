@@ -62,8 +62,8 @@ def with_driver(url: sa.URL) -> sa.URL:
     query = dict(url.query)
     if "sslmode" in query:  # as other programs call it
         query["ssl"] = query.pop("sslmode")
-    known = inspect.signature(asyncpg.connect).parameters.keys()
-    if unknown := query.keys() - known - _OPTIONS_OF_SQLALCHEMY:
+    options = inspect.signature(asyncpg.connect).parameters.keys()
+    if unknown := query.keys() - options - _OPTIONS_OF_SQLALCHEMY:
         raise sa.exc.ArgumentError(
             f"the URL has an unknown option {min(unknown)}; see the page of databases"
         )

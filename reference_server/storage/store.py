@@ -255,10 +255,13 @@ class Store:
                 places = range(head.total)[start:end]
                 window = (connection, head.number, start, start + len(places))
                 if scored:
-                    found = stored_episodes(*window, EPISODES_SCORED)
-                    return head, [rows.episode_of(manifest, one) for one in found]
-                found = stored_episodes(*window)
-                return head, rows.episodes_of(manifest, places, found)
+                    stored = stored_episodes(*window, EPISODES_SCORED)
+                    return head, [
+                        rows.episode_of(manifest, row_of_episode)
+                        for row_of_episode in stored
+                    ]
+                stored = stored_episodes(*window)
+                return head, rows.episodes_of(manifest, places, stored)
             return None
 
         return await self.transactions.read(fetch)
@@ -267,8 +270,8 @@ class Store:
         """Those runs by id, without their episodes and without their options."""
 
         def fetch(connection: sa.Connection) -> dict[str, RunHead]:
-            found = self._heads(connection, run_ids)
-            heads = [rows.listed_head_of(*one) for one in found]
+            stored = self._heads(connection, run_ids)
+            heads = [rows.listed_head_of(row, manifest) for row, manifest in stored]
             return {head.run_id: head for head in heads}
 
         return await self.transactions.read(fetch)
@@ -285,8 +288,10 @@ class Store:
         """The one decoded copy of a manifest; several threads may call at a time."""
         manifest = self._manifest_cache.get(sha256)
         if manifest is None:
-            known = {"manifest_sha256": sha256}
-            manifest = msgspec.json.decode(connection.scalars(MANIFEST, known).one())
+            parameters = {"manifest_sha256": sha256}
+            manifest = msgspec.json.decode(
+                connection.scalars(MANIFEST, parameters).one()
+            )
             if len(self._manifest_cache) >= CACHED_MANIFESTS_MAX:
                 self._manifest_cache.clear()
             self._manifest_cache[sha256] = manifest
@@ -351,8 +356,8 @@ class Store:
         columns = (_runs.c[name] for name in WaitingRun.__dataclass_fields__)
         query = sa.select(*columns).where(IS_THERE, _runs.c.state.in_(states))
         async with self.transactions.reading() as connection:
-            found = await connection.execute(query.order_by(_runs.c.number))
-            return [WaitingRun(*row) for row in found]
+            stored = await connection.execute(query.order_by(_runs.c.number))
+            return [WaitingRun(*row) for row in stored]
 
     async def sizes_of_accounts(self) -> tuple[dict[str, int], dict[str, int]]:
         """By account: the number of its Idempotency-Keys, and its stored bytes."""

@@ -130,8 +130,8 @@ class Transactions:
             return
         is_sqlite = connection.dialect.name == "sqlite"
         insert = (sqlite if is_sqlite else postgresql).insert(_accounts)
-        known = insert.values(account=account, counted=0).on_conflict_do_nothing()
-        connection.execute(known)
+        insert_once = insert.values(account=account, counted=0).on_conflict_do_nothing()
+        connection.execute(insert_once)
         counted = _accounts.update().where(_accounts.c.account == account)
         connection.execute(counted.values(counted=_accounts.c.counted + 1))
 
