@@ -73,12 +73,12 @@ def select_episodes(manifest: Manifest, select: Selection | None) -> Manifest | 
         return manifest
     episodes = manifest["episodes"]
     wanted = {"task": select.get("tasks"), "split": select.get("splits")}
-    known = {"task": manifest["tasks"], "split": manifest["splits"]}
+    offered = {"task": manifest["tasks"], "split": manifest["splits"]}
     errors = tuple(
-        (f"/select/{member}s", f"{name!r}: there is {', '.join(known[member])}")
+        (f"/select/{member}s", f"{name!r}: there is {', '.join(offered[member])}")
         for member, names in wanted.items()
         for name in names or ()
-        if name not in known[member]
+        if name not in offered[member]
     )
     kept = [
         episode
