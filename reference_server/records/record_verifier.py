@@ -85,19 +85,19 @@ class RecordVerifier:
         """
         async with self._turns.place(account, WAIT_S_MAX):
             said = await _run("examine", path, FOUND_BYTES_MAX)
-        found = _decoded(said, Found)
-        if found.facts is None:
-            raise _broken(found.broken)
-        return found.facts
+        report = _decoded(said, Found)
+        if report.facts is None:
+            raise _broken(report.broken)
+        return report.facts
 
     async def read_for_replay(self, path: Path) -> Recorded:
         """Read an examined record. Raises as `examine` does, except for NoTurn."""
         said = await _run("replay", path, REPLAYABLE_BYTES_MAX)
         head, _, lines = said.partition(b"\n")
-        found = _decoded(head, Replayable)
-        if found.choice is None:
-            raise _broken(found.broken)
-        return Recorded(found.choice, lines)
+        replayable = _decoded(head, Replayable)
+        if replayable.choice is None:
+            raise _broken(replayable.broken)
+        return Recorded(replayable.choice, lines)
 
 
 def _decoded(said: bytes, type_: type[T]) -> T:

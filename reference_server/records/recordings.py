@@ -272,9 +272,9 @@ class Recordings:
         except OSError:  # it was removed meanwhile, or is a file
             return
         for path in paths:
-            found = _EPISODE.fullmatch(path.stem)
-            if found and path.suffix in (".parts", ".mcap", DRAFT_SUFFIX):
-                yield path, int(found["index"]), int(found["fence"] or 0)
+            name = _EPISODE.fullmatch(path.stem)
+            if name and path.suffix in (".parts", ".mcap", DRAFT_SUFFIX):
+                yield path, int(name["index"]), int(name["fence"] or 0)
 
     # --- writing in order ---
 

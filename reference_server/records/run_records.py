@@ -159,13 +159,14 @@ class RunRecords:
         run_ids = await asyncio.to_thread(find, since_wall)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
-            for run_id in (one for one in heads if heads[one].state == "completed"):
-                await self._remove_unused(run_id)
+            for run_id, head in heads.items():
+                if head.state == "completed":
+                    await self._remove_unused(run_id)
 
     async def _remove_unused(self, run_id: str) -> None:
         """Remove files of a completed run that none of its results names."""
-        found = await self._store.read_window(run_id, 0, None)
-        episodes = () if found is None else found[1]
+        window = await self._store.read_window(run_id, 0, None)
+        episodes = () if window is None else window[1]
         fences = {e.index: e.recording.fence for e in episodes if e.recording}
         await asyncio.to_thread(self._recordings.remove_unused, run_id, fences)
 
@@ -190,7 +191,8 @@ class RunRecords:
         run_ids = await asyncio.to_thread(self._recordings.run_ids)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
-            for run_id in (one for one in heads if _ended_since(heads[one], before)):
+            old = [i for i, head in heads.items() if _ended_since(head, before)]
+            for run_id in old:
                 # It may have been resumed while others were removed.
                 for head in (await self._store.heads([run_id])).values():
                     if _ended_since(head, before):
