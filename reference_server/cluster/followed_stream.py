@@ -63,7 +63,7 @@ class FollowedStream:
 
     def scope_behind(self, scope: Scope) -> Scope:
         """The request for what follows."""
-        headers = [one for one in scope["headers"] if one[0] != _LAST_EVENT_ID]
+        headers = [header for header in scope["headers"] if header[0] != _LAST_EVENT_ID]
         return {**scope, "headers": [*headers, (_LAST_EVENT_ID, self.last_id)]}
 
     async def send(self, message: Message) -> None:

@@ -95,7 +95,9 @@ def _unless_moved(send: Send, may_repeat: Callable[[], bool]) -> Send:
 
     async def send_or_raise(message: Message) -> None:
         if message["type"] == "http.response.start" and message["status"] == _REFUSED:
-            headers = [one for one in message["headers"] if one[0].lower() != _MOVED]
+            headers = [
+                header for header in message["headers"] if header[0].lower() != _MOVED
+            ]
             if len(headers) < len(message["headers"]) and may_repeat():
                 raise _RunMoved
             message["headers"] = headers

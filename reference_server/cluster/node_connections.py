@@ -93,8 +93,8 @@ class NodeConnections:
         except TimeoutError:
             return False
         finally:
-            for one in asked:
-                one.cancel()
+            for question in asked:
+                question.cancel()
             await asyncio.wait(asked)
         return False
 
@@ -242,8 +242,8 @@ class _Exchange:
 
 def run_id_of(scope: Scope) -> str | None:
     """The run that the path of a request names."""
-    found: str | None = scope.get("path_params", {}).get("run_id")
-    return found
+    run_id: str | None = scope.get("path_params", {}).get("run_id")
+    return run_id
 
 
 def _body(part: bytes, *, more: bool) -> Message:

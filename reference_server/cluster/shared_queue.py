@@ -150,13 +150,13 @@ class SharedQueue:
             await asyncio.sleep(self._read_not_before - time.monotonic())
             self._next_read = None
             admission, began = self._admission, time.monotonic()
-            seen = await self._nodes.queue(admission.queued_ids())
-            admission.note_queue(seen)
-            if len(seen.queued) > LONG_QUEUE:
+            queue = await self._nodes.queue(admission.queued_ids())
+            admission.note_queue(queue)
+            if len(queue.queued) > LONG_QUEUE:
                 took_s = time.monotonic() - began
                 rest_s = min(LOOK_S, RESTS_AFTER_READ * took_s)
                 self._read_not_before = time.monotonic() + rest_s
-            return seen
+            return queue
 
     async def _look(self) -> None:
         """Give free places of this node to runs that wait at other nodes."""
@@ -165,18 +165,18 @@ class SharedQueue:
         await self._membership.ensure_lease()
         admission, me = self._admission, self._membership.node_id
         await self._let_others_take(admission.held_no_more())
-        seen = await self._read()
+        queue = await self._read()
         elsewhere = [
-            one
-            for one in seen.queued
-            if one.owner != me and one.run.queue_until_wall <= 0 and one.is_new
+            owned
+            for owned in queue.queued
+            if owned.owner != me and owned.run.queue_until_wall <= 0 and owned.is_new
         ]
-        self._fences = {one.run.run_id: one.fence for one in elsewhere}
-        waiting = {one.run.account for one in seen.queued}
+        self._fences = {owned.run.run_id: owned.fence for owned in elsewhere}
+        waiting = {owned.run.account for owned in queue.queued}
         if waiting and len(waiting | admission.places_of_accounts().keys()) > 1:
             await self._ask_for_places()
         places = sum(map(Counter, self._places.values()), Counter[str]())
-        admission.note_waiting_elsewhere([one.run for one in elsewhere], places)
+        admission.note_waiting_elsewhere([owned.run for owned in elsewhere], places)
 
     async def _let_others_take(self, run_ids: list[str]) -> None:
         """Runs whose submitters hold them no more in the queue."""

@@ -55,11 +55,14 @@ class ViewsElsewhere:
         by_owner: dict[str, list[str]] = defaultdict(list)
         for run in runs:
             by_owner[run.owner or ""].append(run.run_id)
-        found: dict[str, Json] = {}
-        asked = [self._fetch_of(*one, endpoint) for one in by_owner.items()]
+        views_by_id: dict[str, Json] = {}
+        asked = [
+            self._fetch_of(*owner_and_ids, endpoint)
+            for owner_and_ids in by_owner.items()
+        ]
         for views in await asyncio.gather(*asked):
-            found |= views
-        return found
+            views_by_id |= views
+        return views_by_id
 
     async def _fetch_of(
         self, node_id: str, run_ids: list[str], endpoint: str
