@@ -128,10 +128,10 @@ class _Machine:
             code = data.read(1)
             if code == b".":
                 break
-            found = _OPCODES.get(code)
-            if found is None:
+            opcode = _OPCODES.get(code)
+            if opcode is None:
                 raise BadPickle(f"the opcode {code!r} is not supported")
-            read_argument, handler = found
+            read_argument, handler = opcode
             handler(self, read_argument(data))
         else:
             raise BadPickle(f"more than {OPCODES_MAX} opcodes")
@@ -155,13 +155,13 @@ class _Machine:
 
     def name(self, module: Any, name: Any) -> None:
         _require(type(module) is str and type(name) is str, "a name that is not text")
-        found = _NAMES.get((module, name))
-        if found is None:
+        constructor = _NAMES.get((module, name))
+        if constructor is None:
             raise BadPickle(
                 f"it names {module[:60]!a} {name[:60]!a}; only plain values "
                 "and numpy arrays are allowed"
             )
-        self.stack.append(found)
+        self.stack.append(constructor)
 
     def call(self) -> None:
         """REDUCE: only the calls of numpy's pattern (EBE-015)."""

@@ -276,9 +276,9 @@ class EbenchHandlers:
         chunks = read_chunks(body, run)
         steps = {i: self._prepare_step(run, i, chunk) for i, chunk in chunks.items()}
         commands = [s.command for s in steps.values() if s.command is not None]
-        found = await self.service.find_refused(call.account, run.run_id, commands)
-        if found is not None:
-            command, verdict = found
+        refused = await self.service.find_refused(call.account, run.run_id, commands)
+        if refused is not None:
+            command, verdict = refused
             raise chunks[command.worker_id].translate_refusal(verdict)
         scored = run.scored
         try:
@@ -287,8 +287,8 @@ class EbenchHandlers:
             self.owed_results.add(run, run.scored_order[scored:])
             raise
         # EBE-029: a repetition of the others is a repetition for ever.
-        known = [i for i in turns if not self._is_answered_again(chunks[i])]
-        on_delivered = self._on_delivered(run, {i: turns[i] for i in known})
+        first_answered = [i for i in turns if not self._is_answered_again(chunks[i])]
+        on_delivered = self._on_delivered(run, {i: turns[i] for i in first_answered})
         turns = {i: self._add_owed_result(run, turn) for i, turn in turns.items()}
         ended = [turn.get("episode_result") for turn in turns.values()]
         results = [result["index"] for result in ended if result is not None]

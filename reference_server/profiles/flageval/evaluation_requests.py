@@ -183,15 +183,15 @@ def _generation(info: EvalInfo, at: str) -> dict[str, float]:
 
     FLE-018: the member `max_gen_toks`, if it is above 0, unless `gen_kwargs` has it.
     """
-    found: dict[str, float] = {}
+    generation: dict[str, float] = {}
     if info.max_gen_toks > 0:
-        found[_RENAMED["max_gen_toks"]] = info.max_gen_toks
+        generation[_RENAMED["max_gen_toks"]] = info.max_gen_toks
     for part in filter(str.strip, info.gen_kwargs.split(",")):
         pair = _PAIR.fullmatch(part)
         if pair is None:
             raise _invalid(at, "must be name=number, separated by commas")
-        found[_RENAMED.get(pair[1], pair[1])] = float(pair[2])
-    return found
+        generation[_RENAMED.get(pair[1], pair[1])] = float(pair[2])
+    return generation
 
 
 def _invalid(at: str, text: str) -> Refused:
