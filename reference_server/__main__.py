@@ -281,8 +281,8 @@ def _check_simulators(settings: Settings) -> None:
         )
     except (CannotUseRay, OSError) as error:
         raise _CannotUse(f"cannot use Ray for simulators: {error}") from error
-    for (resources, declared_by), found in zip(kinds.items(), machines, strict=True):
-        if not found:
+    for (resources, declared_by), machine in zip(kinds.items(), machines, strict=True):
+        if not machine:
             of = f" of {', '.join(declared_by)}" if declared_by else ""
             _print_line(
                 f"no machine of the Ray cluster has {resources} for a simulator{of} "

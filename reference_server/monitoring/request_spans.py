@@ -83,15 +83,15 @@ class RequestSpans:
 
 def read_traceparent(scope: Scope) -> TraceParent | None:
     """That of the request; None without one, with several, or with anything else."""
-    found = None
+    header = None
     for name, value in scope["headers"]:
         if name == b"traceparent":
-            if found is not None:
+            if header is not None:
                 return None
-            found = value
-    if found is None or (match := _TRACEPARENT.fullmatch(found)) is None:
+            header = value
+    if header is None or (match := _TRACEPARENT.fullmatch(header)) is None:
         return None
-    trace_id, span_id, flags = (int(one, 16) for one in match.groups())
+    trace_id, span_id, flags = (int(digits, 16) for digits in match.groups())
     if trace_id == 0 or span_id == 0:
         return None
     return TraceParent(trace_id, span_id, is_recorded=bool(flags & 1))

@@ -187,8 +187,8 @@ def _marked(text: str) -> str:
     if boxes := _BOX.findall(text):
         return str(boxes[-1][0] or boxes[-1][1])
     for mark in (_HASHES, _ANSWER_IS):
-        if found := mark.findall(text):
-            words = str(found[-1]).strip(_DECORATION)
+        if answers := mark.findall(text):
+            words = str(answers[-1]).strip(_DECORATION)
             named = _NAMED_CHOICE.match(words)
             return named[1] if named else words
     return ""

@@ -81,13 +81,13 @@ class EgressPolicy:
         account: whose share of the threads a look-up takes.
         Raises AddressNotAllowed when any is not, and HostNotResolved.
         """
-        found = _literal_address(host) or await self._resolved(host, port, account)
-        if not all(self.allows(address) for address in found):
+        addresses = _literal_address(host) or await self._resolved(host, port, account)
+        if not all(self.allows(address) for address in addresses):
             raise AddressNotAllowed(
                 f"{host} is not in a network that this server is allowed to call; its "
                 "operator allows networks with --allow-private-policies"
             )
-        return [str(address) for address in found]
+        return [str(address) for address in addresses]
 
     async def _resolved(self, host: str, port: int, account: str) -> list[Address]:
         try:
@@ -143,8 +143,8 @@ def _literal_address(host: str) -> list[Address]:
 
 
 def _resolve(host: str, port: int) -> list[Address]:
-    found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
-    return list(dict.fromkeys(_address(str(entry[4][0])) for entry in found))
+    entries = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
+    return list(dict.fromkeys(_address(str(entry[4][0])) for entry in entries))
 
 
 def _address(text: str) -> Address:

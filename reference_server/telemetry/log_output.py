@@ -35,7 +35,7 @@ def log_event(
 ) -> None:
     """Log an event with its members; None are left out."""
     if log.isEnabledFor(level):
-        given = {name: one for name, one in members.items() if one is not None}
+        given = {name: value for name, value in members.items() if value is not None}
         log.log(level, text, extra={"members": given})
 
 
@@ -91,7 +91,7 @@ class TextFormatter(logging.Formatter):
     def format(self, record: logging.LogRecord) -> str:
         words = [f"{_time(record)} {record.levelname:<7} {record.name}:"]
         words.append(_one_line(record.getMessage()))
-        words += [f"{name}={_value(one)}" for name, one in _members(record).items()]
+        words += [f"{name}={_value(value)}" for name, value in _members(record).items()]
         line = " ".join(words)
         if record.exc_info:
             line += f"\n{self.formatException(record.exc_info)}"
