@@ -91,7 +91,7 @@ class Benchmarks:
         }
 
     def manifest_sha256(self, benchmark_id: str) -> str:
-        """That of the benchmark without a choice (BEN-003)."""
+        """The `manifest_sha256` of the benchmark without a choice (BEN-003)."""
         if not self.offers(benchmark_id):
             raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
         return self._resolved(benchmark_id, None, None).manifest_sha256

@@ -183,7 +183,7 @@ class RunWriter:
             self._drop(run, "moved")
 
     def _drop_and_reload(self, run: Run, why: Departure) -> None:
-        """From now on the run is what the store has."""
+        """Drop the run from memory, and load it again as the database has it."""
         if not run.lost:
             self._drop(run, why)
             self._reload_later(run.run_id)
@@ -234,7 +234,7 @@ class RunWriter:
 
 
 def _changed_at(before_wall: float, now_wall: float) -> float:
-    """When a run changed that had changed before: later, whatever the clock says.
+    """The time of a change of a run: later than that of the change before.
 
     RUN-021: a clock that is set back does not set the run back. The later time also
     marks a run that changed since its submission: another node takes a run from the

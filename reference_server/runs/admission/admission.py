@@ -46,7 +46,7 @@ class Admission:
         self._closed = False
 
     def look_elsewhere(self, look: Callable[[], None]) -> None:
-        """From now on runs wait at other nodes, too.
+        """Take into account from now on that runs wait at other nodes, too.
 
         look: asks for a look at these, which ends in `admit`.
         """

@@ -43,7 +43,7 @@ class Places:
         return [*self._account_of, *self._waiting]
 
     def waiting_here(self) -> list[WaitingRun]:
-        """Without those of other nodes."""
+        """The runs that wait at this node."""
         here = self._waiting.items()
         return [run for run_id, run in here if run_id not in self._elsewhere]
 
@@ -147,12 +147,12 @@ class Places:
         return shares.admitted
 
     def next_due(self, now_wall: float) -> float | None:
-        """In how many seconds the next queue time is over; None for never."""
+        """Seconds until the next queue time is over; None for never."""
         holds = (run.queue_until_wall - now_wall for run in self._waiting.values())
         return min((hold for hold in holds if hold > 0), default=None)
 
     def next_look(self, now: float) -> float | None:
-        """In how many seconds time alone can change something; None for never.
+        """Seconds until time alone can change something; None for never.
 
         A timer may fire a moment before its time: what found nothing to do then has to
         come again.
@@ -161,7 +161,7 @@ class Places:
         return left_s if 0 < left_s < math.inf else None
 
     def next_overdue(self, now: float) -> float | None:
-        """In how many seconds a run that waits may get an unplayed place.
+        """Seconds until a run that waits may get an unplayed place.
 
         None for never, and when that was so already: then none waits that is due.
         """

@@ -159,7 +159,7 @@ class RunAdmission(RunFollower):
         return self._admission.queue.position(run.number)
 
     def queue_until(self, submission: Submission) -> float:
-        """Until when a run that is submitted or resumed now is held in the queue.
+        """The time until which a run submitted or resumed now is held in the queue.
 
         0 in a cluster if it is not held: any node may take it then, whatever its clock.
         """
@@ -248,7 +248,7 @@ class RunAdmission(RunFollower):
     # --- the queues of other nodes ---
 
     def share_queue(self, other_queues: OtherQueues) -> None:
-        """From now on the runs of this server wait in a queue of several nodes."""
+        """Let the runs of this server wait in a queue of several nodes from now on."""
         self._other_queues = other_queues
         self._admission.look_elsewhere(other_queues.look)
 

@@ -25,7 +25,7 @@ class RunQueue:
         return run_id in self._number_of
 
     def __len__(self) -> int:
-        """Without those of other nodes."""
+        """The number of runs that wait at this node."""
         return len(self._number_of)
 
     def ids(self) -> list[str]:
@@ -63,7 +63,7 @@ class RunQueue:
         return 1 + here + elsewhere
 
     def oldest_queued_at_wall(self) -> float | None:
-        """Since when the first one waits; None without one."""
+        """The time since which the first run waits; None without one."""
         return self._queued_at[self._numbers[0]] if self._numbers else None
 
     def note_elsewhere(self, numbers: Iterable[int]) -> int | None:

@@ -16,7 +16,10 @@ SESSIONS_MAX = 2**16
 
 
 class EndedSessions(RunFollower):
-    """By run; those are forgotten first whose run had none for the longest time."""
+    """Keeps ended sessions by run.
+
+    The run for which no session has ended for the longest time is forgotten first.
+    """
 
     def __init__(self) -> None:
         self._of_runs: OrderedDict[str, dict[str, SessionEnd]] = OrderedDict()

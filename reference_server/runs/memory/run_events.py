@@ -50,7 +50,7 @@ class RunEvents(RunFollower):
         self._followers = list(followers)
 
     def subscribe(self, follower: RunFollower) -> None:
-        """For a follower that is made of parts that publish."""
+        """Add a follower, which may have been made of parts that publish."""
         self._followers.append(follower)
 
     def loaded(self, run: Run, stored: State) -> None:
