@@ -237,7 +237,7 @@ def _in_json(blob: memoryview) -> tuple[bytes, bytes | memoryview, bytes]:
 
 
 def _large_images(content: Any) -> dict[str, Any]:
-    """Those of a turn's observation that are not worth a copy, in its order."""
+    """The images of a turn's observation that are too large to copy, in its order."""
     observation = content.get("observation") if isinstance(content, dict) else None
     images = observation.get("images") if isinstance(observation, dict) else None
     if not isinstance(images, dict):

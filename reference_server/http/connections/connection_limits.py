@@ -105,7 +105,7 @@ class SharedMemory:
         return self._total > self._limit
 
     def holders(self) -> list[Connection]:
-        """Those of the address that holds most, the longest holder first."""
+        """The connections of the address that holds most, the longest holder first."""
         by_address: dict[str, int] = {}
         for connection, size in self._by_connection.items():
             address = connection.address
@@ -193,7 +193,7 @@ class ConnectionLimiter:
         self._timer = loop.call_later(interval_s, self._check_all, loop)
 
     def _check_all(self, loop: asyncio.AbstractEventLoop) -> None:
-        """One timer for all connections: a request sets none."""
+        """Check all connections by one timer, so that no request has to set one."""
         now = loop.time()
         groups = [*self._by_address.values(), self._leaving]
         for connection in [member for group in groups for member in group]:

@@ -154,7 +154,7 @@ class Pages:
         return answer
 
     async def show_away(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """For a reader whose sign-in is at a node that does not answer."""
+        """The page for a reader whose sign-in is at a node that does not answer."""
 
         async def answer(request: Request) -> Response:
             sign_in = _login_path(request) if request.method == "GET" else ""

@@ -85,7 +85,7 @@ class PageSessions:
         return session
 
     def is_alive(self, session: PageSession) -> bool:
-        """Not over by time. A session that was ended has no begin."""
+        """Whether its time is not over. A session that was ended has no begin."""
         now = self._now()
         return now - session.begun_at < LIFE_S and now - session.used_at < IDLE_S
 
