@@ -88,7 +88,7 @@ class Database:
 
     @property
     def file(self) -> Path | None:
-        """That of an SQLite database; None if it is in memory, or another database."""
+        """The file of the database, as `database_file` returns it."""
         return database_file(self.url)
 
     async def open(self, *, upgrade: bool = True) -> schema_version.Upgrade | None:
@@ -195,7 +195,7 @@ class Database:
 
     @asynccontextmanager
     async def _place_to_read(self) -> AsyncIterator[None]:
-        """In PostgreSQL one of so many; an SQLite file has no pool to share."""
+        """Take a place for a read in PostgreSQL; SQLite does not need one."""
         if not self.is_postgresql:
             yield
             return

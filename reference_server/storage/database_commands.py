@@ -56,7 +56,7 @@ def add_area(areas: Any) -> None:
 
 
 def upgrade(url: str, _args: argparse.Namespace) -> None:
-    """As the next start of the server would do it."""
+    """Upgrade the database as the next start of the server would do it."""
     done = asyncio.run(_upgrade(url))
     version = schema_version.VERSIONS[-1]
     before = "" if done is None else f" (before: {done.before or 'none'})"
@@ -138,7 +138,7 @@ def _make(path: Path, write: Callable[[], None]) -> None:
 
 
 def _copy_sqlite(source: Path, target: Path) -> None:
-    """With a server that writes meanwhile: SQLite copies what is committed."""
+    """Copy the committed content of the file; a server may write to it meanwhile."""
     try:
         with (
             contextlib.closing(
@@ -152,7 +152,7 @@ def _copy_sqlite(source: Path, target: Path) -> None:
 
 
 def _dump_postgresql(url: sa.URL, target: Path) -> None:
-    """By pg_dump; the password is in its environment, not on its command line."""
+    """Call pg_dump with the password in its environment, not on its command line."""
     plain = postgresql.url_of_programs(url)
     command = ["pg_dump", "--format=custom", f"--file={target}", f"--dbname={plain}"]
     if shutil.which("pg_dump") is None:

@@ -51,7 +51,7 @@ class ImportStore:
             await connection.execute(_imports.delete().where(where))
 
     async def find(self, account: str | None, import_id: str) -> RecordImport | None:
-        """One of the account; of any if that is None (AUTH-008)."""
+        """The import, if the account has it; None is for any account (AUTH-008)."""
         query = sa.select(*_COLUMNS).where(_imports.c.import_id == import_id)
         return await self._first(_of_account(query, account))
 
@@ -69,7 +69,7 @@ class ImportStore:
     async def page(
         self, account: str | None, before: int | None, limit: int
     ) -> list[RecordImport]:
-        """Those below a number, newest first."""
+        """The imports below a number, newest first."""
         query = _of_account(sa.select(*_COLUMNS), account)
         if before is not None:
             query = query.where(_imports.c.number < any_number(before))

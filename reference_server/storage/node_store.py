@@ -196,7 +196,7 @@ class NodeStore:
         return await self._transactions.read_of_node(fetch)
 
     async def owner_of(self, run_id: str) -> StoredOwner | None:
-        """None if there is no such run."""
+        """The stored owner of the run; None if there is no such run."""
         query = (
             sa.select(_runs.c.owner, _fence, _runs.c.state, _silent_s)
             .select_from(_runs.outerjoin(_nodes, _nodes.c.node_id == _runs.c.owner))

@@ -71,7 +71,7 @@ def with_driver(url: sa.URL) -> sa.URL:
 
 
 def url_of_programs(url: sa.URL) -> str:
-    """As pg_dump and psql read it, without the password."""
+    """The URL as pg_dump and psql read it, without the password."""
     query = dict(url.query)
     if "ssl" in query:
         query["sslmode"] = query.pop("ssl")
@@ -113,7 +113,7 @@ def node_engine_options() -> dict[str, Any]:
 
 
 def engine_without_timeout(url: sa.URL) -> AsyncEngine:
-    """For statements of any length; each connection is closed after its use."""
+    """An engine for long statements; each connection is closed after its use."""
     return create_async_engine(
         url, poolclass=sa.NullPool, connect_args={"timeout": CONNECT_TIMEOUT_S}
     )
@@ -143,7 +143,7 @@ def code_of(error: Exception) -> str | None:
 
 
 def describe(url: sa.URL, error: Exception) -> str:
-    """One line for the host: what happened, without the password."""
+    """Describe an error for the host in one line, without the password."""
     host = url.query.get("host") or url.host or "localhost"
     where = f"{host}:{url.port or 5432}"
     code = code_of(error)

@@ -53,7 +53,7 @@ class RecordStore:
         return await self._transactions.read(fetch)
 
     async def find_statement(self, run_id: str) -> bytes | None:
-        """That of the run's record, if it was signed."""
+        """The statement of the run's record, if it was signed."""
         query = sa.select(_statements.c.statement).where(_statements.c.run_id == run_id)
         async with self._transactions.reading() as connection:
             return await connection.scalar(query)
@@ -84,7 +84,7 @@ class RecordStore:
         await self._transactions.write_in_turn(store)
 
     async def use_key(self, keyid: str, public_key: bytes, now_wall: float) -> None:
-        """This key signs from now on; all others are retired."""
+        """Store that this key signs from now on, and that all others are retired."""
         keys = _signing_keys
         retire = keys.update().where(
             keys.c.keyid != keyid, keys.c.retired_at_wall.is_(None)

@@ -81,7 +81,7 @@ def prepare(connection: sa.Connection, *, upgrade: bool = True) -> Upgrade | Non
 
 
 def read_version(connection: sa.Connection) -> str | None:
-    """None if the database is empty, or older than versions."""
+    """The version of the database; None if it is empty, or older than versions."""
     if not _has(connection, _version.name):
         return None
     return connection.scalar(sa.select(_version.c.version_num))
@@ -92,7 +92,7 @@ def _has(connection: sa.Connection, table: str) -> bool:
 
 
 def _lock(connection: sa.Connection) -> None:
-    """One process at a time, until the transaction ends."""
+    """Let only this process upgrade until the transaction ends."""
     if connection.dialect.name == "postgresql":
         connection.execute(sa.select(sa.func.pg_advisory_xact_lock(_UPGRADE_LOCK)))
     else:

@@ -267,7 +267,7 @@ class Store:
         return await self.transactions.read(fetch)
 
     async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
-        """Those runs by id, without their episodes and without their options."""
+        """The runs by id, without their episodes and without their options."""
 
         def fetch(connection: sa.Connection) -> dict[str, RunHead]:
             stored = self._heads(connection, run_ids)

@@ -125,7 +125,7 @@ class Transactions:
             self._last_write_failed = False
 
     def lock_account(self, connection: sa.Connection, account: str) -> None:
-        """Until its end, no other transaction that does this counts the account."""
+        """Exclude other transactions that count the account, until this one ends."""
         if not self._is_shared:  # the lock of writes is enough
             return
         is_sqlite = connection.dialect.name == "sqlite"
