@@ -17,7 +17,7 @@ TrustLevel: TypeAlias = Literal["reported", "signed", "replayed", "diverged"]
 
 @dataclass(frozen=True, slots=True)
 class FirstDivergence:
-    """Where a replay was first in another state; step from 1, 0 for the start."""
+    """The place where a replay first differed. step: from 1, 0 for the start."""
 
     episode_index: int
     attempt: int

@@ -31,7 +31,7 @@ class PolicyServerConfig:
 
     @classmethod
     def from_run(cls, run: RunHead) -> PolicyServerConfig:
-        """That of a run with mode `push`."""
+        """The policy server of a run with mode `push`."""
         requested = run.submission["policy_server"]
         return cls(
             url=requested["url"].rstrip("/"),

@@ -56,7 +56,7 @@ class Ranking:
 def successes_of(
     episode_ids: Sequence[str], successes: Mapping[str, bool]
 ) -> int | None:
-    """Its successes by place in the manifest; None if it has other episodes."""
+    """The successes as bits by place in the manifest; None if it has other episodes."""
     if successes.keys() != set(episode_ids):
         return None
     return sum(successes[name] << place for place, name in enumerate(episode_ids))
