@@ -165,7 +165,7 @@ async def _usage_of(files: AdminFiles) -> list[RunUsage]:
 
 
 def prune_old(files: AdminFiles, args: argparse.Namespace) -> None:
-    """As the server does it after `records_keep_days`: ended runs alone."""
+    """Remove recordings of ended runs, as the server does after `records_keep_days`."""
     days, kept = args.older_than, files.keep_days
     if not kept:
         raise CannotDo("records_keep_days is 0, a promise to keep all recordings")

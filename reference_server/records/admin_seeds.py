@@ -82,7 +82,7 @@ async def _heads_of(url: str, benchmark_id: str) -> list[RunHead]:
 
 
 def _opened(heads: list[RunHead], secret: bytes) -> Iterator[OpenedSeeds]:
-    """One for each commitment; says which cannot be opened."""
+    """Yield the seeds of each commitment; print which cannot be opened."""
     done: set[str] = set()
     for head in heads:
         commitment = head.manifest.get("seeds_sha256")

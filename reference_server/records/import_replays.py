@@ -100,7 +100,7 @@ class ImportReplays:
             await asyncio.wait([self._worker])
 
     def wake(self) -> None:
-        """There is another import."""
+        """Look for work, because there is another import."""
         self._wake.set()
 
     def episodes_replayed(self, record_import: RecordImport) -> int:
@@ -140,7 +140,7 @@ class ImportReplays:
         return record_import
 
     async def _finish_task(self, record_import: RecordImport) -> None:
-        """In a task of its own, which `stop` may cancel."""
+        """Finish an import in a task of its own, which `stop` may cancel."""
         task = asyncio.create_task(self._finish(record_import))
         self._current, self._replayed = (record_import.import_id, task), 0
         try:
@@ -227,7 +227,7 @@ class ImportReplays:
 
 
 def check_choice(choice: BenchmarkChoice) -> None:
-    """As a submission is checked: raises UnusableRecord for what none may have."""
+    """Check a record's choice like a submission; raises UnusableRecord."""
     said = {"benchmark_id": choice.benchmark_id, "policy": {"name": "a record"}}
     select = None if choice.select is None else msgspec.to_builtins(choice.select)
     chosen = {"options": choice.options, "images": choice.images, "select": select}

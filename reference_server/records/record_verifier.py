@@ -157,7 +157,7 @@ async def _read(stream: asyncio.StreamReader, bytes_max: int) -> bytes:
 
 
 def _environment() -> dict[str, str]:
-    """Without the server's settings: tokens and database passwords are there."""
+    """The environment without the server's settings, which may contain secrets."""
     root = str(Path(__file__).parents[2])
     paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     dropped = "PROCTOR_", "PG"  # PGPASSWORD is read by the driver of the database

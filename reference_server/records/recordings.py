@@ -210,7 +210,7 @@ class Recordings:
         return self._folder / key.run_id / f"{_name_of(key)}.parts"
 
     def _parts_before(self, key: Key) -> list[Path]:
-        """Where earlier owners of the run wrote, the first one first."""
+        """The folders to which earlier owners of the run wrote, the first one first."""
         return [self._parts(key._replace(fence=fence)) for fence in range(key.fence)]
 
     # --- runs ---

@@ -259,7 +259,7 @@ class RunRecords:
         score: Mapping[str, Any],
         files: UnsignedRecord,
     ) -> Record:
-        """As `fetch`, unless another fetch of the record signs it meanwhile.
+        """Sign the record, unless another fetch of it has signed it meanwhile.
 
         In a cluster a node signs again what came behind the statement of another one.
         """

@@ -112,7 +112,7 @@ def _compare(agreed: Mapping[str, str], facts: Mapping[str, str], folder: Path) 
 
 
 def _read_id(folder: Path) -> str | None:
-    """None of a folder that no cluster has used."""
+    """The id of the folder; None if no cluster has used the folder."""
     try:
         return (folder / ID_FILE).read_text().strip() or None
     except FileNotFoundError:

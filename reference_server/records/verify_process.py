@@ -63,7 +63,7 @@ class BrokenPart(msgspec.Struct, frozen=True):
 
 
 class Found(msgspec.Struct, frozen=True):
-    """One of the two is there."""
+    """The output of `examine`: one of the two members is there."""
 
     facts: RecordFacts | None = None
     broken: BrokenPart | None = None
