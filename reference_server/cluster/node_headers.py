@@ -85,7 +85,7 @@ def request_headers(scope: Scope, node: Node) -> tuple[Headers, bool]:
 
 
 def answer_headers(headers: Headers) -> Headers:
-    """Those headers of the other node's answer that are sent to the client."""
+    """The headers of the other node's answer that are sent to the client."""
     lower = ((name.lower(), value) for name, value in headers)
     return [pair for pair in lower if pair[0] not in _NOT_SENT_BACK]
 

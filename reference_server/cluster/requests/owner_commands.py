@@ -71,9 +71,10 @@ class OwnerCommands:
     async def apply(
         self, command: RunCommand, account: str, run_id: str, carry_out: CarryOut
     ) -> None:
-        """At the node that has the run. Raises Refused and StoreFailed.
+        """Carry out a command at the node that has the run.
 
-        carry_out: what the command does here, if this node has the run by now.
+        Raises Refused and StoreFailed. carry_out: what the command does here, if this
+        node has the run by now.
         """
         asked = _Asked(command, account, run_id)
         for _ in range(MOVES_MAX):
