@@ -21,7 +21,7 @@ from reference_server.rules.run import Episode, Run
 
 
 class OwedResults:
-    """For each run the indices of the episodes whose results are owed."""
+    """Keeps for each run the indices of the episodes whose results are owed."""
 
     def __init__(self) -> None:
         self._owed: WeakKeyDictionary[Run, list[int]] = WeakKeyDictionary()

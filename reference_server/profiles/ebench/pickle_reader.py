@@ -46,7 +46,7 @@ _EMPTY: tuple[int, ...] = (0,)  # what numpy writes before it sets the data
 
 
 class BadPickle(ValueError):
-    """Not a pickle of plain values and numpy arrays; the message says why."""
+    """The body is not a pickle of plain values and arrays; the message says why."""
 
 
 class _Name(str):

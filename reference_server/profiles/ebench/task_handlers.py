@@ -469,7 +469,7 @@ class EbenchHandlers:
 
 
 def _run_id(call: OperationCall) -> str:
-    """That of the path; header and query may repeat it, and not name another run."""
+    """The run id of the path; header and query may repeat it, but not name another."""
     run_id = call.path["run_id"]
     for named in (call.headers.get("run_id"), call.query.get("run_id")):
         if named is not None and named != run_id:

@@ -73,7 +73,7 @@ class Chunk:
     at: Sequence[str]
 
     def digest(self) -> str:
-        """Equal for equal actions: how a repeated step is recognised (EBE-013)."""
+        """Digest of the actions, by which a repeated step is recognised (EBE-013)."""
         return hashlib.sha256(pickle_writer.write(_plain(self.actions))).hexdigest()
 
     def is_varied(self) -> bool:

@@ -242,7 +242,7 @@ class FlagevalHandlers:
         ]
 
     async def _apply_to_each(self, call: OperationCall, command: RunCommand) -> None:
-        """To each run of the request that allows it; refused if none does."""
+        """Apply a command to each run that allows it; refuse it if none does."""
         ids = call.body.request_id.split(".")
         for run_id in ids:  # before any is changed: does each exist?
             await self.service.find_run(call.account, run_id)

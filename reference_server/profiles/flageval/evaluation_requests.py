@@ -136,8 +136,9 @@ class EvaluationRequest(_Defaults):
         return whole | self.eval_infos[number].model_dump(exclude={"api_key"})
 
     def digest(self, number: int) -> str:
-        """Equal for an equal request: how a repeat is recognised (FLE-003, FLE-004)."""
-        return body_digest(self._labels(number))
+        """Digest of a request, by which a repeat is recognised (FLE-003, FLE-004)."""
+        canonical = msgspec.json.encode(self._labels(number), order="deterministic")
+        return hashlib.sha256(canonical).hexdigest()
 
 
 class RequestReference(BaseModel):

@@ -108,7 +108,7 @@ class EvaluationView:
         return result | ({"reason": self.reason} if self.has_failed else {})
 
     def diff(self, base: EvaluationView) -> dict[str, Any]:
-        """For evaluation_diffs (FLE-015). Raises Refused."""
+        """The differences to a base, for evaluation_diffs (FLE-015). Raises Refused."""
         compared = self.compare_with(base)
         if compared is None:
             raise Refused("not_comparable", f"{self.eval_model}: the datasets differ.")
