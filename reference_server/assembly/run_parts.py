@@ -156,7 +156,7 @@ def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
 def make_imports(
     settings: ImportedRecordSettings, stored: StoredParts, pool: SimulatorPool
 ) -> RecordImports | None:
-    """None where no records are taken in. pool: of the replays of records."""
+    """The imports of records; None where none are taken in. pool: for their replays."""
     if stored.records is None or not settings.takes_records:
         return None
     most = ImportUsage(settings.max_waiting_imports, settings.max_imported_bytes)

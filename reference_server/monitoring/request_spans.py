@@ -34,7 +34,7 @@ class TraceParent(NamedTuple):
 
 
 class RequestRecorder(Protocol):
-    """Where the spans of requests go."""
+    """The recorder that receives the spans of requests."""
 
     def request(self, parent: TraceParent | None, *, is_trusted: bool) -> Span:
         """The span of a request that came with this parent.
@@ -82,7 +82,7 @@ class RequestSpans:
 
 
 def read_traceparent(scope: Scope) -> TraceParent | None:
-    """That of the request; None without one, with several, or with anything else."""
+    """The trace parent of the request; None unless it has exactly one valid header."""
     header = None
     for name, value in scope["headers"]:
         if name == b"traceparent":

@@ -257,7 +257,7 @@ class _LastReason(logging.Handler):
 
 
 def endpoint_of(url: str) -> str:
-    """Where traces are sent. Raises ValueError, whose text has no part of the URL."""
+    """The URL to which traces are sent. Raises ValueError, without it in the text."""
     parts = urlsplit(url)
     is_url = parts.scheme in ("http", "https") and parts.hostname
     if not is_url or parts.query or parts.fragment:

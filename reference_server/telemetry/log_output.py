@@ -71,7 +71,7 @@ def log_config(
 
 
 class QueryRemover(logging.Filter):
-    """From what uvicorn logs of a request, for a query has the ids of sessions."""
+    """Removes queries from uvicorn's log, because they contain the ids of sessions."""
 
     def filter(self, record: logging.LogRecord) -> bool:
         if isinstance(record.args, tuple):
@@ -99,7 +99,7 @@ class TextFormatter(logging.Formatter):
 
 
 class JsonFormatter(logging.Formatter):
-    """One object on one line."""
+    """Formats a record as one JSON object on one line."""
 
     def format(self, record: logging.LogRecord) -> str:
         line = {

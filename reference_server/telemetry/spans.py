@@ -34,17 +34,17 @@ class Recorder(Protocol):
     """Creates the spans of a process."""
 
     def part(self, name: str, *, is_call: bool) -> Span:
-        """As `span`."""
+        """Begin a span as the function `span` does."""
 
     def root(self, name: str) -> Span:
-        """As `root_span`."""
+        """Begin a span as the function `root_span` does."""
 
     def traceparent(self, *, only_recorded: bool) -> str | None:
-        """As `traceparent`."""
+        """The header that the function `traceparent` returns."""
 
 
 class _NotRecorded:
-    """One for all blocks that no trace has."""
+    """The span of all blocks that are not recorded; it does nothing."""
 
     __slots__ = ()
     is_recorded = False
@@ -65,7 +65,7 @@ _recorder: Recorder | None = None
 
 
 def record_with(recorder: Recorder | None) -> None:
-    """From now on; None ends it."""
+    """Record spans with this recorder from now on; None ends it."""
     global _recorder  # noqa: PLW0603 - like the log there is one for a process
     _recorder = recorder
 
