@@ -342,7 +342,7 @@ class Handlers:
     async def import_record(self, call: OperationCall) -> Response:
         """REC-112."""
         declared = call.request.headers.get("content-length", "0")
-        parts = codec.stream_body(call.request)
+        parts = request_bodies.stream_body(call.request)
         record_import = await self._imports().receive(
             call.account, int(declared), parts
         )
