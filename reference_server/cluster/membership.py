@@ -42,12 +42,12 @@ log = logging.getLogger("proctor.cluster")
 CLAIMS_AT_ONCE = 50
 # How long a request waits for a lease that is late; another node may have one.
 LATE_LEASE_S = 5.0
-# At most so often are runs without an owner looked for.
+# Longest pause between two searches for runs without an owner.
 SWEEP_S = 1.0
 # A run is claimed by one node: who loses finds its owner then.
 TRIES = 5
 KNOWN_OWNERS_MAX = 10_000
-# It runs while the machine sleeps, where there is such a clock.
+# A clock that runs while the machine sleeps, where the system has one.
 _CLOCK = getattr(time, "CLOCK_BOOTTIME", time.CLOCK_MONOTONIC)
 
 
@@ -353,7 +353,7 @@ class Membership:
         await self._adopt_unsure()
         run_ids = await self._nodes.without_owner(sorted(OPEN_STATES), CLAIMS_AT_ONCE)
         for run_id in run_ids:
-            # Else who had it before the node that died would be taken for its owner.
+            # Otherwise an owner from before the dead node could be taken for the owner.
             self.note_moved(run_id)
             try:
                 await self.claim(run_id)

@@ -43,13 +43,14 @@ _NOT_REACHED = (
     httpcore.TimeoutException,
     httpcore.ProtocolError,
 )
-# Far less than after what a node closes a connection that has no request.
+# Far less than the time after which a node closes a connection without a request.
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
 # Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
-# At least so long, and for a lease, a busy node may be silent and is still waited for.
+# A busy node may be silent for at least this long, and for a lease, before it is given
+# up.
 SILENT_S = 5.0
 # A node is asked twice whether it lives, over connections of their own: what all
 # requests share may be used up, or one connection lost.

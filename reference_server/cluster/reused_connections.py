@@ -28,7 +28,7 @@ class ReusedConnections:
     def __init__(self, at_once_max: int, expiry_s: float) -> None:
         self._places = asyncio.Semaphore(at_once_max)
         self._expiry_s = expiry_s
-        # Without a request, by origin; the one used last at the end.
+        # Connections without a request, by origin; the one used last is at the end.
         self._idle: dict[str, deque[httpcore.AsyncHTTPConnection]] = {}
         self._backend = httpcore.AnyIOBackend()
         self._timer: asyncio.TimerHandle | None = None
@@ -71,7 +71,7 @@ class ReusedConnections:
 
     def _close_expired_later(self) -> None:
         if self._timer is None:
-            # It belongs to no request.
+            # An empty context, because the timer does not belong to a request.
             self._timer = asyncio.get_running_loop().call_later(
                 self._expiry_s, self._begin_closing, context=contextvars.Context()
             )

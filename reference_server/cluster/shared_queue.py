@@ -31,11 +31,12 @@ from reference_server.telemetry.repeated_failures import RepeatedFailures
 log = logging.getLogger("proctor.cluster")
 
 PATH = "/node/queue"
-# At least so often the queue is read, whether another node said something or not.
+# The queue is read at least this often, whether another node sent a message or not.
 LOOK_S = 1.0
-# From one read for other nodes to the next: they may say something at any moment.
+# Pause between two reads for messages of other nodes, which may come at any moment.
 PAUSE_S = 0.02
-# A long queue takes a node no more of its time than that, however many ask for it.
+# After a read of a long queue a node rests so many times as long as the read took,
+# however many ask for it.
 LONG_QUEUE, RESTS_AFTER_READ = 200, 4
 # A node that does not answer within this time keeps the places that it reported last.
 TIMEOUT_S = 0.5

@@ -149,7 +149,7 @@ async def perform(
         _failures.report("a request could not use the database", str(error))
         return refuse(Refused("unavailable", "The database is not available."))
     except asyncio.CancelledError:
-        # By the server alone, which shuts down and has waited long enough.
+        # Only the server cancels it, when it shuts down and has waited long enough.
         return refuse(Refused("unavailable", "The server is shutting down."))
 
 

@@ -251,7 +251,7 @@ class _LastReason(logging.Handler):
     text = "no answer in time"
 
     def emit(self, record: logging.LogRecord) -> None:
-        # That it has tried often enough is logged without the reason.
+        # The exporter also logs that it has given up, but without the reason.
         if record.args is not None and len(record.args) > 1:
             self.text = record.getMessage()[:_REASON_CHARS_MAX]
 

@@ -29,8 +29,8 @@ _NAT64 = IPv6Network("64:ff9b::/96")
 # All IPv6 addresses that are assigned for public use. Outside of it are other forms of
 # IPv4 addresses (of a local translator, IPv4-compatible), which may lead anywhere.
 _PUBLIC_6 = IPv6Network("2000::/3")
-# Not for destinations anywhere, by IANA's registries of special-purpose addresses, and
-# missing in `is_global` of the one or the other release of Python.
+# Addresses that are not globally reachable by IANA's registries of special-purpose
+# addresses, but are missing in `is_global` of some releases of Python.
 _SPECIAL: tuple[Network, ...] = tuple(
     ip_network(text)
     for text in (

@@ -32,9 +32,10 @@ from reference_sim.replay.foreign_manifest import BenchmarkChoice
 
 # A file that takes a fifth of it alone has the lowest priority on a busy machine.
 EXAMINE_S_MAX: Final = 600.0
-# So long a request waits for the records of others, after its body was received.
+# A request waits so long for the records of others, after its body was received.
 WAIT_S_MAX: Final = 60.0
-# At once, of all accounts: each may take a processor that is idle otherwise.
+# Examinations at once, of all accounts: each may take a processor that is idle
+# otherwise.
 EXAMINED_AT_ONCE: Final = 4
 FOUND_BYTES_MAX: Final = 2**17
 RESULT_BYTES_MAX: Final = 2**8

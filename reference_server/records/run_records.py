@@ -57,7 +57,8 @@ REMOVE_EVERY_S = 3600.0
 # The clocks of files and nodes may differ.
 LEFTOVERS_S = 3 * REMOVE_EVERY_S
 RUNS_PER_READ = 200
-# At most, in an archive: the manifest and the statement; a line, names and headers.
+# The most bytes in an archive of the manifest and the statement; and of each
+# recording's line, names and headers.
 OTHER_FILES_BYTES = 2**26
 BYTES_BESIDE_A_RECORDING = 2**11
 

@@ -63,9 +63,10 @@ SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
 ViewsElsewhere = Callable[[Sequence[RunHead], str], Awaitable[Mapping[str, Json]]]
 
 RunCommand = Literal["stop", "resume"]
-# (command, account, run id): at this node; raises Refused and StoreFailed.
+# (command, account, run id): carries out a command at this node; raises Refused and
+# StoreFailed.
 CarryOut = Callable[[RunCommand, str, str], Awaitable[None]]
-# At the node that has the run; CarryOut is for a run that is here by then.
+# Carries out a command at the node that has the run, with CarryOut if that is this one.
 CommandElsewhere = Callable[[RunCommand, str, str, CarryOut], Awaitable[None]]
 
 DAY_S = 86_400.0

@@ -1,4 +1,4 @@
-"""PostgreSQL's own parts of the storage: its driver, its connections and its failures.
+"""PostgreSQL: its driver, its connections and its failures.
 
 asyncpg is the driver. A server with an SQLite file does not need it: it is imported
 only when a URL names PostgreSQL.
@@ -18,15 +18,14 @@ from sqlalchemy.ext.asyncio import AsyncEngine, create_async_engine
 CONNECTIONS_MAX = 10
 # Reads at once; the other connections are for writes, which never wait for reads.
 READS_MAX = 8
-# A node has so many connections less for reads: they are for its lease and its claims,
-# which must not wait for requests.
+# A node keeps so many connections free of reads, so that its lease and its claims do
+# not wait for requests.
 FOR_NODES = 2
 CONNECT_TIMEOUT_S = 5.0
-# How long a statement may take; and how long a request waits for a connection.
+# Timeouts of a statement, and of a request that waits for a connection.
 STATEMENT_TIMEOUT_S, POOL_TIMEOUT_S = 30.0, 10.0
-# Timeouts of a node's statements and idle transactions, which bound how long others
-# wait for its locks: a node that is paused or cut off inside a transaction would keep
-# them.
+# Timeouts of a node's transaction, which others may wait for: a node that is paused or
+# cut off inside of one would keep its locks until it goes on.
 NODE_STATEMENT_TIMEOUT_S, NODE_IDLE_TIMEOUT_S = 10.0, 5.0
 # How long a claim waits for what such a node locks; it is tried again.
 CLAIM_LOCK_TIMEOUT_S = 1.0
@@ -83,7 +82,7 @@ def url_of_programs(url: sa.URL) -> str:
 
 
 def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
-    """Options of the engine for requests. is_shared: with other nodes."""
+    """Options of the engine for requests. is_shared: other nodes use the database."""
     arguments: dict[str, Any] = {
         "timeout": CONNECT_TIMEOUT_S,
         "command_timeout": STATEMENT_TIMEOUT_S,

@@ -34,7 +34,7 @@ class RecordStore:
     async def count_attempts(self, run: RunHead) -> int:
         """How many runs of its benchmark the run's account has submitted so far."""
         async with self._transactions.reading() as connection:
-            # Its rows may be older than the column that counts.
+            # At least 1: the rows may be older than the column that is counted.
             return max(1, await connection.scalar(last_attempt(run)) or 0)
 
     async def attempts_of(

@@ -136,9 +136,9 @@ class Transactions:
         connection.execute(counted.values(counted=_accounts.c.counted + 1))
 
     def lock_order(self, connection: sa.Connection) -> None:
-        """To be called first by a transaction that adds to a sequence of all accounts.
+        """Lock the order of all accounts, first in a transaction that appends to it.
 
-        Until it ends no other node changes the last statement, the leaves of the
-        leaderboard or an entry.
+        Until the transaction ends, no other node changes what it then reads: the last
+        statement, the leaves of the leaderboard, an entry.
         """
         self.lock_account(connection, _OF_ALL_ACCOUNTS)

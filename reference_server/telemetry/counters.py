@@ -36,7 +36,7 @@ class Durations:
         self.total_s += seconds
 
 
-# By `ok` and `failed`.
+# Durations by outcome, `ok` or `failed`.
 Outcomes = defaultdict[str, Durations]
 
 

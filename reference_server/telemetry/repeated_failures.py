@@ -23,7 +23,7 @@ class RepeatedFailures:
     ) -> None:
         self._log = log
         self._clock = clock
-        # A failure and its cause → when it was logged, how often it was left out since.
+        # (failure, cause) → when it was logged, and how often it was left out since.
         self._reported: dict[tuple[str, str], tuple[float, int]] = {}
 
     def report(self, what: str, cause: str) -> None:

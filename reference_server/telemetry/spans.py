@@ -99,8 +99,8 @@ def traceparent(*, only_recorded: bool = False) -> str | None:
 
 
 def session_name(session_id: str) -> str:
-    """A name of a session that can be assigned only by those who know its id.
+    """A name for a session that only those can match who know its id.
 
-    The id itself is the secret of a worker, and a collector must not learn it.
+    A worker proves its session with the id itself, so a collector must not get it.
     """
     return hashlib.sha256(session_id.encode()).hexdigest()[:12]

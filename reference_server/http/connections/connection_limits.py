@@ -181,7 +181,8 @@ class ConnectionLimiter:
         for group in groups:
             for connection in group:
                 if connection.close_if_idle():
-                    # Not when the transport has closed: others come before that.
+                    # Now, and not when the transport has closed: other connections
+                    # arrive before that.
                     self.remove(connection)
                     self._leaving.add(connection)
                     return True

@@ -23,7 +23,7 @@ log = logging.getLogger("proctor.app")
 LOOK_INTERVAL_S = 0.02
 # uvicorn makes the header Date of its answers so often.
 DATE_INTERVAL_S = 1.0
-# For answers that are ready when the time is over.
+# Time to send the answers that are ready when the time of the turns is over.
 SEND_S = 1.0
 
 

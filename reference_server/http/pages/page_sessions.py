@@ -57,7 +57,7 @@ class PageSessions:
         node_id: Callable[[], str] = str,
     ) -> None:
         self._now, self._node_id = now, node_id
-        # By cookie, the one that was used longest ago first.
+        # Sessions by cookie; the one that was used longest ago is the first.
         self._sessions: OrderedDict[str, PageSession] = OrderedDict()
         # Token → the cookies of its sessions, in the order of their sign-ins.
         self._of_token: dict[str, dict[str, None]] = {}

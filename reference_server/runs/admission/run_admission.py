@@ -97,7 +97,7 @@ class RunAdmission(RunFollower):
     def left(self, run: Run, why: Departure) -> None:
         had_place = run.run_id in self.places
         self._admission.index(run, None)
-        # Until it is known what the store has, the run may be active and keeps a place.
+        # The run keeps its place until it is loaded: it may be active in the database.
         if had_place and why in ("unstored", "refused"):
             self.places.play(run.run_id, run.account)
         self._admission.admit()
