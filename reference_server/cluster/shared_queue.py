@@ -33,10 +33,10 @@ log = logging.getLogger("proctor.cluster")
 PATH = "/node/queue"
 # The queue is read at least this often, whether another node sent a message or not.
 LOOK_S = 1.0
-# Pause between two reads for messages of other nodes, which may come at any moment.
+# Pause after each work for the queue: other nodes may ask for it at any moment.
 PAUSE_S = 0.02
-# After a read of a long queue a node rests so many times as long as the read took,
-# however many ask for it.
+# After a read of a longer queue than this a node rests so many times as long as the
+# read took, however many ask for it.
 LONG_QUEUE, RESTS_AFTER_READ = 200, 4
 # A node that does not answer within this time keeps the places that it reported last.
 TIMEOUT_S = 0.5
@@ -126,7 +126,7 @@ class SharedQueue:
         return is_taken
 
     def announce(self) -> None:
-        """Tell the other nodes soon that the stored queue of this node has changed."""
+        """Report soon to the other nodes that the stored queue of this node has changed."""
         self._announce_is_due.set()
 
     def look(self) -> None:
@@ -214,7 +214,7 @@ class SharedQueue:
     async def _repeat(
         self, work: Work, is_due: asyncio.Event, every_s: float | None
     ) -> None:
-        """Work whenever it is due, and at least so often."""
+        """Do the work whenever it is due, and at least every `every_s` seconds."""
         while True:
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(every_s):
