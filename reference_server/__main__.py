@@ -305,7 +305,7 @@ def _simulators_of(settings: Settings) -> dict[str, list[str]]:
 
 
 def _traces_of(settings: Settings) -> Traces | None:
-    """Only what is set is imported: its library takes time at the start, and memory."""
+    """The traces, if they are set. Their library is imported only then: it is large."""
     if not settings.traces:
         return None
     try:

@@ -146,7 +146,7 @@ def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
 
 
 def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
-    """None where nothing is recorded: its history is signed by the key of records."""
+    """The leaderboard; None without recordings, whose key signs its history."""
     if stored.board is None or stored.records is None:
         return None
     history = BoardHistory(stored.board, stored.records)

@@ -88,7 +88,7 @@ class FollowedStream:
         await self._send(comment)
 
     async def end(self) -> None:
-        """After the last part; what was not sent whole stays incomplete."""
+        """End the stream after its last part; an incomplete event stays incomplete."""
         if self._is_stream and not self._unfinished:
             last = {"type": "http.response.body", "body": b"", "more_body": False}
             await self._send(last)

@@ -321,7 +321,7 @@ class Membership:
         self._owners.pop(run_id, None)
 
     async def forget_owner(self, run_id: str) -> None:
-        """Its node was not reached: the next look-up reads the database again."""
+        """Forget the node that has the run, which was not reached; look for others."""
         self._owners.pop(run_id, None)
         await self._look_for_others()
 

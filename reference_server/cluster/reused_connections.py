@@ -39,7 +39,7 @@ class ReusedConnections:
     async def stream(
         self, method: str, url: httpcore.URL, **request: Any
     ) -> AsyncIterator[httpcore.Response]:
-        """As the method of httpcore's pool. Raises its errors."""
+        """Send a request as the pool of httpcore does, with the same errors."""
         async with self._places:
             connection = self._take(url.origin)
             try:
@@ -81,7 +81,7 @@ class ReusedConnections:
         self._closing = asyncio.ensure_future(self._close_expired())
 
     async def _close_expired(self) -> None:
-        """Those that nothing used for long, or that the other node has closed."""
+        """Close connections that were idle for long or that the other node closed."""
         for origin, idle in list(self._idle.items()):
             while idle and idle[0].has_expired():
                 await idle.popleft().aclose()

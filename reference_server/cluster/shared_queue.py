@@ -57,7 +57,7 @@ class _Places(msgspec.Struct):
 
 
 class SharedQueue:
-    """This node's part in it, from `open` to `close`.
+    """The part of this node in the shared queue, from `open` to `close`.
 
     admission: of this node's runs; from now on they wait in the queue of all nodes.
     """
@@ -126,7 +126,7 @@ class SharedQueue:
         return is_taken
 
     def announce(self) -> None:
-        """Report soon to the other nodes that the stored queue of this node has changed."""
+        """Report soon to the other nodes that this node's stored queue has changed."""
         self._announce_is_due.set()
 
     def look(self) -> None:

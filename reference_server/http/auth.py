@@ -73,7 +73,7 @@ class Tokens:
         return cls({hash_of(secret): Caller("local", SCOPES | {HOST})})
 
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
-        """From now on these are valid, and none that the file had before."""
+        """Make these tokens valid, in place of all that the file had before."""
         self._in_file = by_hash
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:

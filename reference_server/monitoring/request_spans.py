@@ -98,7 +98,7 @@ def read_traceparent(scope: Scope) -> TraceParent | None:
 
 
 def _describe(span: Span, scope: Scope) -> None:
-    """When its route is known."""
+    """Set the name and the members of the span, once its route is known."""
     method = scope["method"] if scope["method"] in _METHODS else "_OTHER"
     route = getattr(scope.get("route"), "path", None)
     span.set("http.request.method", method)

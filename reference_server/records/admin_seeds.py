@@ -44,7 +44,7 @@ def add_area(areas: Any) -> None:
 
 
 def open_seeds(files: AdminFiles, args: argparse.Namespace) -> None:
-    """For each choice of options that has a run. Raises CannotDo."""
+    """Open the seeds of each choice of options that has a run. Raises CannotDo."""
     name = args.benchmark
     output = args.output or Path(f"seeds-{name}.json")
     if output.exists() and not args.force:

@@ -12,7 +12,7 @@ from contextlib import asynccontextmanager
 
 
 class NoTurn(Exception):
-    """It was not the turn of this account in time."""
+    """The turn of this account did not come in time."""
 
 
 class ExaminationTurns:

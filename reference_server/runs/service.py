@@ -75,14 +75,14 @@ DAY_S = 86_400.0
 async def no_views_elsewhere(
     _runs: Sequence[RunHead], _endpoint: str
 ) -> Mapping[str, Json]:
-    """Without a cluster every run is here."""
+    """The default of `views_elsewhere`: without a cluster every run is here."""
     return {}
 
 
 async def no_command_elsewhere(
     _command: RunCommand, _account: str, _id: str, _carry_out: CarryOut
 ) -> None:
-    """Without a cluster no other node has a run."""
+    """The default without a cluster, where no other node has a run."""
     raise AssertionError("every run is here")
 
 

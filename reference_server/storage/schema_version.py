@@ -31,7 +31,7 @@ _version = sa.Table(
 
 
 class OtherVersion(Exception):
-    """This code cannot use the database; the text says what to do."""
+    """The database has a version that cannot be used; the text says what to do."""
 
 
 class UpgradeFailed(Exception):

@@ -360,5 +360,5 @@ class Store:
             return [WaitingRun(*row) for row in stored]
 
     async def sizes_of_accounts(self) -> tuple[dict[str, int], dict[str, int]]:
-        """By account: the number of its Idempotency-Keys, and its stored bytes."""
+        """Count the Idempotency-Keys and the stored bytes of each account."""
         return await self.transactions.read(account_statements.sizes_of_accounts)

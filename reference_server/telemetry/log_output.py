@@ -42,7 +42,7 @@ def log_event(
 def log_config(
     level: str, form: Literal["text", "json"], *, access: bool
 ) -> dict[str, Any]:
-    """For `logging.config.dictConfig`: everything to the standard error."""
+    """The argument of `logging.config.dictConfig`: all goes to the standard error."""
     number = LOG_LEVELS[level]
     loggers: dict[str, Any] = {
         name: {"level": number, "handlers": ["stderr"], "propagate": False}

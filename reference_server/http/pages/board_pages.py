@@ -185,7 +185,7 @@ async def find_entry(
 
 
 async def publish(call: PageCall, form: Mapping[str, str]) -> Response:
-    """From the form on the page of a run; the API refuses what is wrong."""
+    """Publish the entry of the form on the page of a run; the API checks it."""
     run_id = call.path("run_id")
     body: dict[str, Any] = {
         name: value.strip() for name in _TEXTS if (value := form.get(name, "")).strip()

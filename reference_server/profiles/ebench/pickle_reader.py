@@ -379,7 +379,7 @@ _Opcode: TypeAlias = tuple[Callable[[BytesIO], Any], _Handler]
 
 
 def _opcodes() -> Iterator[tuple[bytes, _Opcode]]:
-    """For each supported opcode: the reader of its argument, and its handler."""
+    """Supported opcode → the reader of its argument, and its handler."""
     for opcode in pickletools.opcodes:
         if opcode.name in _HANDLERS:
             reader: Any = opcode.arg.reader if opcode.arg else lambda _: None

@@ -111,7 +111,7 @@ class RunAdmission(RunFollower):
     # --- a run that is submitted, or that a worker wants to play ---
 
     def admit_new(self, run: Run) -> None:
-        """Before the run is stored, so that one submit is one transaction."""
+        """Admit a new run before it is stored, so that a submit is one transaction."""
         self._admission.admit(run)
 
     def give_back(self, run_id: str) -> None:
