@@ -384,5 +384,4 @@ def _reopened(run_id: str, files: UnsignedRecord, statement: bytes) -> Record:
 
 def _shown_manifest(run: RunHead) -> bytes:
     """The bytes whose digest is `manifest_sha256`: without sealed seeds (SEAL-002)."""
-    shown = without_sealed_seeds(run.manifest)
-    return msgspec.json.encode(shown, order="deterministic")
+    return canonical_json(without_sealed_seeds(run.manifest))

@@ -223,11 +223,6 @@ def _simulator_config(
     return resolved.world
 
 
-def canonical(manifest: Manifest | Mapping[str, Any]) -> bytes:
-    """The bytes of a manifest that are hashed and may be published (SEAL-002)."""
-    return msgspec.json.encode(without_sealed_seeds(manifest), order="deterministic")
-
-
 def digest(manifest: Manifest | Mapping[str, Any]) -> str:
     """The `manifest_sha256` of a manifest with its episodes (BEN-005).
 

@@ -137,8 +137,7 @@ class EvaluationRequest(_Defaults):
 
     def digest(self, number: int) -> str:
         """Digest of a request, by which a repeat is recognised (FLE-003, FLE-004)."""
-        canonical = msgspec.json.encode(self._labels(number), order="deterministic")
-        return hashlib.sha256(canonical).hexdigest()
+        return body_digest(self._labels(number))
 
 
 class RequestReference(BaseModel):
