@@ -238,7 +238,7 @@ def _check_database_and_keys(settings: Settings) -> None:
 
 
 def _check_cluster(settings: Settings) -> None:
-    """What this node records and signs must be that of the others."""
+    """Refuse to start a node that records or signs apart from the other nodes."""
     if settings.cluster == "off" or settings.recordings == "off":
         return
     folder, path = settings.records_path, settings.signing_key_path
@@ -281,8 +281,8 @@ def _check_simulators(settings: Settings) -> None:
         )
     except (CannotUseRay, OSError) as error:
         raise _CannotUse(f"cannot use Ray for simulators: {error}") from error
-    for (resources, declared_by), found in zip(kinds.items(), machines, strict=True):
-        if not found:
+    for (resources, declared_by), machine in zip(kinds.items(), machines, strict=True):
+        if not machine:
             of = f" of {', '.join(declared_by)}" if declared_by else ""
             _print_line(
                 f"no machine of the Ray cluster has {resources} for a simulator{of} "
@@ -291,9 +291,9 @@ def _check_simulators(settings: Settings) -> None:
 
 
 def _simulators_of(settings: Settings) -> dict[str, list[str]]:
-    """What simulators take of a machine, and the benchmarks that declare it.
+    """Resources of simulators → the benchmarks that declare them.
 
-    The setting comes first, without those that it is for.
+    The setting comes first, with an empty list: it is for all other benchmarks.
     """
     default = format_resources(parse_resources(settings.ray_resources))
     kinds: dict[str, list[str]] = {default: []}
@@ -305,7 +305,7 @@ def _simulators_of(settings: Settings) -> dict[str, list[str]]:
 
 
 def _traces_of(settings: Settings) -> Traces | None:
-    """Only what is set is imported: its library takes time at the start, and memory."""
+    """The traces, if they are set. Their library is imported only then: it is large."""
     if not settings.traces:
         return None
     try:

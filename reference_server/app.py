@@ -104,7 +104,7 @@ def build(
 
 @dataclass(frozen=True, slots=True)
 class _StateReader:
-    """What the page of metrics shows; it is there without the database, too."""
+    """Reads the numbers of the page of metrics, without the database."""
 
     runs: RunParts
     pools: Pools
@@ -163,7 +163,7 @@ class _Server:
             finally:
                 await _close_all(self.token_file, self.metrics, runs.retention)
                 await _close_all(runs.driver, self.imports, runs.executor)
-                # What is recorded is written before others may claim its run.
+                # Recordings are written before other nodes may claim their runs.
                 await _close_all(runs.registry, stored.records, self.queue, self.node)
                 await _close_all(self.pools.replays, self.pools.sessions)
                 await _close_all(stored.store, self.traces)

@@ -54,7 +54,7 @@ class _NothingShared:
 def make_node(
     settings: Settings, store: Store, records: RunRecords | None
 ) -> ServerNode | None:
-    """None for a server that has the database for itself."""
+    """The node of this server; None if the server has the database for itself."""
     if settings.cluster == "off":
         return None
     nodes = NodeStore(store, settings.node_lease_s)

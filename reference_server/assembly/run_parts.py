@@ -146,7 +146,7 @@ def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
 
 
 def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
-    """None where nothing is recorded: its history is signed by the key of records."""
+    """The leaderboard; None without recordings, whose key signs its history."""
     if stored.board is None or stored.records is None:
         return None
     history = BoardHistory(stored.board, stored.records)
@@ -156,7 +156,7 @@ def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
 def make_imports(
     settings: ImportedRecordSettings, stored: StoredParts, pool: SimulatorPool
 ) -> RecordImports | None:
-    """None where no records are taken in. pool: of the replays of records."""
+    """The imports of records; None where none are taken in. pool: for their replays."""
     if stored.records is None or not settings.takes_records:
         return None
     most = ImportUsage(settings.max_waiting_imports, settings.max_imported_bytes)

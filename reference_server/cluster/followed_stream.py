@@ -16,7 +16,7 @@ from reference_server.rules.events import is_final
 from reference_server.rules.run import State
 
 EVENT_STREAM = b"text/event-stream"
-# What begins another answer, and what may be repeated later.
+# Status of an answer that goes on with the stream, and of one that may do so later.
 _GOES_ON, _LATER = 200, 503
 _ID = re.compile(rb"^id: (\S+)$", re.MULTILINE)
 _RUN = re.compile(rb"^event: run\nid: \S+\ndata: (.*)$", re.MULTILINE)
@@ -63,7 +63,7 @@ class FollowedStream:
 
     def scope_behind(self, scope: Scope) -> Scope:
         """The request for what follows."""
-        headers = [one for one in scope["headers"] if one[0] != _LAST_EVENT_ID]
+        headers = [header for header in scope["headers"] if header[0] != _LAST_EVENT_ID]
         return {**scope, "headers": [*headers, (_LAST_EVENT_ID, self.last_id)]}
 
     async def send(self, message: Message) -> None:
@@ -88,7 +88,7 @@ class FollowedStream:
         await self._send(comment)
 
     async def end(self) -> None:
-        """After the last part; what was not sent whole stays incomplete."""
+        """End the stream after its last part; an incomplete event stays incomplete."""
         if self._is_stream and not self._unfinished:
             last = {"type": "http.response.body", "body": b"", "more_body": False}
             await self._send(last)

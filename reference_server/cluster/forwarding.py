@@ -38,8 +38,8 @@ MOVES_MAX, REPEATED_BYTES_MAX = 3, 2**16
 # Between two tries to go on with an event stream.
 FOLLOW_PAUSE_S = 0.2
 _MOVED, _REFUSED = MOVED_HEADER.lower().encode(), 503
-# Of what was not answered: over a new connection, a repeat may reach another node,
-# which may reach the owner or be it.
+# Headers of a request that was not answered: over a new connection, a repeat may reach
+# another node, which may reach the owner or be it.
 _GO_ELSEWHERE = {"Connection": "close"}
 
 
@@ -64,7 +64,7 @@ class RepeatableRequest:
         self.has_no_reader = False
 
     def read(self) -> Receive:
-        """What receives all of it, once more."""
+        """A `receive` that delivers the request from its beginning."""
         at = 0
 
         async def receive() -> Message:
@@ -95,7 +95,9 @@ def _unless_moved(send: Send, may_repeat: Callable[[], bool]) -> Send:
 
     async def send_or_raise(message: Message) -> None:
         if message["type"] == "http.response.start" and message["status"] == _REFUSED:
-            headers = [one for one in message["headers"] if one[0].lower() != _MOVED]
+            headers = [
+                header for header in message["headers"] if header[0].lower() != _MOVED
+            ]
             if len(headers) < len(message["headers"]) and may_repeat():
                 raise _RunMoved
             message["headers"] = headers
@@ -193,7 +195,7 @@ class RunForwarding:
             await self._connections.membership.ensure_lease()
             node = await self._find_node(scope)
             if node is not None and is_passed_on:
-                # What this node remembers may be older than what that one read.
+                # The other node may have read the owner after this one did.
                 self._connections.membership.note_moved(run_id_of(scope) or "")
                 raise OwnedElsewhere(run_id_of(scope) or "")
             if node is not None:

@@ -42,12 +42,12 @@ log = logging.getLogger("proctor.cluster")
 CLAIMS_AT_ONCE = 50
 # How long a request waits for a lease that is late; another node may have one.
 LATE_LEASE_S = 5.0
-# At most so often are runs without an owner looked for.
+# Longest pause between two searches for runs without an owner.
 SWEEP_S = 1.0
 # A run is claimed by one node: who loses finds its owner then.
 TRIES = 5
 KNOWN_OWNERS_MAX = 10_000
-# It runs while the machine sleeps, where there is such a clock.
+# A clock that runs while the machine sleeps, where the system has one.
 _CLOCK = getattr(time, "CLOCK_BOOTTIME", time.CLOCK_MONOTONIC)
 
 
@@ -92,18 +92,20 @@ class Membership:
 
     @property
     def node_id(self) -> str:
-        """Of this node; another one after it was removed."""
+        """The id of this node; it gets another one after it was removed."""
         return self._node.node_id
 
     @property
     def secret(self) -> str:
-        """What the other nodes send this one to show that they are nodes."""
+        """The secret by which the other nodes prove to this one that they are nodes."""
         return self._node.secret
 
     def is_secret_of_other(self, secret: bytes) -> bool:
         """Whether it is what is sent to another node that this one knows."""
         secrets_of_nodes = [node.secret.encode() for node in self._others.values()]
-        return any(hmac.compare_digest(secret, one) for one in secrets_of_nodes)
+        return any(
+            hmac.compare_digest(secret, node_secret) for node_secret in secrets_of_nodes
+        )
 
     async def open(self) -> None:
         """Join the nodes. Raises StoreFailed."""
@@ -192,13 +194,13 @@ class Membership:
         self._looked_at = now
         self._silent_since = {
             node_id: self._silent_since.get(node_id, now)
-            for node_id, seen in listed.items()
-            if looks_silent(seen.silent_s, self.lease_s)
+            for node_id, listed_node in listed.items()
+            if looks_silent(listed_node.silent_s, self.lease_s)
         }
         others = {
-            node_id: seen.node
-            for node_id, seen in listed.items()
-            if not self._is_dead(node_id, seen.silent_s)
+            node_id: listed_node.node
+            for node_id, listed_node in listed.items()
+            if not self._is_dead(node_id, listed_node.silent_s)
         }
         for node_id in self._others.keys() - others.keys():
             if (gone := self._gone.pop(node_id, None)) is not None:
@@ -237,9 +239,9 @@ class Membership:
         A run whose owner does not live any more is claimed first. Raises StoreFailed,
         and OwnedElsewhere if its owner cannot be found now.
         """
-        known = self._others.get(self._owners.get(run_id, ""))
-        if known is not None and not only_reads:
-            return known
+        last_owner = self._others.get(self._owners.get(run_id, ""))
+        if last_owner is not None and not only_reads:
+            return last_owner
         for _ in range(TRIES):
             owner = await self._nodes.owner_of(run_id)
             self._owners.pop(run_id, None)  # this is newer
@@ -263,24 +265,26 @@ class Membership:
         raise OwnedElsewhere(run_id)
 
     def _may_claim(self, owner: StoredOwner) -> bool:
-        """Of a run whose owner is silent, or in the list no more."""
+        """Whether the owner of a run is silent for too long or no longer listed."""
         if not self._claims:
             return False
         if owner.node_id is None or owner.silent_s is None:
             return True
         return self._is_dead(owner.node_id, owner.silent_s)
 
-    async def _claim(self, run_id: str, me: str, seen: StoredOwner) -> bool:
+    async def _claim(self, run_id: str, me: str, stored_owner: StoredOwner) -> bool:
         """Whether this node is the owner now, and no other one came first."""
         after = STATES_AFTER_RESTART
         try:
-            if not await self._nodes.claim(run_id, me, seen, after, RESTART_REASON):
+            if not await self._nodes.claim(
+                run_id, me, stored_owner, after, RESTART_REASON
+            ):
                 return False
         except StoreFailed:
             self._unsure.add(run_id)
             raise
         log.info("node %s claimed run %s", me, run_id)
-        if seen.state in OPEN_STATES:
+        if stored_owner.state in OPEN_STATES:
             self._adopt(run_id)
         return True
 
@@ -317,7 +321,7 @@ class Membership:
         self._owners.pop(run_id, None)
 
     async def forget_owner(self, run_id: str) -> None:
-        """Its node was not reached: the next look-up reads the database again."""
+        """Forget the node that has the run, which was not reached; look for others."""
         self._owners.pop(run_id, None)
         await self._look_for_others()
 
@@ -347,9 +351,9 @@ class Membership:
             return
         await self.ensure_lease()
         await self._adopt_unsure()
-        found = await self._nodes.without_owner(sorted(OPEN_STATES), CLAIMS_AT_ONCE)
-        for run_id in found:
-            # Else who had it before the node that died would be taken for its owner.
+        run_ids = await self._nodes.without_owner(sorted(OPEN_STATES), CLAIMS_AT_ONCE)
+        for run_id in run_ids:
+            # Otherwise an owner from before the dead node could be taken for the owner.
             self.note_moved(run_id)
             try:
                 await self.claim(run_id)

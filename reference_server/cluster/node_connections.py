@@ -43,13 +43,14 @@ _NOT_REACHED = (
     httpcore.TimeoutException,
     httpcore.ProtocolError,
 )
-# Far less than after what a node closes a connection that has no request.
+# Far less than the time after which a node closes a connection without a request.
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
-# What a request that is passed on counts as in the metrics of its first node.
+# Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
-# At least so long, and for a lease, a busy node may be silent and is still waited for.
+# A busy node may be silent for at least this long, and for a lease, before it is given
+# up.
 SILENT_S = 5.0
 # A node is asked twice whether it lives, over connections of their own: what all
 # requests share may be used up, or one connection lost.
@@ -93,8 +94,8 @@ class NodeConnections:
         except TimeoutError:
             return False
         finally:
-            for one in asked:
-                one.cancel()
+            for question in asked:
+                question.cancel()
             await asyncio.wait(asked)
         return False
 
@@ -146,7 +147,7 @@ class NodeConnections:
             COUNTERS.passed_on["ok" if is_ok else "failed"].add(took_s)
 
     async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
-        """What a node answers to a request of this one; None if it ends."""
+        """Send a request to a node; returns the body of its answer, None if it ends."""
         headers = [(b"host", b"node"), (SECRET_HEADER, node.secret.encode())]
 
         async def ask() -> bytes | None:
@@ -242,8 +243,8 @@ class _Exchange:
 
 def run_id_of(scope: Scope) -> str | None:
     """The run that the path of a request names."""
-    found: str | None = scope.get("path_params", {}).get("run_id")
-    return found
+    run_id: str | None = scope.get("path_params", {}).get("run_id")
+    return run_id
 
 
 def _body(part: bytes, *, more: bool) -> Message:
@@ -253,7 +254,7 @@ def _body(part: bytes, *, more: bool) -> Message:
 async def _first_of(
     answer: Coroutine[Any, Any, T], *ends: Coroutine[Any, Any, object]
 ) -> T | None:
-    """What `answer` gives, or None if another ends before; raises what ended it."""
+    """The result of `answer`; None if one of `ends` is done before. Raises as these."""
     answering = asyncio.ensure_future(answer)
     ending = [asyncio.ensure_future(end) for end in ends]
     tasks: list[asyncio.Future[Any]] = [answering, *ending]

@@ -20,25 +20,25 @@ from reference_server.telemetry.spans import traceparent
 Headers: TypeAlias = list[tuple[bytes, bytes]]
 
 SECRET_HEADER, CLIENT_HEADER = b"proctor-node-secret", b"proctor-node-client"
-# Headers that belong to one connection (RFC 9110, section 7.6.1).
+# Headers of a single connection (RFC 9110, section 7.6.1).
 _HOP_BY_HOP = {
     *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
     *(b"transfer-encoding", b"upgrade", b"expect"),
 }
-# Each node adds its own to every answer.
+# Headers that this node adds to every answer itself.
 _ADDED_ANEW = {b"date", b"proctor-version", b"x-request-id"}
 _OURS = {SECRET_HEADER, CLIENT_HEADER, b"x-request-id"}
-# A node believes these headers of another node, so those of clients are not forwarded.
+# The other node trusts these headers, so those of clients are not forwarded.
 _OF_TRACES = {b"traceparent", b"tracestate"}
 _NOT_PASSED_ON = _HOP_BY_HOP | _OURS | _OF_TRACES
 _NOT_SENT_BACK = _HOP_BY_HOP | _ADDED_ANEW
 
 
 def is_from_node(scope: Scope, membership: Membership) -> bool:
-    """Whether a node passed it on; then the address of its client is what it says.
+    """Whether a node forwarded it; then its header gives the address of the client.
 
-    Headers in which any other sender claims so are taken out. Raises Refused for a
-    request that was sent to another node: forwarded again, it might circle without end.
+    The headers of any other sender about this are removed. Raises Refused for a request
+    that was sent to another node: forwarded again, it might come back without end.
     """
     headers: Headers = scope["headers"]
     sent = {name: value for name, value in headers if name in _OURS}
@@ -66,7 +66,7 @@ def has_secret_of(membership: Membership, scope: Scope) -> bool:
 
 
 def request_headers(scope: Scope, node: Node) -> tuple[Headers, bool]:
-    """The headers for the other node, and whether a body follows."""
+    """The headers to send to the other node, and whether a body follows."""
     headers = [
         (name, value) for name, value in scope["headers"] if name not in _NOT_PASSED_ON
     ]
@@ -85,12 +85,12 @@ def request_headers(scope: Scope, node: Node) -> tuple[Headers, bool]:
 
 
 def answer_headers(headers: Headers) -> Headers:
-    """The headers of the other node's answer that the client gets."""
+    """The headers of the other node's answer that are sent to the client."""
     lower = ((name.lower(), value) for name, value in headers)
     return [pair for pair in lower if pair[0] not in _NOT_SENT_BACK]
 
 
 def trace_headers() -> Headers:
-    """The headers with which another node continues the trace of this request."""
+    """Headers by which the other node continues the trace of this request."""
     sent = traceparent()
     return [] if sent is None else [(b"traceparent", sent.encode())]

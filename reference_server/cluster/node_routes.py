@@ -1,4 +1,4 @@
-"""What a node of a cluster answers besides the operations, and whom it passes them to.
+"""Routes of a node in a cluster, and the forwarding of operations to other nodes.
 
 A request that names a run is answered by the node that has the run. Each node has paths
 for the others, too: views of its runs, commands for them, and the queue of all.

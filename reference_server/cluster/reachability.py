@@ -1,8 +1,9 @@
-"""Which of the other nodes answer at all, found out while requests wait for them.
+"""Finds out which of the other nodes answer at all, while requests wait for them.
 
-A turn may take long, so no answer is no sign of anything. But a node that answers no
-question, either, cannot be reached from here, although it may still renew its lease:
-its runs are not claimed then, and a client that waits for them needs another way.
+A turn may take long, so a late answer does not show that a node is unreachable. But a
+node that does not answer a short question either cannot be reached from here, although
+it may still renew its lease: its runs are not claimed then, and a client that waits for
+them needs another way.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ class ReusedConnections:
     def __init__(self, at_once_max: int, expiry_s: float) -> None:
         self._places = asyncio.Semaphore(at_once_max)
         self._expiry_s = expiry_s
-        # Without a request, by origin; the one used last at the end.
+        # Connections without a request, by origin; the one used last is at the end.
         self._idle: dict[str, deque[httpcore.AsyncHTTPConnection]] = {}
         self._backend = httpcore.AnyIOBackend()
         self._timer: asyncio.TimerHandle | None = None
@@ -39,7 +39,7 @@ class ReusedConnections:
     async def stream(
         self, method: str, url: httpcore.URL, **request: Any
     ) -> AsyncIterator[httpcore.Response]:
-        """As the method of httpcore's pool. Raises its errors."""
+        """Send a request as the pool of httpcore does, with the same errors."""
         async with self._places:
             connection = self._take(url.origin)
             try:
@@ -71,7 +71,7 @@ class ReusedConnections:
 
     def _close_expired_later(self) -> None:
         if self._timer is None:
-            # It belongs to no request.
+            # An empty context, because the timer does not belong to a request.
             self._timer = asyncio.get_running_loop().call_later(
                 self._expiry_s, self._begin_closing, context=contextvars.Context()
             )
@@ -81,7 +81,7 @@ class ReusedConnections:
         self._closing = asyncio.ensure_future(self._close_expired())
 
     async def _close_expired(self) -> None:
-        """Those that nothing used for long, or that the other node has closed."""
+        """Close connections that were idle for long or that the other node closed."""
         for origin, idle in list(self._idle.items()):
             while idle and idle[0].has_expired():
                 await idle.popleft().aclose()

@@ -79,7 +79,7 @@ class ServerNode:
         return has_secret_of(self.membership, scope)
 
     def node_id(self) -> str:
-        """Of this node, now."""
+        """The id that this node has now."""
         return self.membership.node_id
 
     def _drop_all(self) -> None:

@@ -31,20 +31,21 @@ from reference_server.telemetry.repeated_failures import RepeatedFailures
 log = logging.getLogger("proctor.cluster")
 
 PATH = "/node/queue"
-# At least so often the queue is read, whether another node said something or not.
+# The queue is read at least this often, whether another node sent a message or not.
 LOOK_S = 1.0
-# From one read for other nodes to the next: they may say something at any moment.
+# Pause after each work for the queue: other nodes may ask for it at any moment.
 PAUSE_S = 0.02
-# A long queue takes a node no more of its time than that, however many ask for it.
+# After a read of a longer queue than this a node rests so many times as long as the
+# read took, however many ask for it.
 LONG_QUEUE, RESTS_AFTER_READ = 200, 4
-# A node that has not reported for this long keeps the places it reported last.
+# A node that does not answer within this time keeps the places that it reported last.
 TIMEOUT_S = 0.5
 
 Work = Callable[[], Awaitable[None]]
 
 
 class _Announced(msgspec.Struct):
-    """The message of one node to another. has_changed: whether the queue has."""
+    """A message of one node to another. has_changed: whether its queue has changed."""
 
     has_changed: bool
 
@@ -56,7 +57,7 @@ class _Places(msgspec.Struct):
 
 
 class SharedQueue:
-    """This node's part in it, from `open` to `close`.
+    """The part of this node in the shared queue, from `open` to `close`.
 
     admission: of this node's runs; from now on they wait in the queue of all nodes.
     """
@@ -104,13 +105,13 @@ class SharedQueue:
         if self._next_read is not None:
             await asyncio.wait([self._next_read])
 
-    # --- what RunAdmission asks for ---
+    # --- calls of RunAdmission ---
 
     async def refresh(self) -> None:
-        """Let RunAdmission know what waits at all nodes by now."""
+        """Pass the queue of all nodes to RunAdmission."""
         try:
             await self._read()
-        except StoreFailed as error:  # a place in the queue does not promise anything
+        except StoreFailed as error:  # a shown place in the queue may be out of date
             self._failures.report("a node cannot read the queue", str(error))
 
     async def take(self, run_id: str) -> bool:
@@ -125,23 +126,23 @@ class SharedQueue:
         return is_taken
 
     def announce(self) -> None:
-        """Note that the runs waiting here have changed, and are stored."""
+        """Report soon to the other nodes that this node's stored queue has changed."""
         self._announce_is_due.set()
 
     def look(self) -> None:
-        """Note that there is a place here for a run that waits."""
+        """Look soon for runs of other nodes, because there is a free place here."""
         self._look_is_due.set()
 
-    # --- what waits ---
+    # --- the queue ---
 
     async def _read(self) -> StoredQueue:
-        """The queue as it is now; callers that ask before a read begins share it."""
+        """Read the queue; one read serves all callers that ask before it begins."""
         if self._next_read is None:
             # Nothing that it logs belongs to the request that began it.
             self._next_read = asyncio.get_running_loop().create_task(
                 self._read_next(), context=contextvars.Context()
             )
-            # Its error is for the callers that wait, and all of them may have left.
+            # Its exception is for the callers that wait; all of them may have left.
             self._next_read.add_done_callback(lambda t: t.cancelled() or t.exception())
         return await asyncio.shield(self._next_read)
 
@@ -150,33 +151,33 @@ class SharedQueue:
             await asyncio.sleep(self._read_not_before - time.monotonic())
             self._next_read = None
             admission, began = self._admission, time.monotonic()
-            seen = await self._nodes.queue(admission.queued_ids())
-            admission.note_queue(seen)
-            if len(seen.queued) > LONG_QUEUE:
+            queue = await self._nodes.queue(admission.queued_ids())
+            admission.note_queue(queue)
+            if len(queue.queued) > LONG_QUEUE:
                 took_s = time.monotonic() - began
                 rest_s = min(LOOK_S, RESTS_AFTER_READ * took_s)
                 self._read_not_before = time.monotonic() + rest_s
-            return seen
+            return queue
 
     async def _look(self) -> None:
-        """Let runs in that wait at other nodes, if there is a place for them here."""
+        """Give free places of this node to runs that wait at other nodes."""
         if not self._membership.claims:
             return
         await self._membership.ensure_lease()
         admission, me = self._admission, self._membership.node_id
         await self._let_others_take(admission.held_no_more())
-        seen = await self._read()
+        queue = await self._read()
         elsewhere = [
-            one
-            for one in seen.queued
-            if one.owner != me and one.run.queue_until_wall <= 0 and one.is_new
+            owned
+            for owned in queue.queued
+            if owned.owner != me and owned.run.queue_until_wall <= 0 and owned.is_new
         ]
-        self._fences = {one.run.run_id: one.fence for one in elsewhere}
-        waiting = {one.run.account for one in seen.queued}
+        self._fences = {owned.run.run_id: owned.fence for owned in elsewhere}
+        waiting = {owned.run.account for owned in queue.queued}
         if waiting and len(waiting | admission.places_of_accounts().keys()) > 1:
             await self._ask_for_places()
         places = sum(map(Counter, self._places.values()), Counter[str]())
-        admission.note_waiting_elsewhere([one.run for one in elsewhere], places)
+        admission.note_waiting_elsewhere([owned.run for owned in elsewhere], places)
 
     async def _let_others_take(self, run_ids: list[str]) -> None:
         """Runs whose submitters hold them no more in the queue."""
@@ -213,7 +214,7 @@ class SharedQueue:
     async def _repeat(
         self, work: Work, is_due: asyncio.Event, every_s: float | None
     ) -> None:
-        """Work whenever it is due, and at least so often."""
+        """Do the work whenever it is due, and at least every `every_s` seconds."""
         while True:
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(every_s):

@@ -14,7 +14,7 @@ _OWNER_ONLY = 0o600
 
 
 def read_or_create(path: Path, make: Callable[[], bytes]) -> bytes:
-    """What the file has, without white space around it; what `make` returns if new.
+    """The stripped content of the file, which is made by `make` if it does not exist.
 
     Two servers that start at once agree. Raises OSError.
     """

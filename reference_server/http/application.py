@@ -85,7 +85,7 @@ async def not_found(scope: Scope, receive: Receive, send: Send) -> None:
 
 
 class Application:
-    """What holds for every response: its version, and that a defect is a problem too.
+    """Adds the protocol's version to every response, and answers a defect as a problem.
 
     One layer around the router, not a framework's stack of them: a turn passes every
     layer three times.
@@ -148,7 +148,7 @@ class Application:
 
 
 def _other(path: str) -> str:
-    """What a request that is no operation counts as."""
+    """The label in the metrics of a request that does not match an operation."""
     return "pages" if path.startswith(PAGES_PATH) else "other"
 
 

@@ -73,7 +73,7 @@ class Tokens:
         return cls({hash_of(secret): Caller("local", SCOPES | {HOST})})
 
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
-        """From now on these are valid, and none that the file had before."""
+        """Make these tokens valid, in place of all that the file had before."""
         self._in_file = by_hash
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:
@@ -128,5 +128,5 @@ def is_local(request: Request) -> bool:
 
 
 def hash_of(secret: str) -> str:
-    """What is stored of a token."""
+    """The SHA-256 digest of a token, which is stored in its place."""
     return hashlib.sha256(secret.encode()).hexdigest()

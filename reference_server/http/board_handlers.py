@@ -89,12 +89,12 @@ class BoardHandlers:
         before = self.read_cursor(call.query.get("cursor"))
         benchmark_id = call.query.get("benchmark_id")
         # One more than is shown says whether there is another page.
-        found = await self._board().page(call.reader, benchmark_id, before, limit + 1)
-        more = len(found) > limit
+        entries = await self._board().page(call.reader, benchmark_id, before, limit + 1)
+        more = len(entries) > limit
         return call.answer(
             {
-                "entries": [entry for _, entry in found[:limit]],
-                "next_cursor": str(found[limit - 1][0]) if more else None,
+                "entries": [entry for _, entry in entries[:limit]],
+                "next_cursor": str(entries[limit - 1][0]) if more else None,
             }
         )
 
@@ -115,9 +115,9 @@ class BoardHandlers:
     async def list_history(self, call: OperationCall) -> Response:
         start = self.read_cursor(call.query.get("cursor")) or 0
         limit = self._limit(call)
-        found = await self._board().leaves(start, limit + 1)
-        next_cursor = _next(start + limit, start + len(found))
-        return call.answer({"leaves": found[:limit], "next_cursor": next_cursor})
+        leaves = await self._board().leaves(start, limit + 1)
+        next_cursor = _next(start + limit, start + len(leaves))
+        return call.answer({"leaves": leaves[:limit], "next_cursor": next_cursor})
 
     async def get_checkpoint(self, call: OperationCall) -> Response:
         return call.answer(await self._board().checkpoint())

@@ -30,10 +30,10 @@ MSGPACK = "application/msgpack"
 ACCEPT_CHARS_MAX = 512
 # Copying less costs less than sending one part more.
 LARGE_BYTES = 2**15
-# What msgspec reads otherwise than the spec: the integer -0, and integers beyond the
-# doubles. Also found in text, where it does no harm. A regular expression would look
-# for 309 digits from each digit on, and take seconds for a body full of shorter
-# numbers: so every digit is made a zero, and the zeros are searched for.
+# msgspec reads two kinds of numbers otherwise than the spec: the integer -0, and
+# integers beyond the doubles. A match inside a text does no harm. A regular expression
+# would look for 309 digits from each digit on, and take seconds for a body full of
+# shorter numbers: so every digit is made a zero, and the zeros are searched for.
 _MINUS_ZERO = re.compile(rb"-0[\s,\]}]")
 _DIGITS_AS_ZEROS = bytes.maketrans(b"123456789", b"0" * 9)
 _LONG_INTEGER = b"0" * 309
@@ -151,7 +151,10 @@ def negotiate_media_type(request: Request, writable: Sequence[str]) -> str:
 
 @lru_cache(maxsize=64)
 def _best(accept: str, writable: Sequence[str]) -> str:
-    """Of equals the first; empty if none will do. Clients repeat themselves."""
+    """The media type to write: the first of equals, empty if none is accepted.
+
+    Results are cached, because clients send the same header again and again.
+    """
     ranges = [_range(part) for part in accept.split(",")]
     best, best_q = "", 0.0
     for media_type in writable:
@@ -197,9 +200,9 @@ def encode_segments(
     """The encoded content, in parts to be sent one after another.
 
     Large images are parts of their own: uncopied in MessagePack, and in JSON Base64 by
-    pybase64, which takes a tenth of the time that msgspec does. What stands around them
-    is encoded with a mark in their places, which cannot be guessed, and cut there: no
-    encoder of ours is needed for that.
+    pybase64, which takes a tenth of the time that msgspec does. The rest is encoded by
+    msgspec with a mark in place of each image, which cannot be guessed, and is cut at
+    the marks: this needs no encoder of ours.
     """
     if media_type == MSGPACK:
         encode, frame = msgspec.msgpack.encode, _in_msgpack
@@ -234,9 +237,9 @@ def _in_json(blob: memoryview) -> tuple[bytes, bytes | memoryview, bytes]:
 
 
 def _large_images(content: Any) -> dict[str, Any]:
-    """Those of a turn's observation that are not worth a copy, in its order."""
-    seen = content.get("observation") if isinstance(content, dict) else None
-    images = seen.get("images") if isinstance(seen, dict) else None
+    """The images of a turn's observation that are too large to copy, in its order."""
+    observation = content.get("observation") if isinstance(content, dict) else None
+    images = observation.get("images") if isinstance(observation, dict) else None
     if not isinstance(images, dict):
         return {}
     return {
@@ -277,13 +280,13 @@ def _contains_timestamp(data: Any) -> bool:
     """Whether a timestamp stands anywhere, however deep the sender put it."""
     rest = [data]
     while rest:
-        one = rest.pop()
-        if isinstance(one, datetime):
+        value = rest.pop()
+        if isinstance(value, datetime):
             return True
-        if isinstance(one, dict):
-            rest += [*one, *one.values()]
-        elif isinstance(one, list | tuple):
-            rest += one
+        if isinstance(value, dict):
+            rest += [*value, *value.values()]
+        elif isinstance(value, list | tuple):
+            rest += value
     return False
 
 

@@ -149,7 +149,7 @@ async def perform(
         _failures.report("a request could not use the database", str(error))
         return refuse(Refused("unavailable", "The database is not available."))
     except asyncio.CancelledError:
-        # By the server alone, which shuts down and has waited long enough.
+        # Only the server cancels it, when it shuts down and has waited long enough.
         return refuse(Refused("unavailable", "The server is shutting down."))
 
 
@@ -243,9 +243,9 @@ def _path(request: Request) -> Mapping[str, str]:
 
 def _query(request: Request, operation: Operation) -> Mapping[str, str]:
     """ERR-014: the values obey their schemas; unknown names are refused, too."""
-    seen: dict[str, str] = {}
+    values: dict[str, str] = {}
     if not request.scope["query_string"] and not operation.required_query:
-        return seen
+        return values
     if request.scope["query_string"].count(b"&") > QUERY_PARAMETERS_MAX:
         raise Refused(
             "invalid_request",
@@ -256,22 +256,22 @@ def _query(request: Request, operation: Operation) -> Mapping[str, str]:
     for name, value in request.query_params.multi_items():
         if name not in operation.query:
             errors.append((f"query:{name}", "this operation has no such parameter"))
-        elif name in seen:
+        elif name in values:
             errors.append((f"query:{name}", "must not be repeated"))
         elif not re.fullmatch(QUERY_PATTERNS[name], value):
             errors.append((f"query:{name}", f"must match {QUERY_PATTERNS[name]}"))
         elif name in QUERY_RANGES and not _in_range(name, value):
             least, most = QUERY_RANGES[name]
             errors.append((f"query:{name}", f"must be from {least} to {most}"))
-        seen[name] = value
+        values[name] = value
     errors += [
         (f"query:{name}", "is required")
         for name in operation.required_query
-        if name not in seen
+        if name not in values
     ]
     if errors:
         raise Refused("invalid_request", "A query parameter is wrong.", errors=errors)
-    return seen
+    return values
 
 
 def _in_range(name: str, value: str) -> bool:

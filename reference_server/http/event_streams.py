@@ -55,7 +55,7 @@ Batches: TypeAlias = dict[Hashable, asyncio.Task[EventBatch]]
 
 
 class SharedStreams:
-    """What the streams of a server have in common: their number, and batches.
+    """State that all event streams of a server share: their number, and batches.
 
     Readers of a run who know the same of it receive the same bytes: the run is read and
     encoded once for all of them, however many they are.
@@ -89,7 +89,7 @@ class SharedStreams:
         key: Hashable,
         read: Callable[[], Coroutine[Any, Any, EventBatch]],
     ) -> EventBatch:
-        """What `read` returns, or returned shortly before for the same key.
+        """The result of `read`, or its earlier result for the same key.
 
         change: the next change of the run, taken before; a batch is not shared beyond.
         """
@@ -158,7 +158,9 @@ class EventStream:
             run_body, common_body = map(
                 msgspec.json.encode, (body, body | {"endpoint": None})
             )
-            episodes = [msgspec.json.encode(episode_view(one)) for one in scored]
+            episodes = [
+                msgspec.json.encode(episode_view(episode)) for episode in scored
+            ]
             return next_batch(cursor, run, run_body, episodes, common_body)
 
         window = (cursor.results_sent, cursor.results_sent + EPISODES_PER_BATCH)
@@ -169,7 +171,7 @@ class EventStream:
     async def _stream_events(
         self, batch: EventBatch, change: RunChange
     ) -> AsyncIterator[bytes]:
-        """What is sent, part by part; the next is made when the last was sent."""
+        """Yield the parts of the stream; each is made after the one before was sent."""
         last_sent_at = last_read_at = time.monotonic()
         yield b"retry: %d\n\n%b" % (RETRY_MS, batch.text)
         try:

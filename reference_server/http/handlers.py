@@ -239,14 +239,14 @@ class Handlers:
         limit = int(call.query.get("limit", PAGE))
         before = _number(call.query.get("cursor"))
         # One more than is shown says whether there is another page (RUN-009).
-        found = await self.service.list_runs(
+        runs = await self.service.list_runs(
             call.reader, before, limit + 1, self.base_url(call)
         )
-        more = len(found) > limit
+        more = len(runs) > limit
         return call.answer(
             {
-                "runs": [body for _, body in found[:limit]],
-                "next_cursor": str(found[limit - 1][0]) if more else None,
+                "runs": [body for _, body in runs[:limit]],
+                "next_cursor": str(runs[limit - 1][0]) if more else None,
             }
         )
 
@@ -343,27 +343,32 @@ class Handlers:
         """REC-112."""
         declared = call.request.headers.get("content-length", "0")
         parts = request_bodies.stream_body(call.request)
-        one = await self._imports().receive(call.account, int(declared), parts)
-        response = call.answer(await self._import_view(one), 202)
-        response.headers["Location"] = f"/v1/records/{one.import_id}"
+        record_import = await self._imports().receive(
+            call.account, int(declared), parts
+        )
+        response = call.answer(await self._import_view(record_import), 202)
+        response.headers["Location"] = f"/v1/records/{record_import.import_id}"
         return response
 
     async def list_imports(self, call: OperationCall) -> Response:
         """REC-120."""
         limit = int(call.query.get("limit", PAGE))
         before = _number(call.query.get("cursor"))
-        found = await self._imports().page(call.reader, before, limit + 1)
-        more = len(found) > limit
+        imports = await self._imports().page(call.reader, before, limit + 1)
+        more = len(imports) > limit
         return call.answer(
             {
-                "imports": [await self._import_view(one) for one in found[:limit]],
-                "next_cursor": str(found[limit - 1].number) if more else None,
+                "imports": [
+                    await self._import_view(record_import)
+                    for record_import in imports[:limit]
+                ],
+                "next_cursor": str(imports[limit - 1].number) if more else None,
             }
         )
 
     async def get_import(self, call: OperationCall) -> Response:
-        one = await self._imports().find(call.reader, call.path["import_id"])
-        return call.answer(await self._import_view(one))
+        record_import = await self._imports().find(call.reader, call.path["import_id"])
+        return call.answer(await self._import_view(record_import))
 
     async def delete_import(self, call: OperationCall) -> Response:
         await self._imports().delete(call.account, call.path["import_id"])
@@ -375,10 +380,12 @@ class Handlers:
         name = f"import-{import_id}.proctor"
         return _file_response(record.stream(), record.size, ARCHIVE, name)
 
-    async def _import_view(self, one: RecordImport) -> dict[str, Any]:
+    async def _import_view(self, record_import: RecordImport) -> dict[str, Any]:
         imports = self._imports()
-        trust = await imports.trust(one)
-        return import_view(one, trust, imports.episodes_replayed(one))
+        trust = await imports.trust(record_import)
+        return import_view(
+            record_import, trust, imports.episodes_replayed(record_import)
+        )
 
     def _imports(self) -> RecordImports:
         if self.imports is None:

@@ -1,1 +1,1 @@
-"""Answers to the operator's tools: whether the server lives and is ready, metrics."""
+"""Answers for the operator's tools: whether the server lives, is ready; metrics."""

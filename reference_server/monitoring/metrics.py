@@ -1,6 +1,6 @@
 """The metrics of a server as Prometheus reads them: the one user of its library.
 
-Events are counted where they happen (`telemetry/counters.py`); the current state is
+Events are counted where they happen (`telemetry/counters.py`); the present state is
 read when the page is asked for. Names follow the semantic conventions of OpenTelemetry
 where these have one, with the unit last. Labels have few values, all of them from the
 code: never an account, a run, a benchmark, a path or an address.
@@ -30,10 +30,11 @@ from reference_server.telemetry.counters import BOUNDS_S, Counters, Durations
 
 @dataclass(frozen=True, slots=True)
 class ServerState:
-    """The current state of a server.
+    """Numbers of a server at the moment.
 
-    runs: that have not ended, by state. oldest_queued_s: how long the first of the
-    queue has waited; 0 without one. simulators: processes, by `lent` and `idle`.
+    runs: numbers of those that have not ended, by state. oldest_queued_s: how long the
+    first of the queue has waited; 0 without one. simulators: processes, by `lent` and
+    `idle`.
     """
 
     version: str

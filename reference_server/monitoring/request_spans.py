@@ -1,9 +1,9 @@
-"""The span of every request, and of whose trace it is a part.
+"""The span of every request, and the trace that it belongs to.
 
-A layer between the application and its routes, there only where traces are recorded.
-Headers of a client on traces are not trusted: a `traceparent` is read only in its one
-exact form, and the operator decides whether it has an effect. The span is named by
-the route and never by the path.
+This is a layer between the application and its routes, there only where traces are
+recorded. Clients are not trusted with traces: a `traceparent` is read only in its one
+exact form, and the operator decides whether it has any effect. The span is named by the
+route and never by the path.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _METHODS = frozenset({"DELETE", "GET", "HEAD", "OPTIONS", "PATCH", "POST", "PUT"
 
 
 class TraceParent(NamedTuple):
-    """The trace that a request says it is a part of."""
+    """The trace that a request names as its own, by its header `traceparent`."""
 
     trace_id: int
     span_id: int
@@ -34,7 +34,7 @@ class TraceParent(NamedTuple):
 
 
 class RequestRecorder(Protocol):
-    """Where the spans of requests go."""
+    """The recorder that receives the spans of requests."""
 
     def request(self, parent: TraceParent | None, *, is_trusted: bool) -> Span:
         """The span of a request that came with this parent.
@@ -82,23 +82,23 @@ class RequestSpans:
 
 
 def read_traceparent(scope: Scope) -> TraceParent | None:
-    """That of the request; None without one, with several, or with anything else."""
-    found = None
+    """The trace parent of the request; None unless it has exactly one valid header."""
+    header = None
     for name, value in scope["headers"]:
         if name == b"traceparent":
-            if found is not None:
+            if header is not None:
                 return None
-            found = value
-    if found is None or (match := _TRACEPARENT.fullmatch(found)) is None:
+            header = value
+    if header is None or (match := _TRACEPARENT.fullmatch(header)) is None:
         return None
-    trace_id, span_id, flags = (int(one, 16) for one in match.groups())
+    trace_id, span_id, flags = (int(digits, 16) for digits in match.groups())
     if trace_id == 0 or span_id == 0:
         return None
     return TraceParent(trace_id, span_id, is_recorded=bool(flags & 1))
 
 
 def _describe(span: Span, scope: Scope) -> None:
-    """When its route is known."""
+    """Set the name and the members of the span, once its route is known."""
     method = scope["method"] if scope["method"] in _METHODS else "_OTHER"
     route = getattr(scope.get("route"), "path", None)
     span.set("http.request.method", method)

@@ -1,9 +1,9 @@
 """Traces for a collector of OpenTelemetry: the one user of its library, an extra.
 
-Which requests are recorded is decided here, before the library is asked for anything:
-of those that are not, a turn sees one random number. Recorded spans wait in memory
-for a thread that sends them; if that is not fast enough, the oldest are dropped. No
-request waits for a collector.
+Which requests are recorded is decided here, before the library is asked for anything: a
+request that is not costs one random number. Recorded spans wait in memory for a thread
+that sends them; if that is not fast enough, the oldest ones are dropped. No request
+waits for a collector.
 """
 
 from __future__ import annotations
@@ -101,11 +101,7 @@ _CURRENT: ContextVar[_Recorded | None] = ContextVar("span", default=None)
 
 
 def _not_recorded() -> Span:
-    """Give the span of a request that is not recorded, and clear the current one.
-
-    The task of this request may have been begun by that of another one, whose span it
-    would inherit.
-    """
+    """Clear the current span: the task may have begun inside another request's span."""
     if _CURRENT.get() is not None:
         _CURRENT.set(None)
     return NOT_RECORDED
@@ -126,7 +122,7 @@ class Traces:
             "service.version": version,
             "service.instance.id": instance,
         }
-        # The operator's variables win over the values given here.
+        # The operator's environment variables take precedence over these attributes.
         named = OTELResourceDetector().detect()
         self._provider = TracerProvider(
             resource=Resource.create(ours).merge(named),
@@ -162,7 +158,7 @@ class Traces:
     # --- spans ---
 
     def request(self, parent: TraceParent | None, *, is_trusted: bool) -> Span:
-        """A span of the parent's trace if it is trusted, or else of a new trace."""
+        """The span of a request: in its parent's trace, or in a new linked one."""
         if parent is not None and is_trusted:
             if not parent.is_recorded:
                 return _not_recorded()
@@ -255,13 +251,13 @@ class _LastReason(logging.Handler):
     text = "no answer in time"
 
     def emit(self, record: logging.LogRecord) -> None:
-        # That it has tried often enough is logged without the reason.
+        # The exporter also logs that it has given up, but without the reason.
         if record.args is not None and len(record.args) > 1:
             self.text = record.getMessage()[:_REASON_CHARS_MAX]
 
 
 def endpoint_of(url: str) -> str:
-    """Where traces are sent. Raises ValueError, whose text has no part of the URL."""
+    """The URL to which traces are sent. Raises ValueError, without it in the text."""
     parts = urlsplit(url)
     is_url = parts.scheme in ("http", "https") and parts.hostname
     if not is_url or parts.query or parts.fragment:

@@ -26,13 +26,14 @@ class BackgroundWork:
         task.add_done_callback(self._tasks.discard)
 
     async def run_to_end(self, work: Awaitable[Result]) -> Result:
-        """Give the result of `work`, which goes on if its caller is cancelled.
+        """The result of `work`, which goes on when its caller is cancelled.
 
-        A write and the change of memory after it so both happen, or neither does.
+        It is for a write and the change in memory that follows: both happen, or
+        neither.
         """
         task = asyncio.ensure_future(work)
         self.start(task)
-        # Its error is for the caller; without a caller the log needs no traceback.
+        # Its exception is for the caller; one that has gone needs no traceback.
         task.add_done_callback(lambda done: done.cancelled() or done.exception())
         return await asyncio.shield(task)
 

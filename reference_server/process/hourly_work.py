@@ -1,7 +1,7 @@
 """Work that is done when the server starts, and again every hour.
 
-Work that fails is logged, and tried again at its next time. This module knows nothing
-of the work itself.
+Work that fails is logged, and tried again an hour later. This module knows nothing of
+the work.
 """
 
 from __future__ import annotations
@@ -16,7 +16,10 @@ HOUR_S = 3600.0
 
 
 class HourlyWork:
-    """work: None for none. what: is not done, where the log says that it has failed."""
+    """Repeats `work`, or nothing if that is None.
+
+    what: the sentence that the log has when the work fails.
+    """
 
     def __init__(self, work: Callable[[], Awaitable[None]] | None, what: str) -> None:
         self._work, self._what = work, what

@@ -1,6 +1,6 @@
 """The start and the end of the server, when the ASGI server says so.
 
-A known failure, as of a bad setting, is one sentence in the log. Any other failure is a
+An expected error is one sentence in the log, as for a bad setting. Any other error is a
 defect, and the log has its traceback.
 """
 

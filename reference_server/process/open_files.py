@@ -13,7 +13,8 @@ import sys
 OPEN_FILES_MAX = 2**16
 # The database, listeners, calls to policy servers, logs, and connections that close.
 RESERVED = 192
-# A simulator needs its socket and the memory of its images, in this and old episodes.
+# Files of a simulator: its socket and the memory of its images, in this and old
+# episodes.
 FILES_PER_SIMULATOR = 4
 CONNECTIONS_MIN = 16
 

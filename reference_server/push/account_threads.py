@@ -16,7 +16,7 @@ Result = TypeVar("Result")
 
 
 class AccountThreads:
-    """At most `threads` calls at once, and `account_threads` of them of one account.
+    """Runs at most `threads` calls at once, at most `account_threads` of one account.
 
     A thread counts until its call returns, whether or not its result is waited for.
     """

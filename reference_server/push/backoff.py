@@ -26,12 +26,12 @@ class Backoff:
 
     @classmethod
     def between_calls(cls) -> Backoff:
-        """For a call of a policy server that is repeated."""
+        """The pauses between repeated calls of a policy server."""
         return cls(_CALL_PAUSE_S, CALL_PAUSE_MAX_S)
 
     @classmethod
     def between_sessions(cls) -> Backoff:
-        """For a worker whose session was refused, or ended by a fault of the policy."""
+        """The pauses of a worker after a refused session or a fault of the policy."""
         return cls(_SESSION_PAUSE_S, _SESSION_PAUSE_MAX_S)
 
     def next_s(self) -> float:

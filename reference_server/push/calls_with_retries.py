@@ -37,8 +37,8 @@ from reference_server.telemetry.counters import COUNTERS, timed
 from reference_server.telemetry.spans import span, traceparent
 
 _PROBLEM_TEXT_MAX = 200
-# Of an answer; policy.yaml has it as what a server reads at least. Only actions may be
-# longer.
+# The longest answer that is read; by policy.yaml a server reads at least this much.
+# Only actions may be longer.
 ANSWER_BYTES_MAX = 2**20
 # The structure in a body; raises Refused. Large bodies are read in another thread.
 ReadAnswer: TypeAlias = Callable[[bytes], Any]
@@ -209,11 +209,13 @@ class HttpCalls:
             call.method, self._url + call.path, headers=headers, content=call.content
         ) as answer:
             named = {name.lower().decode(): value for name, value in answer.headers}
-            found = {name: value.decode("latin-1") for name, value in named.items()}
+            answer_headers = {
+                name: value.decode("latin-1") for name, value in named.items()
+            }
             if 300 <= answer.status < 400:  # PUSH-011
                 raise PolicyFault(f"redirects (status {answer.status})")
             body = await self._body(answer, call.max_bytes)
-            self._check(answer.status, found, body)
+            self._check(answer.status, answer_headers, body)
             return body
 
     async def _body(self, answer: httpcore.Response, max_bytes: int) -> bytes:

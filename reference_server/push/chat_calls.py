@@ -39,8 +39,8 @@ _NO_COMPLETION = (
     "The model's answer is not a chat completion: it has no /choices/0/message/content."
 )
 
-# Of the end of a text of any length: the line that may be an answer, and what is
-# searched for a marked one (FLE-022).
+# Only the end of a text of any length is read: so much of the line that may be an
+# answer, and so much that is searched for a marked answer (FLE-022).
 _LINE_CHARS_MAX, _TEXT_CHARS_MAX = 4096, 2**16
 _REASONING_END = "</think>"
 _LABEL = re.compile(r"answer\s*:\s*", re.IGNORECASE)
@@ -110,7 +110,7 @@ class ChatPolicy:
         return answer
 
     def _generation(self) -> dict[str, Any]:
-        """What a request contains beside the question (CHAT-001)."""
+        """The members of a request beside the question (CHAT-001)."""
         body: dict[str, Any] = {
             # A number of tokens is an integer and must be written as one.
             name: int(value) if value == int(value) else value
@@ -149,9 +149,9 @@ def is_playable_by_chat(manifest: Mapping[str, Any]) -> bool:
 def read_answer(text: str) -> dict[str, list[float]]:
     """The text of a model as an action, in which at most one entry is an answer.
 
-    CHAT-002: reads the last line that is not blank after the last `</think>`; what is
-    no answer there, as FLE-022 has it. CHAT-003: what neither recognises stays "no
-    answer".
+    CHAT-002: reads the last line that is not blank after the last `</think>`; if that
+    is not an answer, the text is searched as FLE-022 has it. CHAT-003: the answer stays
+    "no answer" if neither recognises one.
     """
     answer_text = text.rpartition(_REASONING_END)[2].strip()
     last_lines = answer_text[-_LINE_CHARS_MAX:].splitlines()
@@ -187,8 +187,8 @@ def _marked(text: str) -> str:
     if boxes := _BOX.findall(text):
         return str(boxes[-1][0] or boxes[-1][1])
     for mark in (_HASHES, _ANSWER_IS):
-        if found := mark.findall(text):
-            words = str(found[-1]).strip(_DECORATION)
+        if answers := mark.findall(text):
+            words = str(answers[-1]).strip(_DECORATION)
             named = _NAMED_CHOICE.match(words)
             return named[1] if named else words
     return ""
@@ -218,7 +218,7 @@ class _Choice(BaseModel):
 
 
 class _Completion(BaseModel):
-    """What is read of a large chat completion."""
+    """The members that are read of a large chat completion."""
 
     choices: list[_Choice]
 
@@ -243,7 +243,7 @@ class _TextChoice(BaseModel):
 
 
 class _TextCompletion(BaseModel):
-    """What is read of a large completion."""
+    """The members that are read of a large completion."""
 
     choices: list[_TextChoice]
 

@@ -257,7 +257,7 @@ class Driver(RunFollower):
                 await asyncio.sleep(worker.backoff.next_s())
 
     def _handle_refusal(self, drive: _Drive, refused: Refused, refusals: int) -> None:
-        """This server refused its own worker: raises unless waiting can help."""
+        """Handle a refusal of this server's worker; raises unless waiting can help."""
         if isinstance(refused, OwnedElsewhere):
             raise refused
         if refused.code in ("convention_mismatch", "benchmark_unavailable"):

@@ -29,8 +29,8 @@ _NAT64 = IPv6Network("64:ff9b::/96")
 # All IPv6 addresses that are assigned for public use. Outside of it are other forms of
 # IPv4 addresses (of a local translator, IPv4-compatible), which may lead anywhere.
 _PUBLIC_6 = IPv6Network("2000::/3")
-# Not for destinations anywhere, by IANA's registries of special-purpose addresses, and
-# missing in `is_global` of the one or the other release of Python.
+# Addresses that are not globally reachable by IANA's registries of special-purpose
+# addresses, but are missing in `is_global` of some releases of Python.
 _SPECIAL: tuple[Network, ...] = tuple(
     ip_network(text)
     for text in (
@@ -81,13 +81,13 @@ class EgressPolicy:
         account: whose share of the threads a look-up takes.
         Raises AddressNotAllowed when any is not, and HostNotResolved.
         """
-        found = _literal_address(host) or await self._resolved(host, port, account)
-        if not all(self.allows(address) for address in found):
+        addresses = _literal_address(host) or await self._resolved(host, port, account)
+        if not all(self.allows(address) for address in addresses):
             raise AddressNotAllowed(
                 f"{host} is not in a network that this server is allowed to call; its "
                 "operator allows networks with --allow-private-policies"
             )
-        return [str(address) for address in found]
+        return [str(address) for address in addresses]
 
     async def _resolved(self, host: str, port: int, account: str) -> list[Address]:
         try:
@@ -143,8 +143,8 @@ def _literal_address(host: str) -> list[Address]:
 
 
 def _resolve(host: str, port: int) -> list[Address]:
-    found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
-    return list(dict.fromkeys(_address(str(entry[4][0])) for entry in found))
+    entries = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)
+    return list(dict.fromkeys(_address(str(entry[4][0])) for entry in entries))
 
 
 def _address(text: str) -> Address:

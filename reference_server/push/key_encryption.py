@@ -42,7 +42,7 @@ class KeyEncryption:
         return self._fernet.encrypt(secret.encode()).decode()
 
     def digest(self, secret: str) -> str:
-        """Equal for equal texts; shows nothing of them without the key."""
+        """A digest that is equal for equal texts, and shows nothing without the key."""
         return hmac.digest(self._key, secret.encode(), "sha256").hex()
 
     def decrypt(self, encrypted: str) -> str:

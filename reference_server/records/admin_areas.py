@@ -28,14 +28,15 @@ RUNS_PER_READ = 200
 
 
 class CannotDo(Exception):
-    """The request cannot be fulfilled; the text says why, in one line."""
+    """The command cannot be carried out; the text says why, in one line."""
 
 
 @dataclass(frozen=True, slots=True)
 class AdminFiles:
-    """Where a server has what it signs and records; keep_days: its promise, 0 all.
+    """The files of a server that signs and records.
 
-    key_path, folder, seed_secret_path: None where they last as long as the server.
+    keep_days: how long the server promises to keep recordings; 0 is for good. key_path,
+    folder, seed_secret_path: None where they last as long as the server.
     benchmarks: the host's own, as in the setting.
     """
 
@@ -129,42 +130,42 @@ class RunUsage:
 
 
 def show_usage(files: AdminFiles, args: argparse.Namespace) -> None:
-    found, now = asyncio.run(_usage_of(files)), time.time()
+    usages, now = asyncio.run(_usage_of(files)), time.time()
     if args.runs:
-        for one in sorted(found, key=lambda one: -one.size_bytes):
-            state = "-" if one.head is None else one.head.state
+        for usage in sorted(usages, key=lambda usage: -usage.size_bytes):
+            state = "-" if usage.head is None else usage.head.state
             print(
-                f"{_shown(one.size_bytes):>10}  {one.age_days(now):7.1f} days  "
-                f"{state:<9}  {one.benchmark:<24}  {one.run_id}"
+                f"{_shown(usage.size_bytes):>10}  {usage.age_days(now):7.1f} days  "
+                f"{state:<9}  {usage.benchmark:<24}  {usage.run_id}"
             )
     else:
         by_benchmark: dict[str, list[RunUsage]] = defaultdict(list)
-        for one in found:
-            by_benchmark[one.benchmark].append(one)
+        for usage in usages:
+            by_benchmark[usage.benchmark].append(usage)
         for name, runs in sorted(by_benchmark.items()):
             oldest = max(run.age_days(now) for run in runs)
             size = _shown(sum(run.size_bytes for run in runs))
             print(f"{size:>10}  {len(runs):6} runs  oldest {oldest:.1f} days  {name}")
-    print(f"{_shown(sum(one.size_bytes for one in found)):>10}  in all")
+    print(f"{_shown(sum(usage.size_bytes for usage in usages)):>10}  in all")
 
 
 async def _usage_of(files: AdminFiles) -> list[RunUsage]:
     folder = _folder_of(files)
     names = sorted(path.name for path in folder.iterdir() if path.is_dir())
-    found: list[RunUsage] = []
+    usages: list[RunUsage] = []
     async with opened_store(files.database_url) as store:
         for start in range(0, len(names), RUNS_PER_READ):
             page = names[start : start + RUNS_PER_READ]
             heads = await store.heads(page)
-            found += [
+            usages += [
                 RunUsage(name, sum(_sizes(folder / name)), heads.get(name))
                 for name in page
             ]
-    return found
+    return usages
 
 
 def prune_old(files: AdminFiles, args: argparse.Namespace) -> None:
-    """As the server does it after `records_keep_days`: ended runs alone."""
+    """Remove recordings of ended runs, as the server does after `records_keep_days`."""
     days, kept = args.older_than, files.keep_days
     if not kept:
         raise CannotDo("records_keep_days is 0, a promise to keep all recordings")
@@ -173,7 +174,7 @@ def prune_old(files: AdminFiles, args: argparse.Namespace) -> None:
             f"records_keep_days is {kept:g}: runs that ended less than {kept:g} days "
             "ago keep their recordings"
         )
-    before = {one.run_id: one.size_bytes for one in asyncio.run(_usage_of(files))}
+    before = {usage.run_id: usage.size_bytes for usage in asyncio.run(_usage_of(files))}
     removed = asyncio.run(_prune(files, days, is_dry=args.dry_run))
     for run_id in removed:
         print(f"{'would remove' if args.dry_run else 'removed'} {run_id}")

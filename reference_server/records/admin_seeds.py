@@ -44,7 +44,7 @@ def add_area(areas: Any) -> None:
 
 
 def open_seeds(files: AdminFiles, args: argparse.Namespace) -> None:
-    """For each choice of options that has a run. Raises CannotDo."""
+    """Open the seeds of each choice of options that has a run. Raises CannotDo."""
     name = args.benchmark
     output = args.output or Path(f"seeds-{name}.json")
     if output.exists() and not args.force:
@@ -64,7 +64,7 @@ def open_seeds(files: AdminFiles, args: argparse.Namespace) -> None:
     if not opened:
         raise CannotDo(f"no run of {name} has sealed seeds that can be opened")
     output.write_bytes(write_opened_seeds(name, opened))
-    episodes = sum(len(one.episodes) for one in opened)
+    episodes = sum(len(seeds.episodes) for seeds in opened)
     print(f"{output}: {episodes} seeds, of {len(opened)} choices of options")
     print(
         f"publish it and the seeds of {name} are known for good: scores of runs that "
@@ -77,12 +77,12 @@ async def _heads_of(url: str, benchmark_id: str) -> list[RunHead]:
     async with opened_store(url) as store:
         run_ids = await store.runs_of_manifests(benchmark_id)
         # One by one: the seeds follow from the options, which `heads` leaves out.
-        found = [await store.read_window(run_id, 0, 0) for run_id in run_ids]
-        return [window[0] for window in found if window is not None]
+        windows = [await store.read_window(run_id, 0, 0) for run_id in run_ids]
+        return [window[0] for window in windows if window is not None]
 
 
 def _opened(heads: list[RunHead], secret: bytes) -> Iterator[OpenedSeeds]:
-    """One for each commitment; says which cannot be opened."""
+    """Yield the seeds of each commitment; print which cannot be opened."""
     done: set[str] = set()
     for head in heads:
         commitment = head.manifest.get("seeds_sha256")
@@ -96,10 +96,10 @@ def _opened(heads: list[RunHead], secret: bytes) -> Iterator[OpenedSeeds]:
 
 
 def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
-    """The seeds of the whole benchmark, also where the run is of a part of it."""
+    """The seeds of the whole benchmark, even if the run plays only a part of it."""
     benchmark_id = head.manifest["benchmark_id"]
     try:
-        found = benchmark_registry.resolve(
+        resolved = benchmark_registry.resolve(
             benchmark_id,
             head.submission.get("options"),
             head.images,
@@ -110,15 +110,15 @@ def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
             f"run {head.run_id}: {benchmark_id} is not offered here, or not with its "
             "options (setting benchmarks)"
         ) from error
-    manifest = cast("Manifest", found.manifest)
-    whole = seal(manifest, secret, found.seed_block, found.seed_max)
+    manifest = cast("Manifest", resolved.manifest)
+    whole = seal(manifest, secret, resolved.seed_block, resolved.seed_max)
     opened = OpenedSeeds(
         commitment,
         salt_of(secret, benchmark_id).hex(),
         [
-            OpenedEpisode(one["task"], one["split"], one["seed"])
-            for one in whole["episodes"]
-            if is_sealed(whole, one["split"])
+            OpenedEpisode(episode["task"], episode["split"], episode["seed"])
+            for episode in whole["episodes"]
+            if is_sealed(whole, episode["split"])
         ],
     )
     if opened.commitment != commitment:

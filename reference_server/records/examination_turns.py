@@ -12,7 +12,7 @@ from contextlib import asynccontextmanager
 
 
 class NoTurn(Exception):
-    """It was not the turn of this account in time."""
+    """The turn of this account did not come in time."""
 
 
 class ExaminationTurns:
@@ -60,7 +60,7 @@ class ExaminationTurns:
 
     def _lend(self) -> None:
         while len(self._examined) < self._at_once:
-            free = (one for one in self._waiting if one not in self._examined)
+            free = (owner for owner in self._waiting if owner not in self._examined)
             account = next(free, None)
             if account is None:
                 return

@@ -1,7 +1,7 @@
 """Simulates records that were handed in again, one after another, accounts in turn.
 
 Each has a simulator beside those of runs, with low priority: no run waits for it. A
-replay that a restart cuts off begins again. It decides no level of trust.
+replay that a restart cuts off begins again. This module decides no level of trust.
 """
 
 from __future__ import annotations
@@ -100,14 +100,16 @@ class ImportReplays:
             await asyncio.wait([self._worker])
 
     def wake(self) -> None:
-        """There is another import."""
+        """Look for work, because there is another import."""
         self._wake.set()
 
-    def episodes_replayed(self, one: RecordImport) -> int:
+    def episodes_replayed(self, record_import: RecordImport) -> int:
         """How many episodes of it were simulated so far."""
-        if one.replay is not None:
-            return one.replay.episodes
-        is_current = self._current is not None and self._current[0] == one.import_id
+        if record_import.replay is not None:
+            return record_import.replay.episodes
+        is_current = (
+            self._current is not None and self._current[0] == record_import.import_id
+        )
         return self._replayed if is_current else 0
 
     async def stop(self, import_id: str) -> None:
@@ -122,8 +124,8 @@ class ImportReplays:
             await self._wake.wait()
             self._wake.clear()
             try:
-                while (one := await self._next()) is not None:
-                    await self._finish_task(one)
+                while (record_import := await self._next()) is not None:
+                    await self._finish_task(record_import)
             except (StoreFailed, NoCapacity) as error:
                 log.warning("records are not replayed at the moment: %s", error)
                 await asyncio.sleep(RETRY_S)
@@ -131,16 +133,16 @@ class ImportReplays:
 
     async def _next(self) -> RecordImport | None:
         waiting = await self._store.oldest_unfinished()
-        one = imported_record.next_to_replay(waiting, self._last_turns)
-        if one is not None:
+        record_import = imported_record.next_to_replay(waiting, self._last_turns)
+        if record_import is not None:
             turn = 1 + max(self._last_turns.values(), default=0)
-            self._last_turns[one.account] = turn
-        return one
+            self._last_turns[record_import.account] = turn
+        return record_import
 
-    async def _finish_task(self, one: RecordImport) -> None:
-        """In a task of its own, which `stop` may cancel."""
-        task = asyncio.create_task(self._finish(one))
-        self._current, self._replayed = (one.import_id, task), 0
+    async def _finish_task(self, record_import: RecordImport) -> None:
+        """Finish an import in a task of its own, which `stop` may cancel."""
+        task = asyncio.create_task(self._finish(record_import))
+        self._current, self._replayed = (record_import.import_id, task), 0
         try:
             await asyncio.wait([task])
         finally:
@@ -149,34 +151,36 @@ class ImportReplays:
         with contextlib.suppress(asyncio.CancelledError):
             task.result()
 
-    async def _finish(self, one: RecordImport) -> None:
-        await self._store.update(replace(one, state="replaying"))
+    async def _finish(self, record_import: RecordImport) -> None:
+        await self._store.update(replace(record_import, state="replaying"))
         try:
-            done = await self._outcome(one)
+            done = await self._outcome(record_import)
         except (StoreFailed, NoCapacity):  # later it may succeed
             raise
         except Exception as error:  # noqa: BLE001 - the next ones do not wait for it
             what = type(error).__name__
-            log.warning("import %s: the replay failed: %s", one.import_id, what)
-            done = replace(one, reason=f"The replay failed: {what}.")
+            log.warning(
+                "import %s: the replay failed: %s", record_import.import_id, what
+            )
+            done = replace(record_import, reason=f"The replay failed: {what}.")
         ended = replace(done, state="finished", finished_at_wall=time.time())
         await self._store.update(ended)
 
-    async def _outcome(self, one: RecordImport) -> RecordImport:
+    async def _outcome(self, record_import: RecordImport) -> RecordImport:
         """The import with its replay, or with the reason why it has none."""
         try:
             async with asyncio.timeout(self._replay_s_max):
-                summary = await self._replay(one)
+                summary = await self._replay(record_import)
         except NotReplayed as refused:
-            return replace(one, reason=str(refused)[:1000])
+            return replace(record_import, reason=str(refused)[:1000])
         except TimeoutError:
             reason = f"The replay was not done within {self._replay_s_max:g} s."
-            return replace(one, reason=reason)
-        verdict = await self._sign(summary, one.statement_sha256)
-        return replace(one, replay=_replay_shown(summary), verdict=verdict)
+            return replace(record_import, reason=reason)
+        verdict = await self._sign(summary, record_import.statement_sha256)
+        return replace(record_import, replay=_replay_shown(summary), verdict=verdict)
 
-    async def _replay(self, one: RecordImport) -> ReplaySummary:
-        path = self._path_of(one.import_id)
+    async def _replay(self, record_import: RecordImport) -> ReplaySummary:
+        path = self._path_of(record_import.import_id)
         try:
             benchmark, recorded = await self._prepare(path)
         except (UnusableRecord, BrokenRecord, ExaminationFailed, OSError) as error:
@@ -187,8 +191,8 @@ class ImportReplays:
             for result in recorded:
                 if handle is None:
                     handle = await self._start(benchmark)
-                found = await _replay_one(handle, path, benchmark, result)
-                results[result.index] = found
+                replayed = await _replay_one(handle, path, benchmark, result)
+                results[result.index] = replayed
                 self._replayed = len(results)
         finally:
             if handle is not None:
@@ -202,11 +206,15 @@ class ImportReplays:
         recorded = await self._verifier.read_for_replay(path)
         check_choice(recorded.choice)
         benchmark = await asyncio.to_thread(self._resolve, recorded.choice)
-        found = (one for one in recorded.results() if benchmark.can_simulate(one.index))
-        first = next(found, None)
+        results = (
+            result
+            for result in recorded.results()
+            if benchmark.can_simulate(result.index)
+        )
+        first = next(results, None)
         if first is None:
             raise UnusableRecord(NO_SEEDS)
-        return benchmark, chain([first], found)
+        return benchmark, chain([first], results)
 
     def _resolve(self, choice: BenchmarkChoice) -> ReplayedBenchmark:
         return add_opened_seeds(resolve_choice(choice), choice, self._opened)
@@ -219,7 +227,7 @@ class ImportReplays:
 
 
 def check_choice(choice: BenchmarkChoice) -> None:
-    """As a submission is checked: raises UnusableRecord for what none may have."""
+    """Check a record's choice like a submission; raises UnusableRecord."""
     said = {"benchmark_id": choice.benchmark_id, "policy": {"name": "a record"}}
     select = None if choice.select is None else msgspec.to_builtins(choice.select)
     chosen = {"options": choice.options, "images": choice.images, "select": select}
@@ -236,16 +244,18 @@ async def _replay_one(
     handle: SimulatorHandle,
     path: Path,
     benchmark: ReplayedBenchmark,
-    one: RecordedResult,
+    recorded: RecordedResult,
 ) -> tuple[Result, Divergence | None]:
-    plan = msgspec.json.encode(benchmark.plan_of(one.index))
+    plan = msgspec.json.encode(benchmark.plan_of(recorded.index))
     try:
-        found = await handle.replay(path, msgspec.json.encode(one), plan)
+        replayed = await handle.replay(path, msgspec.json.encode(recorded), plan)
     except (SimulatorFault, TaskUnplayable) as fault:
-        text = f"The simulator failed in episode {one.index}: {fault}."
+        text = f"The simulator failed in episode {recorded.index}: {fault}."
         raise NotReplayed(text) from fault
-    where = None if found.where is None else Divergence(one.index, *found.where)
-    return cast("Result", found.result), where
+    where = (
+        None if replayed.where is None else Divergence(recorded.index, *replayed.where)
+    )
+    return cast("Result", replayed.result), where
 
 
 def _replay_shown(summary: ReplaySummary) -> ImportReplay:

@@ -46,7 +46,7 @@ class HostKeys(Protocol):
 
     @property
     def host_name(self) -> str:
-        """The name of this server in its records."""
+        """The name of this server as a signer of records."""
 
     async def key_names(self) -> Mapping[str, str]:
         """keyid → whose key it is, of all that are known here."""
@@ -93,7 +93,9 @@ class RecordImports:
             opened=settings.opened,
         )
         self._receiving = Counter[str]()  # of each account
-        # Held from the count of an account's imports until the new one is stored.
+        # Held from the check of an account's quota until the new import is stored, so
+        # that two at once can neither exceed the quota nor store the same archive
+        # twice.
         self._adding = asyncio.Lock()
 
     async def open(self) -> None:
@@ -127,9 +129,9 @@ class RecordImports:
             if same is not None:  # REC-119
                 return same
             await self._check_quota(account, draft.size_bytes)
-            one = await self._examine(account, import_id, draft)
-            found = await self._add(one, draft)
-            is_kept = found.import_id == import_id
+            record_import = await self._examine(account, import_id, draft)
+            stored = await self._add(record_import, draft)
+            is_kept = stored.import_id == import_id
         except OSError as error:
             raise Refused("unavailable", "The record could not be stored.") from error
         finally:
@@ -137,7 +139,7 @@ class RecordImports:
             if not is_kept:
                 await self._remove_unless_stored(import_id)
         self._replays.wake()
-        return found
+        return stored
 
     async def _remove_unless_stored(self, import_id: str) -> None:
         """A write that failed or was cancelled may have stored the row all the same.
@@ -188,24 +190,26 @@ class RecordImports:
             **msgspec.structs.asdict(facts),
         )
 
-    async def _add(self, one: RecordImport, draft: Draft) -> RecordImport:
+    async def _add(self, record_import: RecordImport, draft: Draft) -> RecordImport:
         async with self._adding:
-            same = await self._store.find_archive(one.account, one.archive_sha256)
+            same = await self._store.find_archive(
+                record_import.account, record_import.archive_sha256
+            )
             if same is not None:  # handed in twice at the same time
                 return same
-            await self._check_quota(one.account, one.size_bytes)
-            await self._files.keep(one.import_id, draft)
-            await self._store.add(one)
+            await self._check_quota(record_import.account, record_import.size_bytes)
+            await self._files.keep(record_import.import_id, draft)
+            await self._store.add(record_import)
             with suppress(OSError):  # the next start does it
-                self._files.settle(one.import_id)
-        return one
+                self._files.settle(record_import.import_id)
+        return record_import
 
     async def find(self, account: str | None, import_id: str) -> RecordImport:
         """REC-114: of another account it does not exist."""
-        found = await self._store.find(account, import_id)
-        if found is None:
+        record_import = await self._store.find(account, import_id)
+        if record_import is None:
             raise Refused("not_found", f"There is no import {import_id}.")
-        return found
+        return record_import
 
     async def page(
         self, account: str | None, before: int | None, limit: int
@@ -215,24 +219,28 @@ class RecordImports:
 
     async def delete(self, account: str, import_id: str) -> None:
         """REC-120: the row first: what a crash leaves of it is removed at the start."""
-        one = await self.find(account, import_id)
+        record_import = await self.find(account, import_id)
         with suppress(OSError):  # a full disk, of which this makes room
             self._files.begin_change(import_id)
-        await self._store.delete(one.import_id)
-        await self._replays.stop(one.import_id)
-        await asyncio.to_thread(self._files.remove, one.import_id)
+        await self._store.delete(record_import.import_id)
+        await self._replays.stop(record_import.import_id)
+        await asyncio.to_thread(self._files.remove, record_import.import_id)
 
-    async def trust(self, one: RecordImport) -> Trust:
-        return trust_of(one, await self._keys.key_names(), self._keys.host_name)
+    async def trust(self, record_import: RecordImport) -> Trust:
+        return trust_of(
+            record_import, await self._keys.key_names(), self._keys.host_name
+        )
 
-    def episodes_replayed(self, one: RecordImport) -> int:
-        return self._replays.episodes_replayed(one)
+    def episodes_replayed(self, record_import: RecordImport) -> int:
+        return self._replays.episodes_replayed(record_import)
 
     async def archive(self, account: str | None, import_id: str) -> Record:
         """REC-118: the files that were handed in, with this server's verdict."""
-        one = await self.find(account, import_id)
+        record_import = await self.find(account, import_id)
         try:
-            return await asyncio.to_thread(_record_of, self._files.path(import_id), one)
+            return await asyncio.to_thread(
+                _record_of, self._files.path(import_id), record_import
+            )
         except OSError as error:
             raise Refused("not_found", "Its archive is not there any more.") from error
 
@@ -252,10 +260,10 @@ async def _bounded(parts: AsyncIterator[bytes], most: int) -> AsyncIterator[byte
         yield part
 
 
-def _record_of(path: Path, one: RecordImport) -> Record:
-    bundle, verdict = open_bundle(path), one.verdict
-    name = f"replayed-{one.import_id.removeprefix('imp_')}"
+def _record_of(path: Path, record_import: RecordImport) -> Record:
+    bundle, verdict = open_bundle(path), record_import.verdict
+    name = f"replayed-{record_import.import_id.removeprefix('imp_')}"
     verdicts = sum(map(is_verdict, bundle.sizes))
     has_room = verdicts < VERDICTS_MAX or verdict_name(name) in bundle.sizes
     with_ours = name, verdict if has_room else None
-    return Record(with_verdict(bundle, *with_ours), one.statement_sha256)
+    return Record(with_verdict(bundle, *with_ours), record_import.statement_sha256)

@@ -32,9 +32,10 @@ from reference_sim.replay.foreign_manifest import BenchmarkChoice
 
 # A file that takes a fifth of it alone has the lowest priority on a busy machine.
 EXAMINE_S_MAX: Final = 600.0
-# So long a request waits for the records of others, after its body was received.
+# A request waits so long for the records of others, after its body was received.
 WAIT_S_MAX: Final = 60.0
-# At once, of all accounts: each may take a processor that is idle otherwise.
+# Examinations at once, of all accounts: each may take a processor that is idle
+# otherwise.
 EXAMINED_AT_ONCE: Final = 4
 FOUND_BYTES_MAX: Final = 2**17
 RESULT_BYTES_MAX: Final = 2**8
@@ -47,11 +48,13 @@ T = TypeVar("T")
 
 
 class ExaminationFailed(Exception):
-    """The record could not be read to its end; the record need not be at fault."""
+    """The record could not be read to its end, perhaps for a cause outside of it."""
 
 
 class Recorded:
-    """A verified record, as its replay needs it. choice: unchecked, as it stands there.
+    """A verified record, as its replay needs it.
+
+    choice: as the record has it, unchecked.
 
     Each result is decoded when it is its turn: there may be 65,000.
     """
@@ -83,19 +86,19 @@ class RecordVerifier:
         """
         async with self._turns.place(account, WAIT_S_MAX):
             said = await _run("examine", path, FOUND_BYTES_MAX)
-        found = _decoded(said, Found)
-        if found.facts is None:
-            raise _broken(found.broken)
-        return found.facts
+        report = _decoded(said, Found)
+        if report.facts is None:
+            raise _broken(report.broken)
+        return report.facts
 
     async def read_for_replay(self, path: Path) -> Recorded:
-        """Read a record that was examined. Raises as `examine` does, except NoTurn."""
+        """Read an examined record. Raises as `examine` does, except for NoTurn."""
         said = await _run("replay", path, REPLAYABLE_BYTES_MAX)
         head, _, lines = said.partition(b"\n")
-        found = _decoded(head, Replayable)
-        if found.choice is None:
-            raise _broken(found.broken)
-        return Recorded(found.choice, lines)
+        replayable = _decoded(head, Replayable)
+        if replayable.choice is None:
+            raise _broken(replayable.broken)
+        return Recorded(replayable.choice, lines)
 
 
 def _decoded(said: bytes, type_: type[T]) -> T:
@@ -112,7 +115,7 @@ def _broken(part: BrokenPart | None) -> BrokenRecord:
 
 
 async def _run(task: str, path: Path, bytes_max: int) -> bytes:
-    """The output of the process. Raises as `RecordVerifier.examine`."""
+    """Run the process; returns its output. Raises as `RecordVerifier.examine`."""
     process = await asyncio.create_subprocess_exec(
         *(sys.executable, "-P", "-m", "reference_server.records.verify_process"),
         *(task, str(path)),
@@ -155,7 +158,7 @@ async def _read(stream: asyncio.StreamReader, bytes_max: int) -> bytes:
 
 
 def _environment() -> dict[str, str]:
-    """Without the server's settings: tokens and database passwords are there."""
+    """The environment without the server's settings, which may contain secrets."""
     root = str(Path(__file__).parents[2])
     paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
     dropped = "PROCTOR_", "PG"  # PGPASSWORD is read by the driver of the database

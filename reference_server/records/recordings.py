@@ -1,17 +1,17 @@
 """The recordings of this server's episodes on disk: begin, continue, finish, delete.
 
-A simulator process appends the turns (`reference_sim/process/recorder.py`). What only
-the server knows (faults, how attempts end, the result) is appended here, in a part of
-its own. No file is touched in the event loop: each episode has one thread that does its
-work in order. What cannot be written is reported when the episode begins again or is
-finished, never dropped.
+A simulator process appends the turns (`reference_sim/process/recorder.py`). Facts that
+only the server knows (faults, how attempts end, the result) are appended here, in a
+part of its own. No file is touched in the event loop: each episode has one thread that
+does its work in order. A write that fails is reported when the episode begins again or
+is finished, never dropped.
 
     RECORDS/RUN_ID/00042.parts/000001.part    an episode in play
     RECORDS/RUN_ID/00042.mcap                 an episode with its result
 
-The nodes of a cluster share the folder. What a node writes of a run is named after the
-fence with which it owns the run (00042.fence2.parts, 00042.fence2.mcap): whatever an
-earlier owner still writes, or its simulators do, is no file of its successor. Parts of
+The nodes of a cluster share the folder. A node names the files of a run after the fence
+with which it owns the run (00042.fence2.parts, 00042.fence2.mcap): an earlier owner or
+its simulators may still write, but never to the files of its successor. Parts of
 earlier owners belong to the recording, before those of later ones.
 """
 
@@ -65,7 +65,7 @@ Done = TypeVar("Done")
 
 
 class Key(NamedTuple):
-    """The episode, by its index, that is written, and the fence of its owner."""
+    """The files of one episode: its run, its index there, the fence of their owner."""
 
     run_id: str
     episode: int
@@ -210,7 +210,7 @@ class Recordings:
         return self._folder / key.run_id / f"{_name_of(key)}.parts"
 
     def _parts_before(self, key: Key) -> list[Path]:
-        """Where earlier owners of the run wrote, the first one first."""
+        """The folders to which earlier owners of the run wrote, the first one first."""
         return [self._parts(key._replace(fence=fence)) for fence in range(key.fence)]
 
     # --- runs ---
@@ -221,16 +221,17 @@ class Recordings:
         await asyncio.to_thread(_remove_folder, folder)
 
     def run_ids(self) -> list[str]:
-        """Ids of the runs that have files here. Reads the folder."""
+        """The ids of the runs that have files here. Reads the folder."""
         names = (path.name for path in self._folder.iterdir())
         return sorted(name for name in names if not name.startswith("."))
 
     # --- what a crash has left ---
 
     def remove_drafts(self) -> None:
-        """Remove drafts of files that were joined before this server opened. Blocks.
+        """Remove files that were being joined when an earlier server ended. Blocks.
 
-        In a shared folder they may be those of another node: `remove_unused`.
+        In a shared folder they may belong to another node: there `remove_unused` does
+        it.
         """
         if self.is_shared:
             return
@@ -241,9 +242,9 @@ class Recordings:
                         draft.unlink()
 
     def runs_with_leftovers(self, since_wall: float = 0.0) -> list[str]:
-        """Ids of runs with an episode that has other files beside its own. Blocks.
+        """Ids of runs where an episode has its file and others beside it. Blocks.
 
-        since_wall: only runs in whose folders names were added or removed since then.
+        since_wall: only runs in whose folders a name was added or removed since then.
         """
         return [run for run in self.run_ids() if self._has_leftovers(run, since_wall)]
 
@@ -256,7 +257,7 @@ class Recordings:
         return any(suffix == ".mcap" and counts[index] > 1 for suffix, index in written)
 
     def remove_unused(self, run_id: str, fences: Mapping[int, int]) -> None:
-        """Remove the files that no result names; all results are stored. Blocks.
+        """Remove files of a completed run that none of its results names. Blocks.
 
         fences: index of an episode → fence of its stored recording.
         """
@@ -271,9 +272,9 @@ class Recordings:
         except OSError:  # it was removed meanwhile, or is a file
             return
         for path in paths:
-            found = _EPISODE.fullmatch(path.stem)
-            if found and path.suffix in (".parts", ".mcap", DRAFT_SUFFIX):
-                yield path, int(found["index"]), int(found["fence"] or 0)
+            name = _EPISODE.fullmatch(path.stem)
+            if name and path.suffix in (".parts", ".mcap", DRAFT_SUFFIX):
+                yield path, int(name["index"]), int(name["fence"] or 0)
 
     # --- writing in order ---
 
@@ -292,7 +293,8 @@ class Recordings:
     async def _write(self, key: Key) -> None:
         """Write the messages that are not written yet. Raises RecordingFailed.
 
-        One message at a time: of several, a write that fails may leave the first ones.
+        One message at a time: if a write of several fails, the first ones may be in the
+        file, and would be written twice.
         """
         lock = self._locks.setdefault(key, asyncio.Lock())
         async with lock:
@@ -336,5 +338,5 @@ def _remove(path: Path) -> None:
 
 
 def _remove_folder(folder: Path) -> None:
-    """Remove the folder; files that stay only cost space."""
+    """Remove the folder; errors are ignored, because leftovers cost only space."""
     shutil.rmtree(folder, ignore_errors=True)

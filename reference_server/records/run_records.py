@@ -1,8 +1,8 @@
 """The signed records of completed runs, and the keys that sign them.
 
-A record is signed when it is first fetched. Only its statement is stored: all
-other files follow from the run and its recordings. Each statement names the one that
-was signed before it. It decides no rule of runs, and knows no HTTP.
+A record is signed when it is first fetched. Only its statement is stored: all other
+files follow from the run and its recordings. Each statement names the one that was
+signed before it. This module decides no rule of runs, and knows no HTTP.
 """
 
 from __future__ import annotations
@@ -57,7 +57,8 @@ REMOVE_EVERY_S = 3600.0
 # The clocks of files and nodes may differ.
 LEFTOVERS_S = 3 * REMOVE_EVERY_S
 RUNS_PER_READ = 200
-# At most, in an archive: the manifest and the statement; a line, names and headers.
+# The most bytes in an archive of the manifest and the statement; and of each
+# recording's line, names and headers.
 OTHER_FILES_BYTES = 2**26
 BYTES_BESIDE_A_RECORDING = 2**11
 
@@ -138,7 +139,7 @@ class RunRecords:
             try:
                 if has_leftovers:
                     await self.remove_leftovers(since_wall)
-                    # Nodes that come and go always leave some behind.
+                    # Nodes that come and go leave new ones at any time.
                     has_leftovers = self._recordings.is_shared
                     since_wall = time.time() - LEFTOVERS_S
                 await self.remove_deleted()
@@ -159,13 +160,14 @@ class RunRecords:
         run_ids = await asyncio.to_thread(find, since_wall)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
-            for run_id in (one for one in heads if heads[one].state == "completed"):
-                await self._remove_unused(run_id)
+            for run_id, head in heads.items():
+                if head.state == "completed":
+                    await self._remove_unused(run_id)
 
     async def _remove_unused(self, run_id: str) -> None:
-        """Remove the files that no result of a completed run names."""
-        found = await self._store.read_window(run_id, 0, None)
-        episodes = () if found is None else found[1]
+        """Remove files of a completed run that none of its results names."""
+        window = await self._store.read_window(run_id, 0, None)
+        episodes = () if window is None else window[1]
         fences = {e.index: e.recording.fence for e in episodes if e.recording}
         await asyncio.to_thread(self._recordings.remove_unused, run_id, fences)
 
@@ -190,7 +192,8 @@ class RunRecords:
         run_ids = await asyncio.to_thread(self._recordings.run_ids)
         for start in range(0, len(run_ids), RUNS_PER_READ):
             heads = await self._store.heads(run_ids[start : start + RUNS_PER_READ])
-            for run_id in (one for one in heads if _ended_since(heads[one], before)):
+            old = [i for i, head in heads.items() if _ended_since(head, before)]
+            for run_id in old:
                 # It may have been resumed while others were removed.
                 for head in (await self._store.heads([run_id])).values():
                     if _ended_since(head, before):
@@ -257,7 +260,7 @@ class RunRecords:
         score: Mapping[str, Any],
         files: UnsignedRecord,
     ) -> Record:
-        """As `fetch`, unless another fetch of the record signs it meanwhile.
+        """Sign the record, unless another fetch of it has signed it meanwhile.
 
         In a cluster a node signs again what came behind the statement of another one.
         """
@@ -380,5 +383,5 @@ def _reopened(run_id: str, files: UnsignedRecord, statement: bytes) -> Record:
 
 
 def _shown_manifest(run: RunHead) -> bytes:
-    """The bytes that `manifest_sha256` covers: without sealed seeds (SEAL-002)."""
+    """The bytes whose digest is `manifest_sha256`: without sealed seeds (SEAL-002)."""
     return canonical_json(without_sealed_seeds(run.manifest))

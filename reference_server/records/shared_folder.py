@@ -1,12 +1,13 @@
 """Refuses a node that would record or sign apart from the others of its cluster.
 
 All nodes have one folder of recordings, one key that signs records, and one name of
-their host. The database stores which they are. A node whose own ones differ does
-not start, and ends when it joins again.
+their host. All three are stored in the database. A node whose own ones differ does not
+start, and ends when it joins again.
 
-Of the folder an id is stored, which a file in it has. A copy of the folder has the same
-file. So each node also makes a file there that is named by the id of the node, and a
-node that starts must find the files of all nodes that live. It knows no HTTP.
+The folder is stored by an id, which a file in the folder contains. A copy of the folder
+has the same file. So each node also makes a file there that is named by the id of the
+node, and a node that starts must find the files of all nodes that live. This module
+knows no HTTP.
 """
 
 from __future__ import annotations
@@ -51,20 +52,20 @@ async def check_shared(
     """
     listed = await nodes.listed()
     _forget_killed(folder, listed)
-    known = await nodes.facts()
-    found = _read_id(folder)
-    if found is None and FOLDER not in known:
-        found = _make_id(folder)
-    facts = {FOLDER: found or "", KEY: keyid, HOST: host}
-    if FOLDER not in known or found == known[FOLDER]:
-        known = await nodes.agree_on(facts, url, lasting={FOLDER})
-    _compare(known, facts, folder)
-    for node_id, other in listed.items():
-        if other.node.url == url or lease_is_over(other.silent_s, nodes.lease_s):
+    agreed = await nodes.facts()
+    folder_id = _read_id(folder)
+    if folder_id is None and FOLDER not in agreed:
+        folder_id = _make_id(folder)
+    facts = {FOLDER: folder_id or "", KEY: keyid, HOST: host}
+    if FOLDER not in agreed or folder_id == agreed[FOLDER]:
+        agreed = await nodes.agree_on(facts, url, lasting={FOLDER})
+    _compare(agreed, facts, folder)
+    for node_id, peer in listed.items():
+        if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
             continue
         if not (folder / NODES / node_id).exists():
             raise NotShared(
-                f"{folder} is not the folder of the node at {other.node.url}, but a "
+                f"{folder} is not the folder of the node at {peer.node.url}, but a "
                 "copy of it, or that node records nothing: set records_dir and "
                 "recordings as there"
             )
@@ -90,28 +91,28 @@ def _forget_killed(folder: Path, listed: Collection[str]) -> None:
                 path.unlink()
 
 
-def _compare(known: Mapping[str, str], facts: Mapping[str, str], folder: Path) -> None:
-    """known: of the cluster. Raises NotShared."""
-    if known[FOLDER] != facts[FOLDER]:
+def _compare(agreed: Mapping[str, str], facts: Mapping[str, str], folder: Path) -> None:
+    """agreed: the values of the cluster. Raises NotShared."""
+    if agreed[FOLDER] != facts[FOLDER]:
         raise NotShared(
             f"{folder} is not the folder with the recordings of this cluster: set "
             "records_dir to the one that all nodes share; or, if that was lost for "
-            f"good, write {known[FOLDER]} into {folder / ID_FILE}"
+            f"good, write {agreed[FOLDER]} into {folder / ID_FILE}"
         )
-    if known[KEY] != facts[KEY]:
+    if agreed[KEY] != facts[KEY]:
         raise NotShared(
-            f"the other nodes sign records with {known[KEY]}, and this one would with "
+            f"the other nodes sign records with {agreed[KEY]}, and this one would with "
             f"{facts[KEY]}: set signing_key to a copy of their file"
         )
-    if known[HOST] != facts[HOST]:
+    if agreed[HOST] != facts[HOST]:
         raise NotShared(
-            f"the records of the other nodes are of the host {known[HOST]}, and those "
+            f"the records of the other nodes are of the host {agreed[HOST]}, and those "
             f"of this one would be of {facts[HOST]}: set public_url, equal on all nodes"
         )
 
 
 def _read_id(folder: Path) -> str | None:
-    """None of a folder that no cluster has used."""
+    """The id of the folder; None if no cluster has used the folder."""
     try:
         return (folder / ID_FILE).read_text().strip() or None
     except FileNotFoundError:

@@ -1,8 +1,8 @@
 """`python -m reference_server.records.verify_process TASK FILE`: reads a record.
 
 A process of its own, with low priority and bounds of its memory and its time, for files
-that may be hostile: nothing else of the server parses what stands in one. Its
-output is small, and it knows no key but those in the file.
+that may be hostile: no other part of the server parses their content. Its output is
+small, and depends on no keys but those in the file.
 
     examine    one JSON value, Found
     replay     one JSON value in a line, Replayable; then a RecordedResult in each line
@@ -36,7 +36,7 @@ DETAIL_CHARS_MAX = 1000
 
 
 class RecordFacts(msgspec.Struct, frozen=True):
-    """Facts of a whole record's statement. score: None while some are unscored."""
+    """Facts of a whole record, from its statement. score: None until all are scored."""
 
     keyid: str
     statement_sha256: str
@@ -51,7 +51,7 @@ class RecordFacts(msgspec.Struct, frozen=True):
 
 
 class BrokenPart(msgspec.Struct, frozen=True):
-    """The fault of a record: the file in it, the rule, a sentence."""
+    """A fault of a record: the file in it, the rule that it breaks, a sentence."""
 
     file: str
     rule: str
@@ -63,14 +63,14 @@ class BrokenPart(msgspec.Struct, frozen=True):
 
 
 class Found(msgspec.Struct, frozen=True):
-    """One of the two is there."""
+    """The output of `examine`: one of the two members is there."""
 
     facts: RecordFacts | None = None
     broken: BrokenPart | None = None
 
 
 class Replayable(msgspec.Struct, frozen=True):
-    """The benchmark for a replay, or the reason why there cannot be one."""
+    """The benchmark of a record that can be replayed, or why it cannot be."""
 
     choice: BenchmarkChoice | None = None
     broken: BrokenPart | None = None

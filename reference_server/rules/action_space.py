@@ -1,4 +1,4 @@
-"""Checks actions, and the conventions a policy assumes, against a benchmark's spaces.
+"""Checks of actions and of a policy's conventions against a benchmark's spaces.
 
 Called by the guards in `lifecycle.py`. It knows a manifest and vectors, and neither
 runs nor sessions. Pure. An error is a pair of a JSON pointer into the request and a

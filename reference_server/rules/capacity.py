@@ -4,8 +4,7 @@ Two things are shared: places among the runs that may be played, and simulators.
 goes to the account that has the fewest, and of its runs to the oldest. An account that
 has more than another one that waits gives back what it does not use (LIM-004, LIM-005):
 the place of a run that no worker plays, the simulator of a session that plays no turn.
-What an account may have whether others wait or not is a quota (LIM-007, LIM-009,
-LIM-010).
+A limit that holds whether others wait or not is a quota (LIM-007, LIM-009, LIM-010).
 """
 
 from __future__ import annotations
@@ -130,9 +129,9 @@ def session_to_end(
 ) -> Session | None:
     """LIM-005: the session that gives its simulator back to an account that waits.
 
-    It is, among accounts that have more than their share, the session that has gone
-    longest without a turn, and for more than `unused_s`; None if there is none.
-    Heartbeats do not count as turns.
+    Among the accounts that have more than their share it is the session that has gone
+    longest without a turn, and for more than `unused_s`; None if there is none. A
+    heartbeat does not count as a turn.
     """
     lent = list(lent)
     simulators = Counter(account for account, _ in lent)
@@ -147,7 +146,7 @@ def session_to_end(
 
 
 class Quota(NamedTuple):
-    """Amounts that one account has, or may have, open or stored for good."""
+    """Numbers that one account has, or may have at most."""
 
     open_runs: int = 10_000
     keys: int = 1_000_000

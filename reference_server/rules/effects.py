@@ -1,8 +1,8 @@
-"""Changes of a run by an accepted command or an event.
+"""Changes that an accepted command or an event makes to a run.
 
-`lifecycle.py` decides whether a command is accepted, this file what it changes. Pure
-like it: each function changes the run it is given, at the time it is given, and nothing
-else. Every change of state goes through the table TRANSITIONS.
+`lifecycle.py` decides whether a command is accepted, this file changes the run. Both
+are pure: each function changes the run it is given, at the time it is given, and
+nothing else. Every change of state goes through the table TRANSITIONS.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ SERVER_LEASE_S = 86_400.0
 class ChunkOutcome(Protocol):
     """The part of the simulator's reply to a chunk that the rules read.
 
-    executed: how many of its actions. rewards: of each of these. ended: the episode has
-    ended. The others are of the episode after the last executed action.
+    executed: how many of its actions. rewards: one for each of these. ended: the
+    episode has ended. The others describe the episode after the last executed action.
     """
 
     @property
@@ -340,7 +340,7 @@ def admit(run: Run, now_wall: float) -> bool:
 
 
 def _forget_attempt(session: Session) -> None:
-    """Reset the counts: their attempt has ended, or begins again."""
+    """Reset the counts of an attempt that has ended, or begins again."""
     session.steps, session.clipped, session.reward = 0, 0, 0.0
 
 

@@ -66,7 +66,7 @@ def next_batch(
     scored: Sequence[bytes],
     common_body: bytes,
 ) -> EventBatch:
-    """The events that a reader at the cursor has not received (EVT-001, EVT-002).
+    """The events that a reader at the cursor has not received yet (EVT-001, EVT-002).
 
     run_body: the run as get_run shows it. common_body: the part that is the same for
     every reader. scored: the next episodes behind the cursor in the order in which they
@@ -87,7 +87,7 @@ def next_batch(
 
 
 class HasState(Protocol):
-    """The part of a run that events show."""
+    """The members of a shown run that decide whether its stream ends."""
 
     @property
     def state(self) -> State: ...

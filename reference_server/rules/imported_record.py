@@ -17,7 +17,7 @@ TrustLevel: TypeAlias = Literal["reported", "signed", "replayed", "diverged"]
 
 @dataclass(frozen=True, slots=True)
 class FirstDivergence:
-    """Where a replay was first in another state; step from 1, 0 for the start."""
+    """The place where a replay first differed. step: from 1, 0 for the start."""
 
     episode_index: int
     attempt: int
@@ -75,14 +75,14 @@ class Trust(NamedTuple):
     text: str
 
 
-def trust_of(one: RecordImport, names: Mapping[str, str], host: str) -> Trust:
+def trust_of(record_import: RecordImport, names: Mapping[str, str], host: str) -> Trust:
     """REC-115, REC-116, REC-117: the level, by the keys that this server knows.
 
     names: keyid → whose key it is. host: what this server calls itself.
     """
-    signer = names.get(one.keyid)
+    signer = names.get(record_import.keyid)
     said = [] if signer is None else [f"signed by {signer}"]
-    replay = one.replay
+    replay = record_import.replay
     if replay is None:
         level: TrustLevel = "reported" if signer is None else "signed"
         return Trust(level, signer, ", ".join(said) or level)
@@ -92,13 +92,13 @@ def trust_of(one: RecordImport, names: Mapping[str, str], host: str) -> Trust:
             text += f" at episode {where.episode_index}, attempt {where.attempt}, "
             text += f"step {where.step}"
         return Trust("diverged", signer, ", ".join([*said, text]))
-    counted = f"{replay.result}, {replay.episodes} of {one.episodes} episodes"
+    counted = f"{replay.result}, {replay.episodes} of {record_import.episodes} episodes"
     text = f"replayed by {host} ({counted})"
     return Trust("replayed", signer, ", ".join([*said, text]))
 
 
 class ImportUsage(NamedTuple):
-    """The imports of one account that are not finished, and bytes of its archives."""
+    """An account's number of unfinished imports, and the bytes of all its archives."""
 
     waiting: int
     stored_bytes: int
@@ -130,4 +130,8 @@ def next_to_replay(
     waiting: the oldest of each account, oldest first. last_turns: account → number of
     its last turn.
     """
-    return min(waiting, key=lambda one: last_turns.get(one.account, 0), default=None)
+    return min(
+        waiting,
+        key=lambda record_import: last_turns.get(record_import.account, 0),
+        default=None,
+    )

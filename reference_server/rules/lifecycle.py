@@ -7,8 +7,8 @@ comes in as an argument.
 the turn in execution, or Refuse with a code of the catalogue. Legality by state is the
 table TRANSITIONS (equal to `x-lifecycle` of the spec, as a test proves). Conditions
 other than the state are guards, one small function each, called in the order of GUARDS.
-What an accepted command does to the run is in `effects.py`; what a benchmark's spaces
-say of an action, in `action_space.py`.
+`effects.py` carries out an accepted command on the run; `action_space.py` checks an
+action against a benchmark's spaces.
 
 Concurrent requests are decided one after another, each on the state that the one before
 it left (MODEL-001, MODEL-002).
@@ -72,12 +72,12 @@ TRANSITIONS: dict[tuple[State, Event], State] = {
     # events stop_drain (LIFE-703) and resume_run (LIFE-704).
 }
 
-# These sets follow from the table, so that no other module names states.
+# Sets that follow from the table, so that no other module names states.
 # A worker may attach.
 PLAYABLE_STATES = frozenset(s for s, event in TRANSITIONS if event == "attach_worker")
 # The run waits until there is capacity for it (LIFE-801, RUN-008).
 WAITING_STATES = frozenset(s for s, event in TRANSITIONS if event == "capacity")
-# State of such a run → its state when it gets a place.
+# State of a waiting run → its state when it gets a place.
 STATES_WITH_CAPACITY: Mapping[State, State] = {
     state: after for (state, event), after in TRANSITIONS.items() if event == "capacity"
 }
@@ -93,8 +93,8 @@ RESTART_REASON = "The server was restarted."
 ACTIVE_STATES = PLAYABLE_STATES | STATES_AFTER_RESTART.keys()
 # LIM-007: the run counts among the open ones of its account.
 OPEN_STATES = ACTIVE_STATES | WAITING_STATES
-# A stored run in one of these has not changed since it left memory: neither capacity
-# nor the loss of its sessions changes it.
+# A stored run in one of these states has it still when it is loaded again: neither
+# capacity nor the loss of its sessions changes it.
 RESTING_STATES = (
     frozenset(get_args(State)) - WAITING_STATES - STATES_AFTER_RESTART.keys()
 )
@@ -345,8 +345,8 @@ def _worker_is_free(run: Run, command: Attach, now: float) -> Verdict | None:
             "ATT-003",
         )
     # ATT-004, ATT-021: the successor goes on where the turn in execution will have
-    # ended; also the last one, whose result is still being stored. ATT-020: a session
-    # that is done, or none, does not lead to a refusal either.
+    # ended; also the last one, whose result is still being stored. ATT-020: nor is an
+    # attach refused where the worker's session is done, or where it has none.
     return Wait(session) if session.busy else None
 
 

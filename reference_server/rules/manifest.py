@@ -6,8 +6,8 @@ the generated models before it gets this type.
 
 A benchmark declares `sealed_splits`, with seeds that are public. A host plays other
 ones in these splits: they follow from its secret, are the same in every run and after a
-restart, and cannot be computed from anything that is shown. What is hashed contains a
-commitment to them and not the seeds.
+restart, and cannot be computed from anything that is shown. The hashed manifest
+contains a commitment to them and not the seeds.
 """
 
 from __future__ import annotations
@@ -120,7 +120,7 @@ def seal(manifest: Manifest, secret: bytes, block: int, seed_max: int) -> Manife
 
 
 def salt_of(secret: bytes, benchmark_id: str) -> bytes:
-    """The salt hashed with the seeds of a benchmark; a host opens it with them."""
+    """The salt of the commitment to a benchmark's seeds; a host opens both together."""
     return _derive(secret, "salt", benchmark_id)
 
 

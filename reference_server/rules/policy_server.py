@@ -1,4 +1,4 @@
-"""The policy server of a push run, as the submission names it, with defaults.
+"""The policy server of a push run, as its submission names it, with defaults.
 
 Pure: how a policy server is called, and whether its address is allowed, is decided in
 `push/`. The API key is encrypted here, and in no view.
@@ -31,7 +31,7 @@ class PolicyServerConfig:
 
     @classmethod
     def from_run(cls, run: RunHead) -> PolicyServerConfig:
-        """That of a run with mode `push`."""
+        """The policy server of a run with mode `push`."""
         requested = run.submission["policy_server"]
         return cls(
             url=requested["url"].rstrip("/"),
@@ -47,7 +47,7 @@ class PolicyServerConfig:
         )
 
     def view(self) -> models.PolicyServerView:
-        """The view for the submitter, which has no key."""
+        """The policy server as the submitter is shown it, without the key."""
         view = models.PolicyServerView(
             url=self.url,
             protocol=self.protocol,

@@ -11,7 +11,7 @@ from typing import Any
 
 from reference_server.rules.lifecycle import Refuse
 
-# Bounds of the report on a request with many faults, or with long names.
+# At most this much is reported of a request with many faults, or with long names.
 ERRORS_MAX = 50
 ERROR_CHARS_MAX = 2**14
 

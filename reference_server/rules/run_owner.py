@@ -69,7 +69,7 @@ def is_dead(silent_s: float, seen_silent_for_s: float, lease_s: float) -> bool:
 def place_of(
     owner: StoredOwner, node_id: str, lease_s: float, *, only_reads: bool
 ) -> Place:
-    """Where a request for the run is carried out."""
+    """The place where a request for the run is carried out."""
     if owner.node_id == node_id:
         return "here"
     if only_reads and owner.state in _FINAL_STATES:

@@ -13,7 +13,7 @@ Z_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
 
 
 class ScoredEpisode(NamedTuple):
-    """The part of an episode that scoring needs; outcome None while unscored."""
+    """The members of an episode that scoring reads. outcome: None while unscored."""
 
     task: str
     split: str

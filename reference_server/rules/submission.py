@@ -1,7 +1,7 @@
 """Decisions of a submit: limits, defaults, the part to play, idempotency. Pure.
 
-Whether the benchmark offers what is chosen is decided in `runs/benchmarks.py`; how a
-policy server may be called, in `push/`.
+`runs/benchmarks.py` decides whether the benchmark offers the choice; `push/` decides
+how a policy server may be called.
 """
 
 from __future__ import annotations
@@ -73,12 +73,12 @@ def select_episodes(manifest: Manifest, select: Selection | None) -> Manifest | 
         return manifest
     episodes = manifest["episodes"]
     wanted = {"task": select.get("tasks"), "split": select.get("splits")}
-    known = {"task": manifest["tasks"], "split": manifest["splits"]}
+    offered = {"task": manifest["tasks"], "split": manifest["splits"]}
     errors = tuple(
-        (f"/select/{member}s", f"{name!r}: there is {', '.join(known[member])}")
+        (f"/select/{member}s", f"{name!r}: there is {', '.join(offered[member])}")
         for member, names in wanted.items()
         for name in names or ()
-        if name not in known[member]
+        if name not in offered[member]
     )
     kept = [
         episode
@@ -101,7 +101,7 @@ def select_episodes(manifest: Manifest, select: Selection | None) -> Manifest | 
 
 @dataclass(frozen=True, slots=True)
 class KeyUse:
-    """The run that an account made with an Idempotency-Key of its own (RUN-005)."""
+    """The run that an Idempotency-Key made (RUN-005: a key is the account's own)."""
 
     body_sha256: str
     run_id: str

@@ -60,11 +60,11 @@ class Benchmarks:
 
     def summaries(self) -> list[dict[str, Any]]:
         """Schema BenchmarkSummary of each, sorted by id (BEN-001, BEN-004)."""
-        found = []
+        benchmarks = []
         for benchmark_id in benchmark_registry.benchmark_ids():
             resolved = self._resolved(benchmark_id, None, None)
             manifest = resolved.manifest
-            found.append(
+            benchmarks.append(
                 {
                     "benchmark_id": manifest["benchmark_id"],
                     "version": manifest["version"],
@@ -73,7 +73,7 @@ class Benchmarks:
                     "manifest_sha256": resolved.manifest_sha256,
                 }
             )
-        return found
+        return benchmarks
 
     def offers(self, benchmark_id: str) -> bool:
         return benchmark_id in benchmark_registry.benchmark_ids()
@@ -91,7 +91,7 @@ class Benchmarks:
         }
 
     def manifest_sha256(self, benchmark_id: str) -> str:
-        """That of the benchmark without a choice (BEN-003)."""
+        """The `manifest_sha256` of the benchmark without a choice (BEN-003)."""
         if not self.offers(benchmark_id):
             raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
         return self._resolved(benchmark_id, None, None).manifest_sha256
@@ -149,10 +149,10 @@ class Benchmarks:
         images: Mapping[str, Any] | None,
         select: Selection | None,
     ) -> ResolvedRun:
-        found = benchmark_registry.resolve(
+        resolved = benchmark_registry.resolve(
             benchmark_id, options, images, max_chunk=self._max_chunk
         )
-        whole = _sealed_manifest(found, self._seed_secret)
+        whole = _sealed_manifest(resolved, self._seed_secret)
         manifest = submission_rules.select_episodes(whole, select)
         if isinstance(manifest, Refuse):
             raise Refused.from_verdict(manifest)
@@ -161,11 +161,11 @@ class Benchmarks:
             self._manifests.clear()
         # One for all runs that have it: it is most of what a run takes in memory.
         manifest = self._manifests.setdefault(sha256, manifest)
-        return ResolvedRun(manifest, sha256, found.images)
+        return ResolvedRun(manifest, sha256, resolved.images)
 
 
 class SimulatorConfigs:
-    """What a simulator process needs for a run, looked up once per manifest and choice.
+    """Configurations of simulator processes, made once per manifest and choice.
 
     A benchmark does not change while the server runs, and its manifest is long: it is
     described and hashed again only for what is not in the cache.
@@ -193,10 +193,10 @@ class SimulatorConfigs:
 
 
 def _sealed_manifest(
-    found: benchmark_registry.ResolvedBenchmark, seed_secret: SeedSecret
+    resolved: benchmark_registry.ResolvedBenchmark, seed_secret: SeedSecret
 ) -> Manifest:
-    manifest = cast("Manifest", found.manifest)  # schema Benchmark
-    return seal(manifest, seed_secret.value, found.seed_block, found.seed_max)
+    manifest = cast("Manifest", resolved.manifest)  # schema Benchmark
+    return seal(manifest, seed_secret.value, resolved.seed_block, resolved.seed_max)
 
 
 def _simulator_config(
@@ -206,13 +206,13 @@ def _simulator_config(
     benchmark_id = submission["benchmark_id"]
     if benchmark_id not in benchmark_registry.benchmark_ids():
         raise Refused("benchmark_unavailable", f"{benchmark_id} is no longer offered.")
-    found = benchmark_registry.resolve(
+    resolved = benchmark_registry.resolve(
         benchmark_id,
         submission.get("options"),
         run.images,
         max_chunk=run.manifest["max_chunk"],
     )
-    whole = _sealed_manifest(found, seed_secret)
+    whole = _sealed_manifest(resolved, seed_secret)
     manifest = submission_rules.select_episodes(whole, submission.get("select"))
     if isinstance(manifest, Refuse) or digest(manifest) != run.manifest_sha256:
         raise Refused(
@@ -220,7 +220,7 @@ def _simulator_config(
             f"{benchmark_id} has changed since this run was submitted: what it offers "
             "now has another manifest. Submit another run.",
         )
-    return found.world
+    return resolved.world
 
 
 def digest(manifest: Manifest | Mapping[str, Any]) -> str:

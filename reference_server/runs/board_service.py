@@ -99,7 +99,7 @@ class BoardService:
 
     async def flag(self, entry_id: str, *, flagged: bool, reason: str) -> Json:
         """Schema BoardEntry."""
-        found = await self._find(entry_id)
+        entry = await self._find(entry_id)
 
         def decide(stored: BoardEntry | None) -> Change:
             assert stored is not None, "an entry is never removed"
@@ -107,15 +107,15 @@ class BoardService:
             verdict = rules.flag(stored, flagged=flagged, reason=reason, at_wall=at)
             return _accepted(verdict)
 
-        changed = await self._change(found.run_id, decide)
+        changed = await self._change(entry.run_id, decide)
         return await self._view(changed.entry)
 
     async def _change(
         self, run_id: str, decide: Callable[[BoardEntry | None], Change], **how: Any
     ) -> Changed:
-        """What `BoardStore.change` stores, counted for the account.
+        """Store the change with `BoardStore.change`, and count it for the account.
 
-        A caller that is cancelled takes neither with it: what is kept is counted.
+        Neither is undone when the caller is cancelled: a stored entry is counted.
         """
 
         async def store() -> Changed:
@@ -127,7 +127,7 @@ class BoardService:
         return await self._registry.work.run_to_end(store())
 
     async def entry_id_of_run(self, run_id: str) -> str | None:
-        """Of its entry, withdrawn or not. Who may see that, `get` decides."""
+        """The id of its entry, withdrawn or not; `get` decides who may see it."""
         entry = await self._store.find_of_run(run_id)
         return None if entry is None else entry.entry_id
 
@@ -146,9 +146,11 @@ class BoardService:
         limit: int,
     ) -> list[tuple[int, Json]]:
         """(number, schema BoardEntry), newest first, below a number (BRD-007)."""
-        found = await self._store.page(account, benchmark_id, before, limit)
-        views = await self._views(found)
-        return [(one.number, view) for one, view in zip(found, views, strict=True)]
+        entries = await self._store.page(account, benchmark_id, before, limit)
+        views = await self._views(entries)
+        return [
+            (entry.number, view) for entry, view in zip(entries, views, strict=True)
+        ]
 
     # --- ranking ---
 
@@ -161,37 +163,37 @@ class BoardService:
         """
         if manifest_sha256 is None:
             manifest_sha256 = self._benchmarks.manifest_sha256(benchmark_id)
-        found = await self._ranked(benchmark_id, manifest_sha256)
-        if not found.entries and not self._benchmarks.offers(benchmark_id):
+        ranked = await self._ranked(benchmark_id, manifest_sha256)
+        if not ranked.entries and not self._benchmarks.offers(benchmark_id):
             raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
-        rows = found.ranking.rows[start : start + limit]
-        views = await self._views([found.entries[row.entry_id] for row in rows])
+        rows = ranked.ranking.rows[start : start + limit]
+        views = await self._views([ranked.entries[row.entry_id] for row in rows])
         head = board_views.ranking_view(
-            benchmark_id, manifest_sha256, found.episodes_total, found.ranking
+            benchmark_id, manifest_sha256, ranked.episodes_total, ranked.ranking
         )
         shown = zip(rows, views, strict=True)
         head["rows"] = [board_views.row_view(row, entry) for row, entry in shown]
-        return head, len(found.ranking.rows)
+        return head, len(ranked.ranking.rows)
 
     async def _ranked(self, benchmark_id: str, manifest_sha256: str) -> RankedEntries:
         """Computed once for a set of entries, while others are served."""
         key = benchmark_id, manifest_sha256
         async with self._ranking:
             entries = await self._store.of_manifest(*key)
-            contenders = [_contender(one) for one in entries]
-            by_id = {one.entry_id: one for one in entries}
+            contenders = [_contender(entry) for entry in entries]
+            by_id = {entry.entry_id: entry for entry in entries}
             total = len(entries[0].successes) if entries else None
             cached = self._rankings.get(key)
             if cached is not None and cached.contenders == contenders:
                 ranking = cached.ranking
             else:
                 ranking = await asyncio.to_thread(rank, contenders, total or 0)
-            found = RankedEntries(by_id, contenders, ranking, total)
-            self._rankings[key] = found
+            ranked = RankedEntries(by_id, contenders, ranking, total)
+            self._rankings[key] = ranked
             self._rankings.move_to_end(key)
             if len(self._rankings) > CACHED_RANKINGS_MAX:
                 self._rankings.popitem(last=False)
-        return found
+        return ranked
 
     # --- history ---
 
@@ -209,7 +211,7 @@ class BoardService:
         tree = await self._tree_of("tree_size", tree_size)
         if leaf_index >= tree_size:
             raise _outside("leaf_index", "must be below tree_size")
-        hashes = [one.hex() for one in tree.inclusion(leaf_index, tree_size)]
+        hashes = [node.hex() for node in tree.inclusion(leaf_index, tree_size)]
         return {"leaf_index": leaf_index, "tree_size": tree_size, "hashes": hashes}
 
     async def consistency(self, old_size: int, new_size: int) -> Json:
@@ -217,7 +219,7 @@ class BoardService:
         tree = await self._tree_of("new_size", new_size)
         if not 0 < old_size <= new_size:
             raise _outside("old_size", "must be from 1 to new_size")
-        hashes = [one.hex() for one in tree.consistency(old_size, new_size)]
+        hashes = [node.hex() for node in tree.consistency(old_size, new_size)]
         return {"old_size": old_size, "new_size": new_size, "hashes": hashes}
 
     async def _tree_of(self, name: str, size: int) -> MerkleTree:
@@ -243,9 +245,9 @@ class BoardService:
         attempts = await self._store.attempts(entries)
         return [
             board_views.entry_view(
-                one, attempts.get((one.account, one.benchmark_id)) or 1
+                entry, attempts.get((entry.account, entry.benchmark_id)) or 1
             )
-            for one in entries
+            for entry in entries
         ]
 
 

@@ -1,8 +1,8 @@
 """All runs of this server, for those who act on them: one face of four parts.
 
 `memory/run_cache.py` has those in memory, `run_writer.py` stores them, `run_reader.py`
-shows them, and `admission/` says which may be played. What follows from a change is
-published to the parts that follow runs (`memory/run_events.py`). Here is what needs
+shows them, and `admission/` says which may be played. Changes are published to the
+parts that follow runs (`memory/run_events.py`). This module does the work that needs
 several of them at once: a new run, a resumed one, the start and the end of the server.
 
 It decides no rule, and knows no HTTP and no SQL. In a cluster it has the runs of its
@@ -97,9 +97,9 @@ class RunRegistry:
     async def open(self) -> None:
         """Apply what a restart does, then admit what waits for capacity.
 
-        What was played has a place, for its workers come back; what was only ready gets
-        one when a worker attaches. No run is loaded for that. In a cluster this happens
-        to each run when a node claims it, and loading admits it.
+        A run that was being played keeps a place, because its workers come back; a run
+        that was only ready gets one when a worker attaches. No run is loaded for that.
+        In a cluster a node does this for each run that it claims, when it is loaded.
         """
         if self._ownership is not None:
             return
@@ -210,7 +210,7 @@ class RunRegistry:
             ) from refused
 
     async def find_by_key(self, account: str, key: str) -> KeyUse | None:
-        """What an Idempotency-Key of the account made, if it was used (RUN-026)."""
+        """The run that an Idempotency-Key of the account made, if any (RUN-026)."""
         use = await self._store.find_key(account, key)
         return None if use is None else KeyUse(*use)
 
@@ -225,9 +225,10 @@ class RunRegistry:
     # --- a resumed run ---
 
     async def check_open_elsewhere(self, account: str) -> None:
-        """LIM-007: refuse before anything has changed, where that is known by then.
+        """LIM-007: refuse before anything has changed, if the limit is already reached.
 
-        What opens at the same moment is seen by the transaction (`commit_opened`).
+        A run that opens at the same moment is counted by the transaction that follows
+        (`commit_opened`).
         """
         if self._ownership is not None:
             self.usage.check_opened(await self._store.usage_of(account))

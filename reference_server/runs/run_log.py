@@ -1,7 +1,7 @@
-"""What is logged and counted of a run's life: submitted, ready, scored, ended.
+"""Log lines and counters of a run's life: submitted, ready, scored, ended.
 
-A line is logged when the change is stored, with the ids that find it again. It decides
-nothing.
+A line is logged when the change is stored, with the ids by which it can be searched
+for. This module decides nothing.
 """
 
 from __future__ import annotations

@@ -63,10 +63,10 @@ class RunReader:
         *,
         scored: bool = False,
     ) -> Rendered:
-        """What `view` makes of the run and of its episodes from start to end.
+        """Apply `view` to the run with its episodes from start to end.
 
-        scored: of those that have a result, in the order in which they were scored.
-        The size of a run and the number of finished runs cost nothing.
+        scored: counts only episodes that have a result, in the order of their scoring.
+        The cost depends neither on the size of the run nor on the number of runs.
         """
         await self._admission.refresh_before(run_id)
         if run_id not in self._cache:
@@ -111,7 +111,7 @@ class RunReader:
     async def render_when_stored(
         self, run: Run, view: Callable[[Run], Rendered]
     ) -> Rendered:
-        """What `view` makes of the run, once all of that is stored."""
+        """Apply `view` to the run, and return that once all of it is stored."""
         while True:
             await self._admission.refresh_before(run.run_id)
             rendered, played_number = view(run), run.played_number

@@ -6,7 +6,7 @@ from memory, because the database holds the valid state, and its sessions end as
 restart; it is loaded again soon, with or without a request for it. In a cluster each
 write is fenced: a run that another node has claimed is dropped, and never written.
 
-It decides no rule. What follows from a write it publishes (`run_events.py`).
+It decides no rule. It publishes each write to the followers (`run_events.py`).
 """
 
 from __future__ import annotations
@@ -104,8 +104,8 @@ class RunWriter:
     async def is_stored(self, run: Run) -> bool:
         """Whether the run as it is now is on disk, as soon as that is known.
 
-        Waits for the last write that was begun, and for none that begins meanwhile.
-        What another node has taken since then was stored before.
+        Waits for the last write that was begun, and for none that begins meanwhile. A
+        run that another node has claimed since then was stored before that.
         """
         saving = self._saving.get(run.run_id)
         if saving is not None:
@@ -183,7 +183,7 @@ class RunWriter:
             self._drop(run, "moved")
 
     def _drop_and_reload(self, run: Run, why: Departure) -> None:
-        """From now on the run is what the store has."""
+        """Drop the run from memory, and load it again as the database has it."""
         if not run.lost:
             self._drop(run, why)
             self._reload_later(run.run_id)
@@ -234,10 +234,10 @@ class RunWriter:
 
 
 def _changed_at(before_wall: float, now_wall: float) -> float:
-    """When a run changed that had changed before: later, whatever the clock says.
+    """The time of a change of a run: later than that of the change before.
 
-    RUN-021: a clock that is set back does not set the run back. What was stored since
-    its submission is known by that, too: another node takes a run from the queue only
-    while its times are equal (`node_store.py`).
+    RUN-021: a clock that is set back does not set the run back. The later time also
+    marks a run that changed since its submission: another node takes a run from the
+    queue only while its two times are equal (`node_store.py`).
     """
     return max(math.nextafter(before_wall, math.inf), now_wall)

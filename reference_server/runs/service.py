@@ -63,9 +63,10 @@ SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
 ViewsElsewhere = Callable[[Sequence[RunHead], str], Awaitable[Mapping[str, Json]]]
 
 RunCommand = Literal["stop", "resume"]
-# (command, account, run id): at this node; raises Refused and StoreFailed.
+# (command, account, run id): carries out a command at this node; raises Refused and
+# StoreFailed.
 CarryOut = Callable[[RunCommand, str, str], Awaitable[None]]
-# At the node that has the run; CarryOut is for a run that is here by then.
+# Carries out a command at the node that has the run, with CarryOut if that is this one.
 CommandElsewhere = Callable[[RunCommand, str, str, CarryOut], Awaitable[None]]
 
 DAY_S = 86_400.0
@@ -74,14 +75,14 @@ DAY_S = 86_400.0
 async def no_views_elsewhere(
     _runs: Sequence[RunHead], _endpoint: str
 ) -> Mapping[str, Json]:
-    """Without a cluster every run is here."""
+    """The default of `views_elsewhere`: without a cluster every run is here."""
     return {}
 
 
 async def no_command_elsewhere(
     _command: RunCommand, _account: str, _id: str, _carry_out: CarryOut
 ) -> None:
-    """Without a cluster no other node has a run."""
+    """The default without a cluster, where no other node has a run."""
     raise AssertionError("every run is here")
 
 
@@ -94,7 +95,7 @@ class RunService:
     registry: RunRegistry
     executor: SessionExecutor
     validate_submission: SubmissionValidator
-    # What of a submission others are compared with: nothing that is secret.
+    # Leaves the parts of a submission by which two are compared, without secrets.
     comparable_submission: Callable[[Json], Json]
     # None where nothing is recorded.
     records: RunRecords | None = None
@@ -158,7 +159,7 @@ class RunService:
         return await self.registry.add(run, idempotency_key, body_sha256)
 
     async def find_by_key(self, account: str, idempotency_key: str) -> KeyUse | None:
-        """What an Idempotency-Key of the account made, if it was used."""
+        """The run that an Idempotency-Key of the account made, if any."""
         return await self.registry.find_by_key(account, idempotency_key)
 
     async def check_key(
@@ -221,8 +222,8 @@ class RunService:
         between.
         """
         before_wall, last = time.time() - keep_days * DAY_S, 0
-        while found := await self.registry.ended_since(before_wall, last):
-            for last, run_id in found:  # noqa: B007 - where the next page begins
+        while page := await self.registry.ended_since(before_wall, last):
+            for last, run_id in page:  # noqa: B007 - where the next page begins
                 if not await self._is_kept(run_id, by_host=True):
                     # It may be deleted, resumed or published meanwhile.
                     with contextlib.suppress(Refused):
@@ -282,8 +283,8 @@ class RunService:
     async def get_run(self, account: str, run_id: str) -> Run:
         """The run in memory, with every lease that is over ended.
 
-        What is shown of it goes through `render_when_stored`: memory may be ahead of
-        the database.
+        Show it only through `render_when_stored`: memory may be ahead of the database,
+        and a crash would take back a change that a client has seen.
         """
         run = await self.registry.get(run_id, account)
         self.executor.sweep(run)
@@ -328,11 +329,11 @@ class RunService:
                 elsewhere.append(run)
             return run.number, self._run_view(endpoint, run)
 
-        found = await self.registry.reader.page(account, before, limit, view)
+        views = await self.registry.reader.page(account, before, limit, view)
         if elsewhere:
             fresh = await self.views_elsewhere(elsewhere, endpoint)
-            found = [(n, fresh.get(body["run_id"], body)) for n, body in found]
-        return found
+            views = [(n, fresh.get(body["run_id"], body)) for n, body in views]
+        return views
 
     async def list_episodes(
         self, account: str | None, run_id: str, start: int, end: int
@@ -376,15 +377,15 @@ class RunService:
         records = self._require_records()
         index = index_of(episode_id)
         start = 0 if index is None else index
-        _, found = await self.registry.reader.read_view(
+        _, episodes = await self.registry.reader.read_view(
             run_id, account, lambda run, some: (run, some), start, start + 1
         )
-        if index is None or not found:
+        if index is None or not episodes:
             raise Refused("not_found", f"The run has no episode {episode_id[:20]}.")
-        size = await records.recording_size(run_id, found[0])
+        size = await records.recording_size(run_id, episodes[0])
         if size is None:
             raise Refused("not_found", f"{episode_id} has no recording.")
-        return records.recording_path(run_id, found[0]), size
+        return records.recording_path(run_id, episodes[0]), size
 
     def _require_records(self) -> RunRecords:
         if self.records is None:

@@ -3,11 +3,11 @@
 `rules/lifecycle.py` decides whether a command is accepted, a simulator process executes
 it, and `rules/effects.py` changes the run. While a simulator executes nothing is locked
 (PRED-022, FAULT-004): each session has at most one task, and a repeated request waits
-for that task. What a session holds meanwhile is in `session_resources.py`. It knows no
-HTTP and no SQL.
+for that task. `session_resources.py` has the simulator, task and timer of a session.
+This module knows no HTTP and no SQL.
 
-While work awaits anything, its session may end: then `_ensure_live` ends the work,
-and what the session held is already freed.
+While work awaits anything, its session may end: then `_ensure_live` ends the work, and
+the resources of the session are already freed.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ from reference_sim.process.pool import (
 
 log = logging.getLogger("proctor.sessions")
 
-# What ends a playing by no fault of its policy; the episode begins again.
+# Errors that end an attempt through no fault of the policy; the episode begins again.
 _FAULTS = (SimulatorFault, TaskUnplayable, RecordingFailed)
 
 
@@ -535,7 +535,7 @@ def _name_session(spent: Span, resources: SessionResources) -> None:
 
 
 def _add_times(spent: Span, timing: Timing, steps: int = 0) -> None:
-    """What the simulator's process did in this time; the rest is the way to it."""
+    """Add the times of the simulator's process; the rest of the span is transport."""
     if spent.is_recorded:
         spent.set("proctor.steps", steps)
         spent.set("proctor.simulate_s", timing.simulate_s)

@@ -1,7 +1,8 @@
-"""What sessions hold besides their state: a simulator, a task and a lease timer.
+"""The resources that sessions hold: a simulator, a task and a lease timer.
 
-It lends simulators to sessions and takes them back, and calls back when a lease could
-be over. It decides no rule and executes no turn: that is `session_executor.py`.
+This module lends simulators to sessions and takes them back, and calls back when a
+lease could be over. It decides no rule and executes no turn: `session_executor.py`
+does.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ PACKED_AT_ONCE = 100
 
 @dataclass(slots=True, eq=False)
 class SessionResources:
-    """What one session holds; keeps its run in memory until the session is done.
+    """Resources of one session; its run stays in memory until the session is done.
 
     held_run: the run, until then. handle: its simulator, while it plays an episode.
     acquiring: it is about to get one. task: the work in execution, or the last one.
@@ -129,7 +130,7 @@ class ResourceManager:
         self._on_lease_over, self._on_unused = on_lease_over, on_unused
         self._unused_s = unused_s
         self._by_session: dict[Session, SessionResources] = {}
-        # Of those that are done, by the id of their run.
+        # Resources of sessions that are done, by the id of their run.
         self._done: dict[str, list[SessionResources]] = {}
         self._done_timer: asyncio.TimerHandle | None = None
         self._configs = SimulatorConfigs(seed_secret)
@@ -187,7 +188,7 @@ class ResourceManager:
         """End leases, which hold nothing that another request could wait for."""
         self._done_timer = None
         now, left = time.monotonic(), PACKED_AT_ONCE
-        for resources in [one for of_run in self._done.values() for one in of_run]:
+        for resources in [done for of_run in self._done.values() for done in of_run]:
             if lease_over(resources.session, now):
                 self._end_lease(resources)
             elif left and resources.run_in_memory is None:
@@ -260,10 +261,10 @@ class ResourceManager:
     ) -> None:
         """LIM-005: end a session of another account that does not use its own."""
         lent = [
-            LentSimulator(one.run.account, one.session)
-            for one in self._by_session.values()
-            if (one.handle is not None or one.acquiring)
-            and self._pool.makes_room(self._configs.find(one.run), config)
+            LentSimulator(holder.run.account, holder.session)
+            for holder in self._by_session.values()
+            if (holder.handle is not None or holder.acquiring)
+            and self._pool.makes_room(self._configs.find(holder.run), config)
         ]
         waiting, now = resources.run.account, time.monotonic()
         unused = session_to_end(lent, waiting, now, self._unused_s)

@@ -1,7 +1,7 @@
 """Wall time that runs evenly while the process lives, however the clock is set.
 
-For deadlines that are stored and so outlive the process. What is shown to people is the
-time of the clock.
+It is for deadlines that are stored and so outlive the process. People are shown the
+time of the system's clock instead.
 """
 
 from __future__ import annotations

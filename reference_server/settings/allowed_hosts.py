@@ -26,19 +26,19 @@ class AllowedHosts:
     @classmethod
     def parse(cls, text: str) -> AllowedHosts:
         """Comma-separated: `example.org, *.example.org, [::1]`. Raises ValueError."""
-        found = [name.strip().lower() for name in text.split(",") if name.strip()]
-        for name in found:
+        hosts = [name.strip().lower() for name in text.split(",") if name.strip()]
+        for name in hosts:
             if not _NAME.fullmatch(name):
                 raise ValueError(f"{name!r} is not a host name without port")
-        suffixes = [name[1:] for name in found if name.startswith("*.")]
-        names = [name for name in found if not name.startswith("*.")]
+        suffixes = [name[1:] for name in hosts if name.startswith("*.")]
+        names = [name for name in hosts if not name.startswith("*.")]
         return cls(frozenset(names), tuple(suffixes))
 
     def __bool__(self) -> bool:
         return bool(self.names or self.suffixes)
 
     def check(self, host: str) -> None:
-        """Refuse what is no host; if there are names, also what is none of them."""
+        """Refuse a text that is not a host; if there are names, also any other host."""
         match = _HOST.fullmatch(host)
         if match is None:
             raise _refused("must be a host name or an address, and a port if any")

@@ -76,4 +76,4 @@ class ImportedRecordSettings(RecordSettings):
     @property
     def opened_seeds_paths(self) -> list[Path]:
         """`opened_seeds`: of records that are handed in."""
-        return [Path(one.strip()) for one in self.opened_seeds.split(",") if one]
+        return [Path(path.strip()) for path in self.opened_seeds.split(",") if path]

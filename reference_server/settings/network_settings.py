@@ -8,7 +8,7 @@ from reference_server.settings.allowed_hosts import AllowedHosts
 
 
 class NetworkSettings(BaseModel):
-    """Where the server listens, who may call it, and how much one caller may send."""
+    """Settings of the listener, of who may call, and of how much a caller may send."""
 
     host: str = Field("127.0.0.1", description="Address to listen on.")
     port: int = Field(
@@ -73,5 +73,5 @@ class NetworkSettings(BaseModel):
 
     @property
     def host_name(self) -> str:
-        """What records call this host."""
+        """The name of this host in records."""
         return self.public_url or self.host

@@ -1,4 +1,4 @@
-"""What the operator sees of the server, and how it ends."""
+"""Settings of what the operator sees of the server, and of how it ends."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pydantic import BaseModel, Field
 
 
 class OperationSettings(BaseModel):
-    """What the operator sees of the server, and how it ends."""
+    """Settings of what the operator sees of the server, and of how it ends."""
 
     pages: Literal["off", "on"] = Field(
         "on",

@@ -61,9 +61,9 @@ class ProfileSettings(BaseModel):
     @property
     def enabled_profiles(self) -> list[Literal["ebench", "flageval"]]:
         """The names in `profiles`, without repetitions."""
-        known: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
+        offered: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
         chosen = self.profiles.split(",")
-        return [name for name in known if name in chosen]
+        return [name for name in offered if name in chosen]
 
     @property
     def mode_table(self) -> ModeTable:

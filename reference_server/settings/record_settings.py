@@ -1,4 +1,4 @@
-"""What is recorded of episodes, who signs it, and what the public reads of it."""
+"""Settings of recordings, of the records that are signed, and of public access."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from reference_server.settings.database_settings import DatabaseSettings
 
 
 class RecordSettings(DatabaseSettings):
-    """What is recorded of episodes, who signs it, and what the public reads of it."""
+    """Settings of recordings, of the records that are signed, and of public access."""
 
     recordings: Literal["off", "actions", "pictures"] = Field(
         "actions",

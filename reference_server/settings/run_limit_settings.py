@@ -1,4 +1,4 @@
-"""What runs may take, how long they stay, and whom they may call."""
+"""Settings that limit runs: their resources, how long they stay, whom they call."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from reference_server.settings.allowed_networks import AllowedNetworks
 
 
 class RunSettings(BaseModel):
-    """What runs may take, how long they stay, and whom they may call."""
+    """Settings that limit runs: their resources, how long they stay, whom they call."""
 
     max_workers: int = Field(
         16, ge=1, le=1024, description="Maximum live workers per run."

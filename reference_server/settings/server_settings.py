@@ -60,7 +60,7 @@ class Settings(
 
     @model_validator(mode="after")
     def _check_cluster(self) -> Self:
-        """What is kept by each server alone cannot be shared by nodes."""
+        """Refuse a cluster whose nodes would not share all that they have to share."""
         if self.cluster == "off":
             return self
         if ":memory:" in self.database:

@@ -1,4 +1,4 @@
-"""What each account has of what its quota bounds, as statements of a transaction."""
+"""Statements that count for each account all that its quota bounds."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def usage_of(connection: sa.Connection, account: str) -> Quota:
 def sizes_of_accounts(
     connection: sa.Connection,
 ) -> tuple[dict[str, int], dict[str, int]]:
-    """Of each account the number of its Idempotency-Keys, and its stored bytes."""
+    """Two mappings by account: the number of its Idempotency-Keys, its stored bytes."""
     counted = ((_keys, sa.func.count()), (_runs, sa.func.sum(STORED_BYTES)))
     keys, sizes = (
         connection.execute(

@@ -1,8 +1,8 @@
 """The tables of the leaderboard: entries, and the leaves of its history.
 
 An entry and the leaf that says what became of it are stored in one transaction. Leaves
-are only ever added. What may become of an entry is decided by the function that a write
-is given.
+are only ever added. Each write is given a function that decides how the entry may
+change.
 """
 
 from __future__ import annotations
@@ -69,8 +69,8 @@ class BoardStore:
         """Store what `decide` makes of the entry of a run.
 
         needs_run: raises RunDeleted if there is no such run any more. check: is called
-        with what the account has, if a leaf is added. What one of them raises ends the
-        transaction, and nothing is stored. Both run in the thread that writes.
+        with the usage of the account, if a leaf is added. An exception of `decide` or
+        `check` rolls the transaction back. Both run in the thread that writes.
         """
 
         def store(connection: sa.Connection) -> Changed:

@@ -88,7 +88,7 @@ class Database:
 
     @property
     def file(self) -> Path | None:
-        """That of an SQLite database; None if it is in memory, or another database."""
+        """The file of the database, as `database_file` returns it."""
         return database_file(self.url)
 
     async def open(self, *, upgrade: bool = True) -> schema_version.Upgrade | None:
@@ -136,7 +136,7 @@ class Database:
 
     @asynccontextmanager
     async def transaction(self) -> AsyncIterator[AsyncConnection]:
-        """A transaction whose writes are stored when it ends."""
+        """A transaction that is committed when the block ends without an exception."""
         async with self._transaction_of(self.engine) as connection:
             yield connection
 
@@ -147,9 +147,10 @@ class Database:
 
     @asynccontextmanager
     async def node_transaction(self) -> AsyncIterator[AsyncConnection]:
-        """A transaction for a node's lease or its claims, which waits for no other one.
+        """A transaction for the lease and the claims of a node, on its own connections.
 
-        It waits only for rows that another node has locked, and not long.
+        It does not wait for those of requests, and only shortly for locks of other
+        nodes.
         """
         assert self._node_engine is not None
         async with self._transaction_of(self._node_engine) as connection:
@@ -158,11 +159,14 @@ class Database:
     @asynccontextmanager
     async def transaction_that_reads(self) -> AsyncIterator[AsyncConnection]:
         """Writes nothing, and leaves connections for those who write."""
-        async with self._place_to_read(), self._transaction_of(self.engine) as found:
-            yield found
+        async with (
+            self._place_to_read(),
+            self._transaction_of(self.engine) as connection,
+        ):
+            yield connection
 
     async def write(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """Run `store` in a transaction; give its result once its writes are stored."""
+        """Run `store` in one transaction; returns its result once that is committed."""
         if self._file_writer is None:
             async with self.transaction() as connection:
                 return await connection.run_sync(store)
@@ -170,7 +174,7 @@ class Database:
         return await self._run_in(self._writer_thread, work)
 
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """Give the result of `fetch`, which reads one snapshot and writes nothing."""
+        """The result of `fetch`, which reads one snapshot and writes nothing."""
         if self._file_reader is None:
             async with (
                 self._place_to_read(),
@@ -191,7 +195,7 @@ class Database:
 
     @asynccontextmanager
     async def _place_to_read(self) -> AsyncIterator[None]:
-        """In PostgreSQL one of so many; an SQLite file has no pool to share."""
+        """Take a place for a read in PostgreSQL; SQLite does not need one."""
         if not self.is_postgresql:
             yield
             return

@@ -27,7 +27,7 @@ from reference_server.storage.server_lock import lock_of
 _OF_MANIFEST = runs.c.manifest_sha256 == manifests.c.manifest_sha256
 _OF_RUN = episodes.c.number == runs.c.number
 _COUNT = sa.select(sa.func.count())
-# What is wrong → how many rows are.
+# Description of an inconsistency → query that counts its rows.
 _INCONSISTENT = {
     "runs without their manifest": _COUNT.select_from(
         runs.outerjoin(manifests, _OF_MANIFEST)
@@ -56,7 +56,7 @@ def add_area(areas: Any) -> None:
 
 
 def upgrade(url: str, _args: argparse.Namespace) -> None:
-    """As the next start of the server would do it."""
+    """Upgrade the database as the next start of the server would do it."""
     done = asyncio.run(_upgrade(url))
     version = schema_version.VERSIONS[-1]
     before = "" if done is None else f" (before: {done.before or 'none'})"
@@ -100,18 +100,18 @@ async def _look(url: str) -> tuple[str | None, list[str]]:
 
 
 def _problems(connection: sa.Connection) -> list[str]:
-    found = []
+    problems = []
     if connection.dialect.name == "sqlite":
         answers = connection.exec_driver_sql("PRAGMA integrity_check").scalars()
-        found = [one for one in answers if one != "ok"]
+        problems = [answer for answer in answers if answer != "ok"]
     for name, query in _INCONSISTENT.items():
         if count := connection.scalar(query):
-            found.append(f"{count} {name}")
-    return found
+            problems.append(f"{count} {name}")
+    return problems
 
 
 def back_up(url: str, args: argparse.Namespace) -> None:
-    """Of one moment; the file is its owner's alone."""
+    """Write a copy of one moment to a file that only its owner may read."""
     database, path = Database(url), Path(args.file)
     try:
         if database.is_postgresql:
@@ -138,21 +138,21 @@ def _make(path: Path, write: Callable[[], None]) -> None:
 
 
 def _copy_sqlite(source: Path, target: Path) -> None:
-    """With a server that writes meanwhile: SQLite copies what is committed."""
+    """Copy the committed content of the file; a server may write to it meanwhile."""
     try:
         with (
             contextlib.closing(
                 sqlite3.connect(f"{source.absolute().as_uri()}?mode=ro", uri=True)
-            ) as found,
+            ) as original,
             contextlib.closing(sqlite3.connect(target)) as copy,
         ):
-            found.backup(copy)
+            original.backup(copy)
     except sqlite3.Error as error:
         raise StoreFailed(str(error)) from error
 
 
 def _dump_postgresql(url: sa.URL, target: Path) -> None:
-    """By pg_dump; the password is in its environment, not on its command line."""
+    """Call pg_dump with the password in its environment, not on its command line."""
     plain = postgresql.url_of_programs(url)
     command = ["pg_dump", "--format=custom", f"--file={target}", f"--dbname={plain}"]
     if shutil.which("pg_dump") is None:

@@ -1,4 +1,4 @@
-"""The tables of the database. What fills and reads them is in the stores.
+"""The tables of the database; the stores write and read their rows.
 
 A change here is a migration as well (`migrations/`): a test holds both equal.
 """
@@ -33,7 +33,7 @@ runs = sa.Table(
     # NULL in rows older than these columns.
     sa.Column("benchmark_id", sa.String(64)),
     sa.Column("attempts_by_submitter", sa.Integer),
-    # What it counts for its account; NULL in rows older than this column.
+    # Bytes that count for its account; NULL in rows older than this column.
     sa.Column("stored_bytes", sa.BigInteger),
     # NULL if no action was executed in it.
     sa.Column("played_number", sa.Integer),
@@ -56,7 +56,7 @@ nodes = sa.Table(
     sa.Column("secret", sa.String(64), nullable=False),
     sa.Column("renewed_at", sa.Float, nullable=False),
 )
-# What all nodes must have equally, by name.
+# Values that must be equal on all nodes, by name.
 cluster_facts = sa.Table(
     "cluster_facts",
     TABLES,
@@ -89,7 +89,8 @@ episodes = sa.Table(
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
     sa.Column("policy_fault", AnyText),
-    # Of its result among those of the run; NULL in rows older than this column.
+    # Position of its result in the order of scoring; NULL in rows older than this
+    # column.
     sa.Column("place", sa.Integer),
     # NULL if the episode was not recorded.
     sa.Column("recording", sa.LargeBinary),

@@ -20,7 +20,7 @@ from reference_server.storage.column_types import any_number
 from reference_server.storage.database_tables import record_imports as _imports
 from reference_server.storage.store import Store
 
-_COLUMNS = [_imports.c[one.name] for one in fields(RecordImport)]
+_COLUMNS = [_imports.c[field.name] for field in fields(RecordImport)]
 _IS_UNFINISHED = _imports.c.state != "finished"
 
 
@@ -30,19 +30,19 @@ class ImportStore:
     def __init__(self, store: Store) -> None:
         self._transactions = store.transactions
 
-    async def add(self, one: RecordImport) -> None:
+    async def add(self, record_import: RecordImport) -> None:
         """Store a new one; it gets its number from the database."""
-        row = _row_of(one)
+        row = _row_of(record_import)
         del row["number"]
         async with self._transactions.write() as connection:
             await connection.execute(_imports.insert().values(row))
 
-    async def update(self, one: RecordImport) -> None:
+    async def update(self, record_import: RecordImport) -> None:
         """Store what changes of one; nothing if it was deleted."""
-        where = _imports.c.import_id == one.import_id
+        where = _imports.c.import_id == record_import.import_id
         async with self._transactions.write() as connection:
             await connection.execute(
-                _imports.update().where(where).values(_row_of(one))
+                _imports.update().where(where).values(_row_of(record_import))
             )
 
     async def delete(self, import_id: str) -> None:
@@ -51,7 +51,7 @@ class ImportStore:
             await connection.execute(_imports.delete().where(where))
 
     async def find(self, account: str | None, import_id: str) -> RecordImport | None:
-        """One of the account; of any if that is None (AUTH-008)."""
+        """The import, if the account has it; None is for any account (AUTH-008)."""
         query = sa.select(*_COLUMNS).where(_imports.c.import_id == import_id)
         return await self._first(_of_account(query, account))
 
@@ -60,7 +60,7 @@ class ImportStore:
         return await self._first(_of_account(query, account))
 
     async def oldest_unfinished(self) -> list[RecordImport]:
-        """Of each account that has one, oldest first."""
+        """The oldest unfinished import of each account, oldest first."""
         oldest = sa.select(sa.func.min(_imports.c.number)).where(_IS_UNFINISHED)
         numbers = oldest.group_by(_imports.c.account).scalar_subquery()
         query = sa.select(*_COLUMNS).where(_imports.c.number.in_(numbers))
@@ -69,7 +69,7 @@ class ImportStore:
     async def page(
         self, account: str | None, before: int | None, limit: int
     ) -> list[RecordImport]:
-        """Those below a number, newest first."""
+        """The imports below a number, newest first."""
         query = _of_account(sa.select(*_COLUMNS), account)
         if before is not None:
             query = query.where(_imports.c.number < any_number(before))
@@ -100,13 +100,18 @@ def _of_account(query: sa.Select[Any], account: str | None) -> sa.Select[Any]:
     return query if account is None else query.where(_imports.c.account == account)
 
 
-def _row_of(one: RecordImport) -> dict[str, Any]:
-    row = {field.name: getattr(one, field.name) for field in fields(one)}
-    row["replay"] = one.replay and msgspec.json.encode(asdict(one.replay))
+def _row_of(record_import: RecordImport) -> dict[str, Any]:
+    row = {
+        field.name: getattr(record_import, field.name)
+        for field in fields(record_import)
+    }
+    row["replay"] = record_import.replay and msgspec.json.encode(
+        asdict(record_import.replay)
+    )
     return row
 
 
 def _import_of(row: dict[str, Any]) -> RecordImport:
     replay = row.pop("replay")
-    found = None if replay is None else msgspec.json.decode(replay, type=ImportReplay)
-    return RecordImport(**row, replay=found)
+    decoded = None if replay is None else msgspec.json.decode(replay, type=ImportReplay)
+    return RecordImport(**row, replay=decoded)

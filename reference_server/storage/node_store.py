@@ -1,9 +1,9 @@
 """The nodes that share the database, and which of them owns a run.
 
-All times are those of the database's clock. What a row means is decided in
-`rules/run_owner.py`; what makes it safe is here: a node that was removed never comes
-back under its id, and each claim of a run increments its fence, which every write of
-the run names (`store.py`).
+All times are those of the database's clock. `rules/run_owner.py` decides what a row
+means; this module makes it safe: a node that was removed never comes back under its
+id, and each claim of a run increments its fence, which every write of the run names
+(`store.py`).
 """
 
 from __future__ import annotations
@@ -44,10 +44,10 @@ class ListedNode(NamedTuple):
 
 
 class OwnedRun(NamedTuple):
-    """What a node reads of a run that waits, or did: enough to take it.
+    """The columns of a waiting run that a node needs in order to take it.
 
-    is_new: it waits since it was submitted. Of one that was resumed its owner alone
-    knows what ended its sessions (DET-002, DET-005): no other node takes it.
+    is_new: it waits since it was submitted. No other node takes a run that was resumed:
+    its owner alone knows what ended its sessions (DET-002, DET-005).
     """
 
     run: WaitingRun
@@ -88,8 +88,8 @@ _silent_s = sa.func.abs(_Now() - _nodes.c.renewed_at, type_=sa.Float())
 _fence = sa.func.coalesce(_runs.c.fence, 0)
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
 _IS_QUEUED = _runs.c.state.in_(sorted(WAITING_STATES))
-# Nothing happened to it since it was submitted: no session of it was ever known. What
-# brings a run back to the queue is stored with a later time, also where a clock was set
+# Nothing happened to it since it was submitted: no session of it was ever known. A run
+# that comes back to the queue is stored with a later time, even if a clock was set
 # back; a claim alone changes no time.
 _IS_NEW = _runs.c.updated_at_wall == _runs.c.created_at_wall
 _OWNED = sa.select(
@@ -102,9 +102,9 @@ _QUEUED = _OWNED.where(_IS_QUEUED).order_by(_runs.c.number)
 _LEFT = _OWNED.where(
     ~_IS_QUEUED, _runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True))
 )
-# Of a run that is held in the queue: by the clock of its owner.
+# The run is held in the queue, until a time by the clock of its owner.
 _IS_HELD = _runs.c.queue_until_wall > 0
-# Of that many runs a node asks at once what became of them.
+# A node asks for the state of at most this many runs in one query.
 IDS_PER_QUERY = 500
 
 
@@ -116,13 +116,13 @@ class NodeStore:
         self._lives = _silent_s <= lease_s
 
     async def facts(self) -> dict[str, str]:
-        """What must be equal on all nodes, by name, as it is stored for the cluster."""
+        """The stored values that must be equal on all nodes, by name."""
         return await self._transactions.read(_read_facts)
 
     async def agree_on(
         self, facts: Mapping[str, str], url: str, lasting: Collection[str]
     ) -> dict[str, str]:
-        """Store what the cluster has not yet, and return what it has then, by name.
+        """Store the values that the cluster does not have; return all of them, by name.
 
         facts: what must be equal on all nodes, as this node has it; the caller compares
         it with what is returned. While no other node lives, those of this node replace
@@ -135,10 +135,10 @@ class NodeStore:
 
         def store(connection: sa.Connection) -> dict[str, str]:
             self._transactions.lock_order(connection)
-            known = _read_facts(connection)
+            agreed = _read_facts(connection)
             is_alone = connection.execute(others).first() is None
             if is_alone and any(
-                known.get(name, value) != value
+                agreed.get(name, value) != value
                 for name, value in facts.items()
                 if name not in lasting
             ):
@@ -146,12 +146,12 @@ class NodeStore:
                 if connection.execute(others).first() is not None:
                     raise StoreFailed("another node has just come back: start again")
             for name, value in facts.items():
-                if name in known and (name in lasting or not is_alone):
+                if name in agreed and (name in lasting or not is_alone):
                     continue
                 connection.execute(_facts.delete().where(_facts.c.name == name))
                 connection.execute(_facts.insert().values(name=name, value=value))
-                known[name] = value
-            return known
+                agreed[name] = value
+            return agreed
 
         return await self._transactions.write_in_turn(store)
 
@@ -196,7 +196,7 @@ class NodeStore:
         return await self._transactions.read_of_node(fetch)
 
     async def owner_of(self, run_id: str) -> StoredOwner | None:
-        """None if there is no such run."""
+        """The stored owner of the run; None if there is no such run."""
         query = (
             sa.select(_runs.c.owner, _fence, _runs.c.state, _silent_s)
             .select_from(_runs.outerjoin(_nodes, _nodes.c.node_id == _runs.c.owner))
@@ -223,23 +223,23 @@ class NodeStore:
         self,
         run_id: str,
         node_id: str,
-        seen: StoredOwner,
+        stored_owner: StoredOwner,
         after_restart: Mapping[State, State],
         reason: str,
     ) -> bool:
         """Make a node in the list the owner of a run, unless another one came first.
 
-        seen: the owner that is no more in the list. With its owner the run lost its
-        sessions: its state becomes what a restart makes of it.
+        stored_owner: the owner that is no longer in the list. With its owner the run
+        lost its sessions: its state becomes what a restart makes of it.
         """
         is_in_play = _runs.c.state.in_(after_restart)
         claimed = (
             _runs.update()
-            .where(_runs.c.run_id == run_id, _fence == seen.fence, _IS_THERE)
+            .where(_runs.c.run_id == run_id, _fence == stored_owner.fence, _IS_THERE)
             .where(sa.exists().where(_nodes.c.node_id == node_id))
             .values(
                 owner=node_id,
-                fence=seen.fence + 1,
+                fence=stored_owner.fence + 1,
                 state=sa.case(
                     dict(after_restart), value=_runs.c.state, else_=_runs.c.state
                 ),
@@ -249,13 +249,13 @@ class NodeStore:
         async with self._transactions.write_of_node() as connection:
             return (await connection.execute(claimed)).rowcount == 1
 
-    async def queue(self, known: Sequence[str]) -> StoredQueue:
-        """What waits at all nodes, and what became of the others of these runs."""
+    async def queue(self, known_ids: Sequence[str]) -> StoredQueue:
+        """The runs that wait at all nodes, and those of `known_ids` that left it."""
 
         def fetch(connection: sa.Connection) -> StoredQueue:
             queued = [_owned_run(*row) for row in connection.execute(_QUEUED)]
-            waiting = {one.run.run_id for one in queued}
-            gone = [run_id for run_id in known if run_id not in waiting]
+            waiting = {owned.run.run_id for owned in queued}
+            gone = [run_id for run_id in known_ids if run_id not in waiting]
             left: list[OwnedRun] = []
             for start in range(0, len(gone), IDS_PER_QUERY):
                 some = {"run_ids": gone[start : start + IDS_PER_QUERY]}

@@ -1,6 +1,6 @@
 """PostgreSQL: its driver, its connections and its failures.
 
-The driver is asyncpg. A server with an SQLite file does not need it, so it is imported
+asyncpg is the driver. A server with an SQLite file does not need it: it is imported
 only when a URL names PostgreSQL.
 """
 
@@ -61,8 +61,8 @@ def with_driver(url: sa.URL) -> sa.URL:
     query = dict(url.query)
     if "sslmode" in query:  # as other programs call it
         query["ssl"] = query.pop("sslmode")
-    known = inspect.signature(asyncpg.connect).parameters.keys()
-    if unknown := query.keys() - known - _OPTIONS_OF_SQLALCHEMY:
+    options = inspect.signature(asyncpg.connect).parameters.keys()
+    if unknown := query.keys() - options - _OPTIONS_OF_SQLALCHEMY:
         raise sa.exc.ArgumentError(
             f"the URL has an unknown option {min(unknown)}; see the page of databases"
         )
@@ -70,7 +70,7 @@ def with_driver(url: sa.URL) -> sa.URL:
 
 
 def url_of_programs(url: sa.URL) -> str:
-    """As pg_dump and psql read it, without the password."""
+    """The URL as pg_dump and psql read it, without the password."""
     query = dict(url.query)
     if "ssl" in query:
         query["sslmode"] = query.pop("ssl")
@@ -102,7 +102,7 @@ def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
 
 
 def node_engine_options() -> dict[str, Any]:
-    """Options of the engine that a node has for its lease and for claims of runs."""
+    """Options of the engine of a node for its lease and its claims of runs."""
     options = engine_options(is_shared=True)
     arguments = options["connect_args"]
     lock_ms = str(round(CLAIM_LOCK_TIMEOUT_S * 1000))
@@ -112,14 +112,14 @@ def node_engine_options() -> dict[str, Any]:
 
 
 def engine_without_timeout(url: sa.URL) -> AsyncEngine:
-    """For statements of any length; each connection is closed after its use."""
+    """An engine for long statements; each connection is closed after its use."""
     return create_async_engine(
         url, poolclass=sa.NullPool, connect_args={"timeout": CONNECT_TIMEOUT_S}
     )
 
 
 def engine_of_lock(url: sa.URL, name: str) -> AsyncEngine:
-    """The engine for one connection without transactions; PostgreSQL shows `name`."""
+    """An engine of one connection without transactions. name: shown by PostgreSQL."""
     settings = {
         "application_name": name,
         # A machine that lost its power, or its network, loses the lock in 25 s.
@@ -142,7 +142,7 @@ def code_of(error: Exception) -> str | None:
 
 
 def describe(url: sa.URL, error: Exception) -> str:
-    """One line for the host: what happened, without the password."""
+    """Describe an error for the host in one line, without the password."""
     host = url.query.get("host") or url.host or "localhost"
     where = f"{host}:{url.port or 5432}"
     code = code_of(error)

@@ -1,4 +1,4 @@
-"""What was signed: the statements of records, and the keys that signed them.
+"""Tables of signatures: the statements of records, and the keys that signed them.
 
 Statements are in one order, each naming the one before it, whichever node signs.
 """
@@ -34,7 +34,7 @@ class RecordStore:
     async def count_attempts(self, run: RunHead) -> int:
         """How many runs of its benchmark the run's account has submitted so far."""
         async with self._transactions.reading() as connection:
-            # Its rows may be older than the column that counts.
+            # At least 1: the rows may be older than the column that is counted.
             return max(1, await connection.scalar(last_attempt(run)) or 0)
 
     async def attempts_of(
@@ -53,13 +53,13 @@ class RecordStore:
         return await self._transactions.read(fetch)
 
     async def find_statement(self, run_id: str) -> bytes | None:
-        """That of the run's record, if it was signed."""
+        """The statement of the run's record, if it was signed."""
         query = sa.select(_statements.c.statement).where(_statements.c.run_id == run_id)
         async with self._transactions.reading() as connection:
             return await connection.scalar(query)
 
     async def last_statement_sha256(self) -> str | None:
-        """Of the statement that was signed last; None before the first."""
+        """The digest of the statement that was signed last; None before the first."""
         async with self._transactions.reading() as connection:
             return await connection.scalar(_LAST_STATEMENT)
 
@@ -84,7 +84,7 @@ class RecordStore:
         await self._transactions.write_in_turn(store)
 
     async def use_key(self, keyid: str, public_key: bytes, now_wall: float) -> None:
-        """This key signs from now on; all others are retired."""
+        """Store that this key signs from now on, and that all others are retired."""
         keys = _signing_keys
         retire = keys.update().where(
             keys.c.keyid != keyid, keys.c.retired_at_wall.is_(None)

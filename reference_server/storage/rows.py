@@ -15,7 +15,7 @@ from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Recording, Result, Run, RunHead
 
 Row = Mapping[str, Any]
-# The stored columns of an episode, and their types.
+# The columns of an episode, and their types in the same order.
 EPISODE_COLUMNS = (
     *("index", "attempt", "faults", "faults_forgiven"),
     *("policy_fault", "place", "result", "recording"),
@@ -109,9 +109,9 @@ def run_row(run: Run) -> dict[str, Any]:
 
 
 def deleted_run_row(now_wall: float) -> dict[str, Any]:
-    """The columns that a deletion changes in a run's row; it stays counted (DEL-006).
+    """The columns to overwrite when a run is deleted; DEL-006: it stays counted.
 
-    Left are its ids, its account and benchmark, its numbers and when it was submitted.
+    Its ids, its account and benchmark, its numbers and the time of its submission stay.
     """
     return {
         "reason": None,

@@ -26,7 +26,7 @@ _COUNT_SCORED = (
 IS_THERE = _runs.c.deleted_at_wall.is_(None)
 _NOT_IN_HEADS = ("scored", "stored_bytes", "deleted_at_wall")
 HEADS = sa.select(
-    *(one for one in _runs.c if one.name not in _NOT_IN_HEADS),
+    *(column for column in _runs.c if column.name not in _NOT_IN_HEADS),
     sa.func.coalesce(_runs.c.scored, _COUNT_SCORED).label("scored"),
 ).where(IS_THERE, _runs.c.run_id.in_(sa.bindparam("run_ids", expanding=True)))
 MANIFEST = sa.select(_manifests.c.manifest).where(
@@ -107,7 +107,7 @@ def replace_episodes(
     """Delete and insert: an upsert that every database speaks."""
     if not episodes:
         return
-    old = [{"of_number": one["number"], "of_index": one["index"]} for one in episodes]
+    old = [{"of_number": row["number"], "of_index": row["index"]} for row in episodes]
     connection.execute(_OLD_EPISODE, old)
     connection.execute(_NEW_EPISODE, episodes)
 
@@ -119,7 +119,7 @@ def stored_episodes(
     end: int = 2**31 - 1,
     query: sa.Select[Any] = _EPISODES_IN_RANGE,
 ) -> list[rows.EpisodeRow]:
-    """What is stored of a run's episodes from start to end, as the query counts."""
+    """The rows of a run's episodes from start to end, counted as the query does."""
     if start == end:
         return []
     window = {"number": number, "start": start, "end": end}

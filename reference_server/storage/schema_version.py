@@ -18,7 +18,8 @@ from reference_server.storage.database_tables import TABLES
 # Oldest first; the last one is that of this code. Each is a file of `migrations/`.
 VERSIONS = ("0001", "0002", "0003")
 MIGRATIONS = Path(__file__).parent / "migrations"
-# Of those who would upgrade one PostgreSQL database at a time.
+# Key of the advisory lock by which only one process at a time upgrades a PostgreSQL
+# database.
 _UPGRADE_LOCK = 0x50726F63_75706772
 
 _version = sa.Table(
@@ -30,7 +31,7 @@ _version = sa.Table(
 
 
 class OtherVersion(Exception):
-    """This code cannot use the database; the text says what to do."""
+    """The database has a version that cannot be used; the text says what to do."""
 
 
 class UpgradeFailed(Exception):
@@ -80,7 +81,7 @@ def prepare(connection: sa.Connection, *, upgrade: bool = True) -> Upgrade | Non
 
 
 def read_version(connection: sa.Connection) -> str | None:
-    """None if the database is empty, or older than versions."""
+    """The version of the database; None if it is empty, or older than versions."""
     if not _has(connection, _version.name):
         return None
     return connection.scalar(sa.select(_version.c.version_num))
@@ -91,7 +92,7 @@ def _has(connection: sa.Connection, table: str) -> bool:
 
 
 def _lock(connection: sa.Connection) -> None:
-    """One process at a time, until the transaction ends."""
+    """Let only this process upgrade until the transaction ends."""
     if connection.dialect.name == "postgresql":
         connection.execute(sa.select(sa.func.pg_advisory_xact_lock(_UPGRADE_LOCK)))
     else:

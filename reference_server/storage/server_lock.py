@@ -1,8 +1,8 @@
 """The lock of the one server that uses a database: a second one is refused.
 
-Of an SQLite file it is a file beside it, locked by the operating system. In PostgreSQL
-it is an advisory lock, held by a connection of its own. Both are released when the
-process ends, however it ends: after `kill -9` the next server starts at once.
+For SQLite the lock is a file beside the database, locked by the operating system. In
+PostgreSQL it is an advisory lock, held by a connection of its own. Both are released
+when the process ends, however it ends: after `kill -9` the next server starts at once.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class ServerLock(Protocol):
 def lock_of(
     database: str, on_taken: Callable[[], None], *, is_shared: bool = False
 ) -> ServerLock:
-    """That of the database with this URL.
+    """The lock of the database with this URL.
 
     is_shared: other nodes of a cluster may have it at the same time.
     on_taken: is called if another server got it while the connection was lost: this
@@ -128,7 +128,7 @@ class FileLock:
 
 
 class PostgresqlLock:
-    """One connection, watched: when it is lost, the lock is taken again at once."""
+    """Holds the lock by a connection; if that is lost, takes the lock again at once."""
 
     def __init__(
         self, url: sa.URL, on_taken: Callable[[], None], *, is_shared: bool = False
@@ -177,7 +177,7 @@ class PostgresqlLock:
             raise failed from error
 
     async def _holder(self) -> tuple[str, int | None]:
-        """Its name, and the process of PostgreSQL that has the lock for it."""
+        """The holder's name, and the PostgreSQL process that has the lock for it."""
         assert self._connection is not None
         halves = {"high": _KEY >> 32, "low": _KEY & 0xFFFFFFFF}
         try:
@@ -248,5 +248,5 @@ def _in_use(name: str) -> str:
 
 
 def _name_of_this_server() -> str:
-    """At most 63 bytes, which PostgreSQL keeps of it."""
+    """A name of at most 63 bytes, because PostgreSQL cuts longer ones."""
     return f"proctor, process {os.getpid()} on {socket.gethostname()}"[:63]

@@ -60,11 +60,11 @@ BeforeDelete = Callable[[sa.Connection, str, bool], None]
 
 
 def _delete_nothing_else(_: sa.Connection, _run_id: str, _host: bool) -> None:
-    """What precedes a deletion, unless something else is named."""
+    """The default of `before_delete`: no other table names the run."""
 
 
 async def _complete_nothing(_run: Run) -> None:
-    """What precedes a write, unless something else is named."""
+    """The default of `before_save`: the run is already complete."""
 
 
 class Store:
@@ -175,7 +175,7 @@ class Store:
         return scored
 
     def before_delete(self, call: BeforeDelete) -> None:
-        """Of another module of storage/, whose tables name runs."""
+        """Register the call of a module of storage/ whose tables name runs."""
         self._before_delete = call
 
     async def delete(
@@ -189,7 +189,7 @@ class Store:
         emptied = _statements.update().where(_statements.c.run_id == run.run_id)
         size = rows.stored_bytes(run)
         row = rows.deleted_run_row(now_wall)
-        # What it has in the history of the leaderboard is kept, and counted.
+        # Its leaves in the history of the leaderboard stay, and stay counted.
         counted = sa.func.coalesce(_runs.c.stored_bytes, size)
         kept = counted - size + row.pop("stored_bytes")
         of_run = _runs.update().where(_runs.c.number == run.number)
@@ -255,20 +255,23 @@ class Store:
                 places = range(head.total)[start:end]
                 window = (connection, head.number, start, start + len(places))
                 if scored:
-                    found = stored_episodes(*window, EPISODES_SCORED)
-                    return head, [rows.episode_of(manifest, one) for one in found]
-                found = stored_episodes(*window)
-                return head, rows.episodes_of(manifest, places, found)
+                    stored = stored_episodes(*window, EPISODES_SCORED)
+                    return head, [
+                        rows.episode_of(manifest, row_of_episode)
+                        for row_of_episode in stored
+                    ]
+                stored = stored_episodes(*window)
+                return head, rows.episodes_of(manifest, places, stored)
             return None
 
         return await self.transactions.read(fetch)
 
     async def heads(self, run_ids: Sequence[str]) -> dict[str, RunHead]:
-        """Those runs by id, without their episodes and without their options."""
+        """The runs by id, without their episodes and without their options."""
 
         def fetch(connection: sa.Connection) -> dict[str, RunHead]:
-            found = self._heads(connection, run_ids)
-            heads = [rows.listed_head_of(*one) for one in found]
+            stored = self._heads(connection, run_ids)
+            heads = [rows.listed_head_of(row, manifest) for row, manifest in stored]
             return {head.run_id: head for head in heads}
 
         return await self.transactions.read(fetch)
@@ -285,8 +288,10 @@ class Store:
         """The one decoded copy of a manifest; several threads may call at a time."""
         manifest = self._manifest_cache.get(sha256)
         if manifest is None:
-            known = {"manifest_sha256": sha256}
-            manifest = msgspec.json.decode(connection.scalars(MANIFEST, known).one())
+            parameters = {"manifest_sha256": sha256}
+            manifest = msgspec.json.decode(
+                connection.scalars(MANIFEST, parameters).one()
+            )
             if len(self._manifest_cache) >= CACHED_MANIFESTS_MAX:
                 self._manifest_cache.clear()
             self._manifest_cache[sha256] = manifest
@@ -326,7 +331,7 @@ class Store:
                 )
 
     async def usage_of(self, account: str) -> Quota:
-        """What an account has of what its quota bounds."""
+        """Counts for the account all that its quota bounds."""
         return await self.transactions.read(
             partial(account_statements.usage_of, account=account)
         )
@@ -351,9 +356,9 @@ class Store:
         columns = (_runs.c[name] for name in WaitingRun.__dataclass_fields__)
         query = sa.select(*columns).where(IS_THERE, _runs.c.state.in_(states))
         async with self.transactions.reading() as connection:
-            found = await connection.execute(query.order_by(_runs.c.number))
-            return [WaitingRun(*row) for row in found]
+            stored = await connection.execute(query.order_by(_runs.c.number))
+            return [WaitingRun(*row) for row in stored]
 
     async def sizes_of_accounts(self) -> tuple[dict[str, int], dict[str, int]]:
-        """Of each account the number of its Idempotency-Keys, and its stored bytes."""
+        """Count the Idempotency-Keys and the stored bytes of each account."""
         return await self.transactions.read(account_statements.sizes_of_accounts)

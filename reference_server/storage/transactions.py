@@ -83,22 +83,22 @@ class Transactions:
             yield connection
 
     async def read_of_node(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """Give the result of `fetch`; no other read delays it. Raises StoreFailed."""
+        """The result of `fetch`, which other reads do not delay. Raises StoreFailed."""
         if not self._database.has_node_connections:
             return await self.read(fetch)
         async with self._database.node_transaction() as connection:
             return await connection.run_sync(fetch)
 
     async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """Run `store`, as `write` does, and give its result once its writes are stored.
+        """Run `store` as `write` does, after the writes before it; returns its result.
 
-        store: runs in another thread. Its error ends the transaction.
+        store: runs in another thread; an exception of it rolls the transaction back.
         """
         async with self.write_lock:
             return await self.write_at_once(store)
 
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """Give the result of `fetch`, which reads one snapshot."""
+        """The result of `fetch`, which reads one snapshot."""
         return await self._database.read(fetch)
 
     @asynccontextmanager
@@ -125,13 +125,13 @@ class Transactions:
             self._last_write_failed = False
 
     def lock_account(self, connection: sa.Connection, account: str) -> None:
-        """Until its end, no other transaction that does this counts the account."""
+        """Exclude other transactions that count the account, until this one ends."""
         if not self._is_shared:  # the lock of writes is enough
             return
         is_sqlite = connection.dialect.name == "sqlite"
         insert = (sqlite if is_sqlite else postgresql).insert(_accounts)
-        known = insert.values(account=account, counted=0).on_conflict_do_nothing()
-        connection.execute(known)
+        insert_once = insert.values(account=account, counted=0).on_conflict_do_nothing()
+        connection.execute(insert_once)
         counted = _accounts.update().where(_accounts.c.account == account)
         connection.execute(counted.values(counted=_accounts.c.counted + 1))
 

@@ -1,1 +1,1 @@
-"""Reports of the server on itself: counters, spans, and lines of its log."""
+"""Counters, spans and log lines, by which the server is observed."""

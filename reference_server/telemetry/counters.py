@@ -1,8 +1,8 @@
-"""Counts of the events in this process: requests, steps, writes, calls.
+"""Counters of the events in this process: requests, steps, writes, calls.
 
 To count is an addition in memory, less than a microsecond of a turn; the page of
-metrics reads the numbers (`monitoring/metrics.py`). Like the log there is one for a
-process. No name of an account, a run or a policy is kept.
+metrics reads the numbers (`monitoring/metrics.py`). Like the log, the counters belong
+to the process. No name of an account, a run or a policy is kept.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Durations:
         self.total_s += seconds
 
 
-# By `ok` and `failed`.
+# Durations by outcome, `ok` or `failed`.
 Outcomes = defaultdict[str, Durations]
 
 

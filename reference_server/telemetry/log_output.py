@@ -35,14 +35,14 @@ def log_event(
 ) -> None:
     """Log an event with its members; None are left out."""
     if log.isEnabledFor(level):
-        given = {name: one for name, one in members.items() if one is not None}
+        given = {name: value for name, value in members.items() if value is not None}
         log.log(level, text, extra={"members": given})
 
 
 def log_config(
     level: str, form: Literal["text", "json"], *, access: bool
 ) -> dict[str, Any]:
-    """For `logging.config.dictConfig`: everything to the standard error."""
+    """The argument of `logging.config.dictConfig`: all goes to the standard error."""
     number = LOG_LEVELS[level]
     loggers: dict[str, Any] = {
         name: {"level": number, "handlers": ["stderr"], "propagate": False}
@@ -71,7 +71,7 @@ def log_config(
 
 
 class QueryRemover(logging.Filter):
-    """From what uvicorn logs of a request, for a query has the ids of sessions."""
+    """Removes queries from uvicorn's log, because they contain the ids of sessions."""
 
     def filter(self, record: logging.LogRecord) -> bool:
         if isinstance(record.args, tuple):
@@ -91,7 +91,7 @@ class TextFormatter(logging.Formatter):
     def format(self, record: logging.LogRecord) -> str:
         words = [f"{_time(record)} {record.levelname:<7} {record.name}:"]
         words.append(_one_line(record.getMessage()))
-        words += [f"{name}={_value(one)}" for name, one in _members(record).items()]
+        words += [f"{name}={_value(value)}" for name, value in _members(record).items()]
         line = " ".join(words)
         if record.exc_info:
             line += f"\n{self.formatException(record.exc_info)}"
@@ -99,7 +99,7 @@ class TextFormatter(logging.Formatter):
 
 
 class JsonFormatter(logging.Formatter):
-    """One object on one line."""
+    """Formats a record as one JSON object on one line."""
 
     def format(self, record: logging.LogRecord) -> str:
         line = {

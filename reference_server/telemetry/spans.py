@@ -1,9 +1,10 @@
 """Where the time of a request goes: spans, which a trace brings together.
 
-Each part of the server names here what it waits for. The one recorder of a process
-decides what becomes of it: `monitoring/traces.py` where the setting `traces` names a
-collector. Without a recorder a span costs one comparison. A span has names and numbers
-of ours: never a token, a key, a header or a part of a body. It knows no HTTP.
+Each part of the server opens a span around each thing that it waits for. The one
+recorder of a process decides what happens with them: it is `monitoring/traces.py` where
+the setting `traces` names a collector; without a recorder a span costs one comparison.
+A span has names and numbers of ours: never a token, a key, a header or a part of a
+body. This module knows no HTTP.
 """
 
 from __future__ import annotations
@@ -30,20 +31,20 @@ class Span(Protocol):
 
 
 class Recorder(Protocol):
-    """Records spans, or drops them."""
+    """Creates the spans of a process."""
 
     def part(self, name: str, *, is_call: bool) -> Span:
-        """As `span`."""
+        """Begin a span as the function `span` does."""
 
     def root(self, name: str) -> Span:
-        """As `root_span`."""
+        """Begin a span as the function `root_span` does."""
 
     def traceparent(self, *, only_recorded: bool) -> str | None:
-        """As `traceparent`."""
+        """The header that the function `traceparent` returns."""
 
 
 class _NotRecorded:
-    """One for all blocks that no trace has."""
+    """The span of all blocks that are not recorded; it does nothing."""
 
     __slots__ = ()
     is_recorded = False
@@ -64,7 +65,7 @@ _recorder: Recorder | None = None
 
 
 def record_with(recorder: Recorder | None) -> None:
-    """From now on; None ends it."""
+    """Record spans with this recorder from now on; None ends it."""
     global _recorder  # noqa: PLW0603 - like the log there is one for a process
     _recorder = recorder
 
@@ -81,7 +82,7 @@ def span(name: str, *, is_call: bool = False) -> Span:
 
 
 def root_span(name: str) -> Span:
-    """A span of work that no request causes, in a trace of its own."""
+    """A span that no request causes: it begins a trace, sampled as requests are."""
     recorder = _recorder
     return NOT_RECORDED if recorder is None else recorder.root(name)
 

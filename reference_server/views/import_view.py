@@ -10,34 +10,36 @@ from reference_server.views.run_views import timestamp
 
 
 def import_view(
-    one: RecordImport, trust: Trust, episodes_replayed: int
+    record_import: RecordImport, trust: Trust, episodes_replayed: int
 ) -> dict[str, Any]:
     """Schema RecordImport."""
-    done_at = one.finished_at_wall
+    done_at = record_import.finished_at_wall
     view = models.RecordImport(
-        import_id=one.import_id,
-        state=one.state,
+        import_id=record_import.import_id,
+        state=record_import.state,
         level=trust.level,
         level_text=trust.text,
         signer=trust.signer,
-        keyid=one.keyid,
-        archive_sha256=one.archive_sha256,
-        statement_sha256=one.statement_sha256,
-        size_bytes=one.size_bytes,
-        run_id=one.run_id,
-        benchmark_id=one.benchmark_id,
-        benchmark_version=one.benchmark_version,
-        manifest_sha256=one.manifest_sha256,
-        policy=models.ImportedPolicy(name=one.policy_name, version=one.policy_version),
-        score=one.score,
-        episodes=one.episodes,
+        keyid=record_import.keyid,
+        archive_sha256=record_import.archive_sha256,
+        statement_sha256=record_import.statement_sha256,
+        size_bytes=record_import.size_bytes,
+        run_id=record_import.run_id,
+        benchmark_id=record_import.benchmark_id,
+        benchmark_version=record_import.benchmark_version,
+        manifest_sha256=record_import.manifest_sha256,
+        policy=models.ImportedPolicy(
+            name=record_import.policy_name, version=record_import.policy_version
+        ),
+        score=record_import.score,
+        episodes=record_import.episodes,
         episodes_replayed=episodes_replayed,
-        reason=one.reason,
-        imported_at=timestamp(one.imported_at_wall),
+        reason=record_import.reason,
+        imported_at=timestamp(record_import.imported_at_wall),
         finished_at=None if done_at is None else timestamp(done_at),
     )
-    if one.replay is not None:
-        view.replay = _replay_view(one.replay)
+    if record_import.replay is not None:
+        view.replay = _replay_view(record_import.replay)
     return view.model_dump()
 
 

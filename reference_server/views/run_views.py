@@ -162,7 +162,7 @@ def comparison_view(
 
 
 def scored_episodes(episodes: Sequence[Episode]) -> list[ScoredEpisode]:
-    """The episodes of a run for scoring, in manifest order."""
+    """The members of a run's episodes that scoring reads, in manifest order."""
     return [
         ScoredEpisode(e.task, e.split, e.result.outcome, e.result.score)
         if e.result

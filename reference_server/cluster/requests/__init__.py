@@ -1,1 +1,1 @@
-"""What nodes ask each other for themselves, and not for a client."""
+"""Requests that nodes send each other for themselves, and not for a client."""

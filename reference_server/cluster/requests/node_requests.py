@@ -45,7 +45,7 @@ class NodeRequests(Generic[Question, Reply]):
         self._timeout_s = timeout_s
 
     async def ask(self, node: Node, question: Question) -> Reply | None:
-        """What a node says; None if it does not in time, ends or refuses."""
+        """The reply of a node; None if it is late, if the node ends or refuses."""
         body = msgspec.json.encode(question)
         try:
             async with asyncio.timeout(self._timeout_s):

@@ -30,7 +30,7 @@ MOVES_MAX = 3
 
 
 class _Asked(msgspec.Struct):
-    """What one node asks another to do, for an account."""
+    """A command that one node asks another to carry out, for an account."""
 
     command: RunCommand
     account: str
@@ -38,7 +38,7 @@ class _Asked(msgspec.Struct):
 
 
 class _Outcome(msgspec.Struct):
-    """What came of it. code: of a refusal, with its members; None without one.
+    """The outcome of a command. code: of a refusal, with its members; None without one.
 
     has_moved: another node has the run by now, and nothing was done.
     """
@@ -71,9 +71,10 @@ class OwnerCommands:
     async def apply(
         self, command: RunCommand, account: str, run_id: str, carry_out: CarryOut
     ) -> None:
-        """At the node that has the run. Raises Refused and StoreFailed.
+        """Carry out a command at the node that has the run.
 
-        carry_out: what the command does here, if this node has the run by now.
+        Raises Refused and StoreFailed. carry_out: what the command does here, if this
+        node has the run by now.
         """
         asked = _Asked(command, account, run_id)
         for _ in range(MOVES_MAX):
@@ -96,7 +97,7 @@ class OwnerCommands:
         return outcome
 
     async def carry_out(self, carry_out: CarryOut, asked: _Asked) -> _Outcome:
-        """What this node makes of a command."""
+        """Carry out a command for another node, and return its outcome."""
         try:
             await self._membership.ensure_lease()
             await carry_out(asked.command, asked.account, asked.run_id)

@@ -1,7 +1,7 @@
 """How the runs of other nodes are shown in lists: as their owners show them.
 
-What is stored of a run in play says nothing of its sessions. So a node that lists runs
-asks each owner once for all of its runs on the page.
+The database does not contain the sessions of a run that is played. So a node that lists
+runs asks each owner once for all of its runs on the page.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ ViewRun = Callable[[str, str], Awaitable[Json]]
 
 
 class _Page(msgspec.Struct):
-    """What one node asks another for: these runs, as seen at that endpoint."""
+    """A request of one node to another for views: of these runs, at that endpoint."""
 
     endpoint: str
     run_ids: list[str]
@@ -55,11 +55,14 @@ class ViewsElsewhere:
         by_owner: dict[str, list[str]] = defaultdict(list)
         for run in runs:
             by_owner[run.owner or ""].append(run.run_id)
-        found: dict[str, Json] = {}
-        asked = [self._fetch_of(*one, endpoint) for one in by_owner.items()]
+        views_by_id: dict[str, Json] = {}
+        asked = [
+            self._fetch_of(*owner_and_ids, endpoint)
+            for owner_and_ids in by_owner.items()
+        ]
         for views in await asyncio.gather(*asked):
-            found |= views
-        return found
+            views_by_id |= views
+        return views_by_id
 
     async def _fetch_of(
         self, node_id: str, run_ids: list[str], endpoint: str

@@ -3,7 +3,7 @@
 A wrong body of a few megabytes can hold millions of faults, and each costs hundreds of
 bytes. So a body beyond `WHOLE_BYTES_MAX` is first read level by level, by the shape of
 its message: names, kinds and numbers of entries. Below a level only those parts are
-read that the message has. What passes is validated like any other body (`codec`).
+read that the message has. A body that passes is validated like any other (`codec`).
 
 A shape permits more than its message does and never less. Must not know operations.
 """
@@ -73,7 +73,7 @@ async def read_message(model: type[Model], body: bytes, media_type: str) -> Mode
 def read_structure(
     model: type[BaseModel], body: bytes, media_type: str, *, closed: bool = True
 ) -> Any:
-    """What stands in a body, to be validated (ENC-011). Raises Refused.
+    """The decoded structure of a body, not yet validated (ENC-011). Raises Refused.
 
     closed: whether members that the model forbids are refused; else those of a large
     body are left out.
@@ -135,18 +135,18 @@ def _has_more_outside_strings(text: bytes, mark: bytes, most: int) -> bool:
     Part by part, so that memory is bounded and other threads run.
     """
     quoted = text.replace(rb"\\", b"").replace(rb"\"", b"")
-    found, is_in_string = 0, False
+    count, is_in_string = 0, False
     for start in range(0, len(quoted), MARKS_READ_BYTES):
         pieces = quoted[start : start + MARKS_READ_BYTES].split(b'"')
-        found += b"".join(pieces[is_in_string::2]).count(mark)
-        if found > most:
+        count += b"".join(pieces[is_in_string::2]).count(mark)
+        if count > most:
             return True
         is_in_string ^= len(pieces) % 2 == 0
     return False
 
 
 class _Shape(Protocol):
-    """What is permitted at one place of a message."""
+    """The values that are permitted at one place of a message."""
 
     def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
         """The plain structure of that place; at: its path. Raises Refused."""
@@ -180,9 +180,9 @@ class _ScalarList:
     def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
         reader.check_marks(raw, b",", self.most, at)
         kind = Annotated[list[self.items], msgspec.Meta(max_length=self.most)]  # type: ignore[name-defined]
-        found = reader.read(raw, kind, at)
-        reader.spend(len(found))
-        return found
+        scalars = reader.read(raw, kind, at)
+        reader.spend(len(scalars))
+        return scalars
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,12 +195,12 @@ class _Object:
     def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
         return self.read_members(reader.read(raw, self.kind, at), reader, at)
 
-    def read_members(self, found: Any, reader: _Reader, at: Path) -> Any:
+    def read_members(self, structure: Any, reader: _Reader, at: Path) -> Any:
         reader.spend(1)
         return {
-            name: reader.read_member(shape, getattr(found, name), (*at, name))
+            name: reader.read_member(shape, getattr(structure, name), (*at, name))
             for name, shape in self.members.items()
-            if getattr(found, name) is not msgspec.UNSET
+            if getattr(structure, name) is not msgspec.UNSET
         }
 
 
@@ -298,26 +298,26 @@ def _scalar(annotation: Any) -> Any:
 def _scalars(annotation: Any) -> Iterable[Any]:
     kind, _ = _plain(annotation, ENTRIES_MAX)
     if origin_of(kind) is Literal:
-        return [one for part in get_args(kind) for one in _SCALARS[type(part)]]
+        return [scalar for part in get_args(kind) for scalar in _SCALARS[type(part)]]
     if origin_of(kind) in (Union, UnionType):
-        return [one for part in get_args(kind) for one in _scalars(part)]
+        return [scalar for part in get_args(kind) for scalar in _scalars(part)]
     return _SCALARS[kind]
 
 
 def _most(metadata: Iterable[Any], otherwise: int) -> int:
-    for one in metadata:
-        if isinstance(one, MaxLen):
-            return min(one.max_length, ENTRIES_MAX)
-        if isinstance(one, FieldInfo):
-            return _most(one.metadata, otherwise)
+    for constraint in metadata:
+        if isinstance(constraint, MaxLen):
+            return min(constraint.max_length, ENTRIES_MAX)
+        if isinstance(constraint, FieldInfo):
+            return _most(constraint.metadata, otherwise)
     return otherwise
 
 
 def _refusal(text: str, at: Path) -> Refused:
     """The refusal that an error of msgspec stands for."""
-    found = _PLACE.search(text)
-    path = (*at, *_indices(found["path"] if found else ""))
-    what = text[: found.start()] if found else text
+    place = _PLACE.search(text)
+    path = (*at, *_indices(place["path"] if place else ""))
+    what = text[: place.start()] if place else text
     if what.startswith(_UNKNOWN):
         name = what.removeprefix(_UNKNOWN).removesuffix("`")
         return _invalid((*path, name), "the schema has no such member")

@@ -2,9 +2,10 @@
 
 uvicorn queues pipelined requests without bound, reads headers of any size and waits for
 them for ever. Here one request is read at a time: what follows it stays unread, but for
-one small buffer, until its answer is sent. What breaks a bound is refused (408, 414,
-431, 503) or closed. The limits are in `connection_limits.py`, the names of uvicorn that
-this depends on in `uvicorn_protocol.py`; this file knows no operation of the protocol.
+one small buffer, until its answer is sent. A request that breaks a bound is refused
+(408, 414, 431, 503), or its connection is closed. The limits are in
+`connection_limits.py`, the names of uvicorn that this depends on in
+`uvicorn_protocol.py`; this file knows no operation of the protocol.
 """
 
 from __future__ import annotations
@@ -247,7 +248,7 @@ class BoundedConnection(HttpToolsProtocol):
             self._read_next()
 
     def _unsupported_upgrade_warning(self) -> None:
-        """Log nothing: every client can ask for an upgrade, and so fill the log."""
+        """Log nothing: every client can ask for an upgrade, and could fill the log."""
 
     # --- reading ---
 
@@ -281,12 +282,12 @@ class BoundedConnection(HttpToolsProtocol):
         tail, self._head_tail = self._head_tail, b""
         if tail:
             around = tail + data[position : position + _HEAD_END_MISSING]
-            found = around.find(_HEAD_END)
-            if found >= 0:
-                return position + found + len(_HEAD_END) - len(tail)
-        found = data.find(_HEAD_END, position)
-        if found >= 0:
-            return found + len(_HEAD_END)
+            end = around.find(_HEAD_END)
+            if end >= 0:
+                return position + end + len(_HEAD_END) - len(tail)
+        end = data.find(_HEAD_END, position)
+        if end >= 0:
+            return end + len(_HEAD_END)
         last = data[max(position, len(data) - _HEAD_END_MISSING) :]
         self._head_tail = (tail + last)[-_HEAD_END_MISSING:]
         return len(data)
@@ -479,7 +480,7 @@ def _unavailable_answer() -> bytes:
     return _raw_answer(503, response.raw_headers, bytes(response.body))
 
 
-# Before a request is read no operation answers it, so these are not problem documents.
+# Plain texts instead of problems: before a request is read its operation is unknown.
 _ANSWERS = {
     400: _text_answer(400, "This is no HTTP request."),
     408: _text_answer(

@@ -1,4 +1,4 @@
-"""Limits for all connections of the server together, and which one gives way.
+"""Limits of all connections of the server together, and which connection gives way.
 
 A `ConnectionLimiter` counts connections by address, chooses the one to close when a
 limit is reached, and lets each connection check its deadlines once a second. It knows
@@ -15,7 +15,8 @@ from typing import Protocol
 
 from reference_server.process.freed_memory import FreedMemory
 
-# Bytes of a request line and headers (LIM-001); browsers and proxies send a quarter.
+# The most that a request line and headers may have (LIM-001); browsers and proxies send
+# a quarter of it.
 HEADER_BYTES = 2**15
 # Refused connections that may wait for their 503 at once; others are closed unanswered.
 REFUSED_MAX = 64
@@ -104,13 +105,13 @@ class SharedMemory:
         return self._total > self._limit
 
     def holders(self) -> list[Connection]:
-        """Those of the address that holds most, the longest holder first."""
+        """The connections of the address that holds most, the longest holder first."""
         by_address: dict[str, int] = {}
         for connection, size in self._by_connection.items():
             address = connection.address
             by_address[address] = by_address.get(address, 0) + size
         most = max(by_address, key=by_address.__getitem__, default="")
-        return [one for one in self._by_connection if one.address == most]
+        return [holder for holder in self._by_connection if holder.address == most]
 
 
 class ConnectionLimiter:
@@ -180,7 +181,8 @@ class ConnectionLimiter:
         for group in groups:
             for connection in group:
                 if connection.close_if_idle():
-                    # Not when the transport has closed: others come before that.
+                    # Now, and not when the transport has closed: other connections
+                    # arrive before that.
                     self.remove(connection)
                     self._leaving.add(connection)
                     return True
@@ -192,10 +194,10 @@ class ConnectionLimiter:
         self._timer = loop.call_later(interval_s, self._check_all, loop)
 
     def _check_all(self, loop: asyncio.AbstractEventLoop) -> None:
-        """One timer for all connections: a request sets none."""
+        """Check all connections by one timer, so that no request has to set one."""
         now = loop.time()
         groups = [*self._by_address.values(), self._leaving]
-        for connection in [one for group in groups for one in group]:
+        for connection in [member for group in groups for member in group]:
             connection.check_deadlines(now)
         self.bodies.give_back_freed()
         self.answers.give_back_freed()
@@ -205,7 +207,10 @@ class ConnectionLimiter:
 
 
 def shared_address(host: str) -> str:
-    """The address that is counted: a client has a whole /64 of IPv6, which is one."""
+    """The address by which a client is counted: for IPv6 its /64 network.
+
+    One client can use all addresses of such a network.
+    """
     if ":" not in host:
         return host
     address = ip_address(host.partition("%")[0])

@@ -2,8 +2,8 @@
 
 The first SIGTERM or Ctrl-C begins: nothing new is taken in, and the turns in progress
 are finished and answered, for a bounded time in which the server still listens and
-`/readyz` says that it ends. A second signal ends at once. What is refused meanwhile is
-decided elsewhere.
+`/readyz` says that it ends. A second signal ends at once. Other modules decide which
+requests are refused meanwhile.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ log = logging.getLogger("proctor.app")
 LOOK_INTERVAL_S = 0.02
 # uvicorn makes the header Date of its answers so often.
 DATE_INTERVAL_S = 1.0
-# For answers that are ready when the time is over.
+# Time to send the answers that are ready when the time of the turns is over.
 SEND_S = 1.0
 
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 import asyncio
 
 _LENGTH = b"\r\ncontent-length: "
-# What is longer is not copied behind its head.
+# Only a body up to this size is copied behind its head.
 JOINED_BYTES_MAX = 2**15
 
 
 class JoinedAnswer:
-    """What uvicorn takes for the transport while it writes one answer.
+    """Takes the place of uvicorn's transport while uvicorn writes one answer.
 
     A head without Content-Length is one of a stream, whose body may come late: it
     leaves at once. `flush` has to follow the last part: some answers have no body.

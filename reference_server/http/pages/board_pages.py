@@ -39,7 +39,8 @@ _SORTS: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
 }
 # Parts of a score, and what a column of a spreadsheet calls one of them.
 _GROUPS = {"by_task": "task", "by_split": "split"}
-# A spreadsheet executes a cell that begins so as a formula (CSV injection).
+# A cell that begins with one of these would be executed as a formula by a spreadsheet
+# program (CSV injection).
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -63,7 +64,7 @@ async def show_leaderboard(call: PageCall) -> str:
         "leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark, ranking=ranking,
         rows=rows, selected=selected, sorts=list(_SORTS),
         others=others, newest=ROWS_MAX if is_part else None,
-        groups={kind: found for kind in _GROUPS if (found := _names(rows, kind))[1:]},
+        groups={kind: names for kind in _GROUPS if (names := _names(rows, kind))[1:]},
     )  # fmt: skip
 
 
@@ -105,14 +106,16 @@ async def _other_manifests(call: PageCall) -> tuple[list[tuple[str, int]], bool]
     """
     benchmark_id = call.path("benchmark_id")
     page = await call.api.get("entries", benchmark_id=benchmark_id, limit=ROWS_MAX)
-    public = [one["manifest_sha256"] for one in page["entries"] if one["is_public"]]
+    public = [
+        entry["manifest_sha256"] for entry in page["entries"] if entry["is_public"]
+    ]
     return Counter(public).most_common(MANIFESTS_MAX), page["next_cursor"] is not None
 
 
 def _names(rows: Sequence[Mapping[str, Any]], kind: str) -> list[str]:
     """The tasks or splits of the entries; entries of older servers have none."""
     shown = (row["entry"]["score"].get(kind, {}) for row in rows)
-    return list(dict.fromkeys(name for one in shown for name in one))
+    return list(dict.fromkeys(name for scores in shown for name in scores))
 
 
 def _has(entry: Mapping[str, Any], text: str) -> bool:
@@ -182,7 +185,7 @@ async def find_entry(
 
 
 async def publish(call: PageCall, form: Mapping[str, str]) -> Response:
-    """From the form on the page of a run; the API refuses what is wrong."""
+    """Publish the entry of the form on the page of a run; the API checks it."""
     run_id = call.path("run_id")
     body: dict[str, Any] = {
         name: value.strip() for name in _TEXTS if (value := form.get(name, "")).strip()

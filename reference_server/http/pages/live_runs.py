@@ -25,7 +25,7 @@ log = logging.getLogger("proctor.pages")
 
 PAUSE_S = 1.0
 COMMENT = b":\n\n"
-# Readers of one account, or of accounts that share a token.
+# The most readers of one account, or of accounts that share a token.
 READERS_MAX = 400
 LATEST = 10
 PACE = 50
@@ -63,7 +63,11 @@ class LiveRuns:
 
     def is_full(self, token: str) -> bool:
         """Whether this token has all the readers that it may have."""
-        counts = [run.readers for (one, _), run in self._runs.items() if one == token]
+        counts = [
+            run.readers
+            for (run_token, _), run in self._runs.items()
+            if run_token == token
+        ]
         return sum(counts) >= READERS_MAX
 
 
@@ -91,7 +95,7 @@ class _LiveRun:
             self._task.cancel()
 
     async def changes(self) -> AsyncGenerator[bytes, None]:
-        """The current part of the page, and each change; empty comments in between."""
+        """Yield the list of runs, then each change of it; empty comments in between."""
         sent = b""
         assert self._task is not None
         while True:

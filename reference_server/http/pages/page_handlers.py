@@ -1,7 +1,7 @@
 """The pages of a server: one handler each, which fetches documents and renders them.
 
-Each runs with the token of the reader's session. The API's own refusal
-is shown as a page: the runs of other accounts are not found.
+Each runs with the token of the reader's session. A refusal of the API is shown as a
+page: the runs of other accounts are not found.
 """
 
 from __future__ import annotations
@@ -79,27 +79,27 @@ class PageHandlers:
         )  # fmt: skip
 
     async def show_benchmark(self, call: PageCall) -> str:
-        found = await call.api.get("benchmarks", call.path("benchmark_id"))
+        benchmark = await call.api.get("benchmarks", call.path("benchmark_id"))
         return render_page(
-            "benchmark", LINKS, csrf=call.csrf, benchmark=found,
-            has_leaderboard=await has_leaderboard(call.api, found["benchmark_id"]),
+            "benchmark", LINKS, csrf=call.csrf, benchmark=benchmark,
+            has_leaderboard=await has_leaderboard(call.api, benchmark["benchmark_id"]),
         )  # fmt: skip
 
     async def show_runs(self, call: PageCall) -> str:
         """The runs that fit, and from where the next page goes on."""
         selected = {name: call.query(name) for name in ("benchmark", "policy", "state")}
         start = {"cursor": cursor} if (cursor := call.query("cursor")) else {}
-        found: list[Document] = []
+        runs: list[Document] = []
         searched, following = 0, ""
         async for page in call.api.pages("runs", limit=ROWS, **start):
             searched += len(page["runs"])
-            found += [run for run in page["runs"] if _fits(run, selected)]
-            if len(found) >= ROWS or searched >= RUNS_SEARCHED_MAX:
+            runs += [run for run in page["runs"] if _fits(run, selected)]
+            if len(runs) >= ROWS or searched >= RUNS_SEARCHED_MAX:
                 if cursor := page["next_cursor"]:
                     following = f"?{urlencode(selected | {'cursor': cursor})}"
                 break
         return render_page(
-            "runs", LINKS, csrf=call.csrf, runs=found, selected=selected,
+            "runs", LINKS, csrf=call.csrf, runs=runs, selected=selected,
             states=("queued", "ready", "running", "stopping", "stopped", "failed",
                     "completed"),
             searched=searched if any(selected.values()) else 0, following=following,
@@ -112,21 +112,21 @@ class PageHandlers:
         figures = (await self._episodes(call, run)).figures
         selected = {name: call.query(name) for name in ("outcome", "task", "split")}
         fitting = [
-            one
-            for one in figures.ordered
-            if selected["outcome"] in ("", status_of(one))
-            and selected["task"] in ("", one["task"])
-            and selected["split"] in ("", one["split"])
+            episode
+            for episode in figures.ordered
+            if selected["outcome"] in ("", status_of(episode))
+            and selected["task"] in ("", episode["task"])
+            and selected["split"] in ("", episode["split"])
         ]
         window = _window(call, fitting, selected, "#episodes")
         can_change = run["state"] not in ("completed", "failed")
         runs = await call.api.get("runs", limit=ROWS)
         others = [
-            one
-            for one in runs["runs"]
-            if one["manifest_sha256"] == run["manifest_sha256"]
-            and one["run_id"] != run_id
-            and one["progress"]["episodes_scored"]
+            candidate
+            for candidate in runs["runs"]
+            if candidate["manifest_sha256"] == run["manifest_sha256"]
+            and candidate["run_id"] != run_id
+            and candidate["progress"]["episodes_scored"]
         ]
         may_publish, entry = await find_entry(call.api, run, self._find_entry_id)
         return page_contents.run_html(
@@ -199,7 +199,7 @@ class PageHandlers:
     async def show_comparison(self, call: PageCall) -> str:
         ids = (call.query_id("baseline"), call.query_id("run"))
         numbers = await call.api.get("comparisons", baseline=ids[0], runs=ids[1])
-        baseline, run = [await call.api.get("runs", one) for one in ids]
+        baseline, run = [await call.api.get("runs", run_id) for run_id in ids]
         pairs = pair_episodes(
             (await self._episodes(call, baseline)).all,
             (await self._episodes(call, run)).all,
@@ -247,11 +247,11 @@ class PageHandlers:
         if (kept := self._lists.get(key)) is not None:
             self._lists.move_to_end(key)
             return kept
-        found: list[Document] = []
+        episodes: list[Document] = []
         path = ("runs", run["run_id"], "episodes")
         async for page in call.api.pages(*path, limit=EPISODES_PER_CALL):
-            found += page["episodes"]
-        listed = _EpisodeList(found)
+            episodes += page["episodes"]
+        listed = _EpisodeList(episodes)
         if run["state"] == "completed":
             _keep(self._lists, key, listed, LISTS_KEPT)
         return listed
@@ -317,15 +317,15 @@ def _near(page: int, pages: int) -> list[int]:
 
 
 def _place(episodes: Sequence[Document], episode_id: str) -> int:
-    for place, one in enumerate(episodes):
-        if one["episode_id"] == episode_id:
+    for place, episode in enumerate(episodes):
+        if episode["episode_id"] == episode_id:
             return place
     raise Problem(404, "not_found", "The run has no such episode.")
 
 
 async def _control_rate(call: PageCall, benchmark_id: str) -> float | None:
     try:
-        found = await call.api.get("benchmarks", benchmark_id)
+        benchmark = await call.api.get("benchmarks", benchmark_id)
     except Problem:  # no longer offered
         return None
-    return float(found["control_rate_hz"])
+    return float(benchmark["control_rate_hz"])

@@ -16,7 +16,7 @@ _NEXT = re.compile(r"/pages(/[A-Za-z0-9_-]+)*(\?[A-Za-z0-9_.=&%+-]*)?")
 
 @dataclass(frozen=True, slots=True)
 class ServerLinks:
-    """As page_templates.Links says."""
+    """The links of the pages of a server, as page_templates.Links describes them."""
 
     is_live: bool = True
 
@@ -60,6 +60,6 @@ class ServerLinks:
 
 
 def safe_next(path: str) -> str:
-    """Where a browser goes after the sign-in: a page of this server, no other."""
+    """The path of a browser after the sign-in: only a page of this server."""
     is_page = _NEXT.fullmatch(path) and not path.startswith("/pages/log")
     return path if is_page else "/pages"

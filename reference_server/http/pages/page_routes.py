@@ -154,7 +154,7 @@ class Pages:
         return answer
 
     async def show_away(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """For a reader whose sign-in is at a node that does not answer."""
+        """The page for a reader whose sign-in is at a node that does not answer."""
 
         async def answer(request: Request) -> Response:
             sign_in = _login_path(request) if request.method == "GET" else ""
@@ -169,7 +169,7 @@ class Pages:
     # --- what holds for every page ---
 
     def _route(self, path: str, endpoint: Endpoint, *methods: str) -> Route:
-        """The route of a path below the pages; methods: GET, if none is named."""
+        """The route of a path below the pages. methods: GET, if none is named."""
 
         async def refuse(request: Request) -> Response:
             detail = f"{request.method[:16]} is not a method of this page."

@@ -22,14 +22,14 @@ from reference_server.http.pages.cookies import read_cookie
 SESSION_COOKIE = "proctor_session"
 LOGIN_COOKIE = "proctor_login"
 PATH = "/pages"
-# Paths that every node of a cluster answers, wherever the reader has signed in.
+# Every node of a cluster answers these paths itself, wherever the reader has signed in.
 _WITHOUT_SESSION = (f"{PATH}/login", f"{PATH}/static/")
 # After the sign-in, and without a request.
 LIFE_S = 12 * 3600.0
 IDLE_S = 2 * 3600.0
 LOGIN_S = 3600
 SESSIONS_MAX = 10_000
-# A token has at most so many sessions, so that its owner cannot end those of others.
+# The most sessions of one token: without it its owner could end the sessions of others.
 SESSIONS_PER_TOKEN_MAX = 50
 _LOGIN_SECRET = re.compile(r"[A-Za-z0-9_-]{43}")
 
@@ -57,7 +57,7 @@ class PageSessions:
         node_id: Callable[[], str] = str,
     ) -> None:
         self._now, self._node_id = now, node_id
-        # By cookie, the one that was used longest ago first.
+        # Sessions by cookie; the one that was used longest ago is the first.
         self._sessions: OrderedDict[str, PageSession] = OrderedDict()
         # Token → the cookies of its sessions, in the order of their sign-ins.
         self._of_token: dict[str, dict[str, None]] = {}
@@ -85,7 +85,7 @@ class PageSessions:
         return session
 
     def is_alive(self, session: PageSession) -> bool:
-        """Not over by time. A session that was ended has no begin."""
+        """Whether its time is not over. A session that was ended has no begin."""
         now = self._now()
         return now - session.begun_at < LIFE_S and now - session.used_at < IDLE_S
 
@@ -137,9 +137,9 @@ def set_cookie(
 
 
 def login_secret(request: Request) -> str:
-    """The secret that the form of the sign-in must repeat; empty if there is none.
+    """The secret that the form of the sign-in must repeat; empty without a cookie.
 
-    Anything else than `new_login_secret` makes was put there by someone else.
+    A cookie of another form than `new_login_secret` makes was set by someone else.
     """
     sent = read_cookie(request, LOGIN_COOKIE)
     return sent if _LOGIN_SECRET.fullmatch(sent) else ""

@@ -46,7 +46,7 @@ _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 
 
 class AdminError(Exception):
-    """What was asked cannot be done; the text says why, in one line."""
+    """The command cannot be carried out; the text says why, in one line."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -92,7 +92,9 @@ def _settings() -> Settings:
         return Settings()
     except ValidationError as error:
         faults = error.errors(include_url=False)
-        texts = [f"{'.'.join(map(str, one['loc']))}: {one['msg']}" for one in faults]
+        texts = [
+            f"{'.'.join(map(str, fault['loc']))}: {fault['msg']}" for fault in faults
+        ]
         raise AdminError(f"bad settings: {'; '.join(texts)}") from error
     except SettingsError as error:
         raise AdminError(f"bad settings: {error}") from error
@@ -156,11 +158,11 @@ def _add(path: Path, args: argparse.Namespace) -> None:
 
 def _list(path: Path, _args: argparse.Namespace) -> None:
     try:
-        found = parse(read_bytes(path), path)
+        callers = parse(read_bytes(path), path)
     except FileNotFoundError:
-        found = {}
-    for hashed, caller in found.items():
-        scopes = "+".join(one for one in _SCOPES if one in caller.scopes)
+        callers = {}
+    for hashed, caller in callers.items():
+        scopes = "+".join(scope for scope in _SCOPES if scope in caller.scopes)
         print(f"{token_id(hashed)}  {scopes:<18}  {caller.account}")
 
 
@@ -174,8 +176,8 @@ def _revoke(path: Path, args: argparse.Namespace) -> None:
                     revoked.append(f"{token_id(hashed)} of {caller.account}")
     if not revoked:
         raise AdminError(f"no token has the id or the account {which}; see token list")
-    for one in revoked:
-        print(f"revoked {one}")
+    for description in revoked:
+        print(f"revoked {description}")
 
 
 if __name__ == "__main__":

@@ -39,8 +39,8 @@ def read_or_make(path: Path | None) -> str:
 def publish(port: int, path: Path | None) -> None:
     """Let clients of this account find the token of the server at `port`.
 
-    Without a file, let them find none: it would be that of an earlier server. What
-    cannot be written is left out, because the token is printed as well.
+    Without a file, remove the link, which would lead to the token of an earlier server.
+    Errors of the file system are ignored, because the token is printed as well.
     """
     with contextlib.suppress(OSError, RuntimeError):  # or there is no home
         link = _folder() / str(port)

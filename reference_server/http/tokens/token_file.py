@@ -83,7 +83,7 @@ class TokenFile:
 
     def _log_change(self, by_hash: Mapping[str, Caller]) -> None:
         before = self._accounts
-        self._accounts = {hashed: one.account for hashed, one in by_hash.items()}
+        self._accounts = {hashed: caller.account for hashed, caller in by_hash.items()}
         for what, here, there in (
             ("added", self._accounts, before),
             ("revoked", before, self._accounts),
@@ -93,7 +93,7 @@ class TokenFile:
 
 
 def token_id(hashed: str) -> str:
-    """What a token is called: it says which one it is, and cannot be used as one."""
+    """The name of a token in logs and lists, which cannot be used as a token."""
     return hashed[:12]
 
 
@@ -107,7 +107,7 @@ def _require_private(path: Path) -> None:
 
 
 def read_bytes(path: Path) -> bytes:
-    """The content of the file. Raises OSError, also for what is no file of tokens."""
+    """The content of the file. Raises OSError, also for a pipe or a large file."""
     # A pipe would block for ever.
     with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
@@ -124,27 +124,27 @@ def parse(content: bytes, path: Path) -> dict[str, Caller]:
         lines = content.decode().splitlines()
     except UnicodeDecodeError as error:
         raise BadTokens(f"{path} is no UTF-8 text") from error
-    found: dict[str, Caller] = {}
+    callers: dict[str, Caller] = {}
     for number, line in enumerate(lines, start=1):
         if not line.strip() or line.startswith("#"):
             continue
         where = f"line {number} of {path}"
         hashed, caller = parse_line(line, where)
-        if hashed in found:
+        if hashed in callers:
             raise BadTokens(f"{where} repeats the token {token_id(hashed)}")
-        found[hashed] = caller
-    return found
+        callers[hashed] = caller
+    return callers
 
 
 def parse_line(line: str, where: str) -> tuple[str, Caller]:
     """The hash and the caller of a line. Raises BadTokens."""
     if ":sha256=" not in line:
         raise BadTokens(f"{where} has no sha256=HEX: tokens are stored as hashes")
-    found = parse_entry(line, where)
+    entry = parse_entry(line, where)
     # `account:read:zz:sha256=HEX` would be an entry whose token is `zz:sha256=HEX`.
     if not _LINE.fullmatch(line.strip()):
         raise BadTokens(f"{where} is not account:scopes:sha256=HEX with 64 digits")
-    return found
+    return entry
 
 
 @contextlib.contextmanager

@@ -50,7 +50,7 @@ class LongChunk:
 
     @property
     def seq(self) -> int | None:
-        """That of its last turn; None while it is played, or when it failed."""
+        """The `seq` of its last turn; None while it is played, or when it failed."""
         if not self.task.done() or self.task.cancelled() or self.task.exception():
             return None
         seq: int = self.task.result()["seq"]

@@ -73,12 +73,12 @@ def check_length(chunk: Sequence[Any], max_chunk: int, at: Sequence[str]) -> Non
 def whole_chunk_errors(
     actions: Sequence[action_space.Values], manifest: Mapping[str, Any]
 ) -> action_space.SpaceErrors:
-    """What is wrong with the actions of a chunk that is played in several turns."""
+    """The errors in the actions of a chunk that is played in several turns."""
     return action_space.action_errors(actions, {**manifest, "max_chunk": len(actions)})
 
 
 def _previous_command(made: list[Values], last: ReadLastCommand) -> ReadLastCommand:
-    """What a relative action is added to: the action before it, also of this chunk."""
+    """The base of a relative action: the action before it, also one of this chunk."""
     return (lambda: made[-1]) if made else last
 
 
@@ -155,8 +155,8 @@ def _flat(value: Any, at: str) -> Iterable[float]:
         raise _invalid_action(at, "must contain numbers only")
 
 
-def _sum(one: Sequence[float], other: Sequence[float]) -> list[float]:
-    return [a + b for a, b in zip(one, other, strict=True)]
+def _sum(left: Sequence[float], right: Sequence[float]) -> list[float]:
+    return [a + b for a, b in zip(left, right, strict=True)]
 
 
 def _compose_pose(delta: Sequence[float], pose: Sequence[float]) -> list[float]:
@@ -191,10 +191,10 @@ def _invalid_action(at: str, text: str) -> Refused:
 
 def observation_view(turn: Mapping[str, Any], run_id: str, benchmark_id: str) -> Any:
     """EBench's `obs`, of a turn that has an observation."""
-    episode, seen = turn["episode"], turn["observation"]
-    state = dict(seen["state"])
+    episode, observation = turn["episode"], turn["observation"]
+    state = dict(observation["state"])
     is_lift2 = {*_STATES, *_HANDS} <= set(state)
-    found: dict[str, Any] = {
+    message: dict[str, Any] = {
         "instruction": episode["instruction"],
         "timestep": episode["step"],
         "reset": episode["step"] == 0,
@@ -203,16 +203,16 @@ def observation_view(turn: Mapping[str, Any], run_id: str, benchmark_id: str) ->
     }
     if is_lift2:
         hands = [state.pop(hand) for hand in _HANDS]
-        found["state.ee_pose"] = [[_vector(h[:3]), _vector(h[3:])] for h in hands]
+        message["state.ee_pose"] = [[_vector(h[:3]), _vector(h[3:])] for h in hands]
         state = {_STATES.get(name, name): vector for name, vector in state.items()}
-    found |= {f"state.{name}": _vector(vector) for name, vector in state.items()}
-    for name, image in seen["images"].items():
-        found[f"video.{_CAMERAS.get(name, name)}_view"] = _image(image)
-    for name, tensor in seen["tensors"].items():
-        found[f"tensor.{name}"] = _array(
+    message |= {f"state.{name}": _vector(vector) for name, vector in state.items()}
+    for name, image in observation["images"].items():
+        message[f"video.{_CAMERAS.get(name, name)}_view"] = _image(image)
+    for name, tensor in observation["tensors"].items():
+        message[f"tensor.{name}"] = _array(
             tensor["dtype"], tensor["shape"], tensor["data"]
         )
-    return found
+    return message
 
 
 def episode_result_view(

@@ -5,9 +5,10 @@ each only once, by the answer that ends the episode. When that answer is lost, w
 client or with this server, the result is owed: the answer to a later step has it
 (EBE-031).
 
-In memory only. Of a run that it sees for the first time, as after a restart, it owes
-all results: nothing says which were received, and a client writes the same file again.
-Must not know requests or encodings, and changes nothing of a run.
+This is kept in memory only. A run that is seen for the first time, as after a restart,
+is owed all results: nothing shows which were received, and a client that receives one
+again writes the same file again. This module must not know requests or encodings, and
+does not change a run.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from reference_server.rules.run import Episode, Run
 
 
 class OwedResults:
-    """For each run the indices of the episodes whose results are owed."""
+    """Keeps for each run the indices of the episodes whose results are owed."""
 
     def __init__(self) -> None:
         self._owed: WeakKeyDictionary[Run, list[int]] = WeakKeyDictionary()

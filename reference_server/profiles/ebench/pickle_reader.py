@@ -28,8 +28,9 @@ from numpy.typing import NDArray
 
 OPCODES_MAX = 400_000
 VALUES_MAX = 400_000
-# What a pickle of any length may have, and what each byte may add: actions that many
-# workers share are few bytes, but a hundred bytes never stand for a million values.
+# Values that a pickle of any length may have, and values that each byte may add:
+# actions that many workers share are few bytes, but a hundred bytes never stand for a
+# million values.
 VALUES_OF_ANY, VALUES_PER_BYTE = 2**15, 4
 TEXT_MAX = 2**22  # characters, repeated references included
 DEPTH_MAX = 16
@@ -45,7 +46,7 @@ _EMPTY: tuple[int, ...] = (0,)  # what numpy writes before it sets the data
 
 
 class BadPickle(ValueError):
-    """Not a pickle of plain values and numpy arrays; the message says why."""
+    """The body is not a pickle of plain values and arrays; the message says why."""
 
 
 class _Name(str):
@@ -127,10 +128,10 @@ class _Machine:
             code = data.read(1)
             if code == b".":
                 break
-            found = _OPCODES.get(code)
-            if found is None:
+            opcode = _OPCODES.get(code)
+            if opcode is None:
                 raise BadPickle(f"the opcode {code!r} is not supported")
-            read_argument, handler = found
+            read_argument, handler = opcode
             handler(self, read_argument(data))
         else:
             raise BadPickle(f"more than {OPCODES_MAX} opcodes")
@@ -154,13 +155,13 @@ class _Machine:
 
     def name(self, module: Any, name: Any) -> None:
         _require(type(module) is str and type(name) is str, "a name that is not text")
-        found = _NAMES.get((module, name))
-        if found is None:
+        constructor = _NAMES.get((module, name))
+        if constructor is None:
             raise BadPickle(
                 f"it names {module[:60]!a} {name[:60]!a}; only plain values "
                 "and numpy arrays are allowed"
             )
-        self.stack.append(found)
+        self.stack.append(constructor)
 
     def call(self) -> None:
         """REDUCE: only the calls of numpy's pattern (EBE-015)."""
@@ -378,7 +379,7 @@ _Opcode: TypeAlias = tuple[Callable[[BytesIO], Any], _Handler]
 
 
 def _opcodes() -> Iterator[tuple[bytes, _Opcode]]:
-    """For each supported opcode: the reader of its argument, and its handler."""
+    """Supported opcode → the reader of its argument, and its handler."""
     for opcode in pickletools.opcodes:
         if opcode.name in _HANDLERS:
             reader: Any = opcode.arg.reader if opcode.arg else lambda _: None

@@ -1,8 +1,8 @@
 """Writes pickles of plain data without the module `pickle` (EBE-020).
 
-Of the language only the opcodes of plain values are written: a client can read the
-result with an unpickler that permits no names. Protocol 2, which every Python 3 reads.
-Reading is in `pickle_reader`. Must not know requests or runs.
+Only the opcodes of plain values are written: a client can read the result with an
+unpickler that permits no names. The pickles have protocol 2, which every Python 3
+reads. `pickle_reader` reads pickles. This module must not know requests or runs.
 """
 
 from __future__ import annotations

@@ -68,7 +68,8 @@ BENCHMARK_SETS = {
     "ebench_mobile_manip": "mobile_bimanual_mobile_manip",
     "ebench_table_top_manip": "mobile_bimanual_table_top_manip",
 }
-# Of the only page that a browser shows: it loads nothing and is taken for nothing else.
+# Headers of the only page that a browser shows: it may load nothing, and is not taken
+# for another type.
 PAGE_HEADERS = {
     "Content-Security-Policy": "default-src 'none'; frame-ancestors 'none'",
     "X-Content-Type-Options": "nosniff",
@@ -275,9 +276,9 @@ class EbenchHandlers:
         chunks = read_chunks(body, run)
         steps = {i: self._prepare_step(run, i, chunk) for i, chunk in chunks.items()}
         commands = [s.command for s in steps.values() if s.command is not None]
-        found = await self.service.find_refused(call.account, run.run_id, commands)
-        if found is not None:
-            command, verdict = found
+        refused = await self.service.find_refused(call.account, run.run_id, commands)
+        if refused is not None:
+            command, verdict = refused
             raise chunks[command.worker_id].translate_refusal(verdict)
         scored = run.scored
         try:
@@ -286,8 +287,8 @@ class EbenchHandlers:
             self.owed_results.add(run, run.scored_order[scored:])
             raise
         # EBE-029: a repetition of the others is a repetition for ever.
-        known = [i for i in turns if not self._is_answered_again(chunks[i])]
-        on_delivered = self._on_delivered(run, {i: turns[i] for i in known})
+        first_answered = [i for i in turns if not self._is_answered_again(chunks[i])]
+        on_delivered = self._on_delivered(run, {i: turns[i] for i in first_answered})
         turns = {i: self._add_owed_result(run, turn) for i, turn in turns.items()}
         ended = [turn.get("episode_result") for turn in turns.values()]
         results = [result["index"] for result in ended if result is not None]
@@ -312,7 +313,7 @@ class EbenchHandlers:
     # --- what a worker does ---
 
     def _prepare_step(self, run: Run, worker_id: str, chunk: Chunk) -> _Step:
-        """What a step means for one worker; nothing is executed yet."""
+        """Decide what a step does for one worker; nothing is executed yet."""
         session = run.workers.get(worker_id)
         if session is None:  # EBE-017: the actions were chosen in an ended session
             return _Step(partial(self._open, run, worker_id))
@@ -441,7 +442,7 @@ class EbenchHandlers:
     async def _worker_views(
         self, run: Run, turns: Mapping[str, Turn], *, current: bool
     ) -> dict[str, Any]:
-        """What each worker sees; current: for that generation of the client."""
+        """The view of each worker. current: for that generation of the client."""
         scores: TaskScores = {}
         if any(turn["done"] or "episode_result" in turn for turn in turns.values()):
             scores = await self.service.registry.reader.render_when_stored(
@@ -453,7 +454,7 @@ class EbenchHandlers:
         }
 
     def _on_delivered(self, run: Run, turns: Mapping[str, Turn]) -> Callable[[], None]:
-        """What to do once the answer was sent to a connected client (EBE-014)."""
+        """The work to do once the answer was sent to a connected client (EBE-014)."""
         sessions = [
             (run.workers.get(i), turn.get("seq", 0)) for i, turn in turns.items()
         ]
@@ -468,7 +469,7 @@ class EbenchHandlers:
 
 
 def _run_id(call: OperationCall) -> str:
-    """That of the path; header and query may repeat it, and not name another run."""
+    """The run id of the path; header and query may repeat it, but not name another."""
     run_id = call.path["run_id"]
     for named in (call.headers.get("run_id"), call.query.get("run_id")):
         if named is not None and named != run_id:
@@ -517,7 +518,7 @@ async def _gather(works: Mapping[str, Work]) -> dict[str, Turn]:
 
 
 def _last_command(session: Session) -> Mapping[str, Sequence[float]]:
-    """What relative actions are added to: the last command, or the initial state."""
+    """The base of relative actions: the last command, or the initial state."""
     if session.request is not None and (session.steps or session.busy):
         return session.request[0][-1]
     if session.turn is None:

@@ -73,7 +73,7 @@ class Chunk:
     at: Sequence[str]
 
     def digest(self) -> str:
-        """Equal for equal actions: how a repeated step is recognised (EBE-013)."""
+        """Digest of the actions, by which a repeated step is recognised (EBE-013)."""
         return hashlib.sha256(pickle_writer.write(_plain(self.actions))).hexdigest()
 
     def is_varied(self) -> bool:
@@ -87,10 +87,10 @@ class Chunk:
         return refused
 
     def _error(self, pointer: str, detail: str) -> tuple[str, str]:
-        found = re.fullmatch(r"/actions/(\d+)/values/(.*)", pointer)
-        if found is None:
+        match = re.fullmatch(r"/actions/(\d+)/values/(.*)", pointer)
+        if match is None:
             return self.at[0], detail
-        return f"{self.at[int(found[1])]}/action", f"{found[2]}: {detail}"
+        return f"{self.at[int(match[1])]}/action", f"{match[2]}: {detail}"
 
 
 def _plain(value: Any) -> Any:
@@ -124,9 +124,10 @@ def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
 
 
 def read_worker_ids(named: Sequence[Any], run: Run) -> list[str]:
-    ids = [str(one) if type(one) in (str, int) else "" for one in named]
+    ids = [str(name) if type(name) in (str, int) else "" for name in named]
     pattern, _ = PATH_PATTERNS["worker_id"]
-    if not all(re.fullmatch(pattern, one) for one in ids) or len(set(ids)) < len(ids):
+    are_valid = all(re.fullmatch(pattern, worker_id) for worker_id in ids)
+    if not are_valid or len(set(ids)) < len(ids):
         raise schema_error("/worker_ids", f"each must match {pattern} and be unique")
     if len(ids) > run.max_workers:
         raise schema_error("/worker_ids", f"must be at most {run.max_workers}")

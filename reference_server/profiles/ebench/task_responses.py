@@ -128,10 +128,10 @@ def episode_metric(
 def run_metric(scores: TaskScores, *, current: bool) -> dict[str, Any]:
     """The mean scores of a run whose end a worker has reached (EBE-010, EBE-025)."""
     if not current:
-        return {task: found.score for task, found in scores.items()}
+        return {task: score.score for task, score in scores.items()}
     return {
-        found.label(task): {"score": found.score, "sr": found.sr}
-        for task, found in scores.items()
+        score.label(task): {"score": score.score, "sr": score.sr}
+        for task, score in scores.items()
     }
 
 
@@ -144,13 +144,13 @@ def task_scores(run: RunHead, episodes: Sequence[Episode]) -> dict[str, TaskScor
             full[episode.task] += int(
                 message_conversion.success_rate(episode.result.score)
             )
-    found = {}
+    scores = {}
     for task, group in by_task.items():
         total = group["counts"]["total"]
         scored = total - group["counts"]["unscored"]
         if scored:
-            found[task] = TaskScore(scored, total, group["mean"], full[task] / scored)
-    return found
+            scores[task] = TaskScore(scored, total, group["mean"], full[task] / scored)
+    return scores
 
 
 def status_of(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:

@@ -126,13 +126,15 @@ class FlagevalHandlers:
         requested = await self._read_query_or_body(
             call, RequestReference, "request_id", str
         )
-        ones = await self._evaluated(call.account, requested.request_id)
+        evaluations = await self._evaluated(call.account, requested.request_id)
         results = {
-            one.eval_model: one.result(await self._baseline(call.account, one, ones))
-            for one in ones
+            evaluation.eval_model: evaluation.result(
+                await self._baseline(call.account, evaluation, evaluations)
+            )
+            for evaluation in evaluations
         }
         members = {"eval_results": results, "tolerance": TOLERANCE}
-        return success_response(failures_of(ones), **members)
+        return success_response(failures_of(evaluations), **members)
 
     async def stop(self, call: OperationCall) -> Response:
         """FLE-012."""
@@ -145,8 +147,8 @@ class FlagevalHandlers:
         return success_response()
 
     async def progress(self, call: OperationCall) -> Response:
-        ones = await self._evaluated(call.account, call.body.request_id)
-        return success_response(failures_of(ones), **progress(ones))
+        evaluations = await self._evaluated(call.account, call.body.request_id)
+        return success_response(failures_of(evaluations), **progress(evaluations))
 
     async def diffs_by_id(self, call: OperationCall) -> Response:
         """FLE-015: with GET a map, as FlagEval's server answers."""
@@ -154,8 +156,8 @@ class FlagevalHandlers:
 
     async def diffs_as_list(self, call: OperationCall) -> Response:
         """FLE-015: with POST a list, as FlagEval's document has it."""
-        found = await self._diffs(call)
-        diffs = [{"request_id": name} | diff for name, diff in found.items()]
+        diffs_by_id = await self._diffs(call)
+        diffs = [{"request_id": name} | diff for name, diff in diffs_by_id.items()]
         return success_response(eval_diffs=diffs, tolerance=TOLERANCE)
 
     async def _diffs(self, call: OperationCall) -> dict[str, dict[str, Any]]:
@@ -164,7 +166,9 @@ class FlagevalHandlers:
         )
         first, *others = requested.request_ids
         bases = await self._evaluated(call.account, first)
-        base = next((one for one in bases if one.is_baseline), bases[0])
+        base = next(
+            (evaluation for evaluation in bases if evaluation.is_baseline), bases[0]
+        )
         return {
             name: (await self._evaluated(call.account, name))[0].diff(base)
             for name in others
@@ -214,14 +218,14 @@ class FlagevalHandlers:
             ) from refused
 
     async def _baseline(
-        self, account: str, one: EvaluationView, beside: Sequence[EvaluationView]
+        self, account: str, evaluation: EvaluationView, beside: Sequence[EvaluationView]
     ) -> EvaluationView | None:
         """FLE-010: itself if it is one, else of this request, else an earlier one."""
-        if one.is_baseline:
-            return one
-        name = one.base_model_name + BASELINE
-        bases = [other for other in beside if other.is_baseline]
-        bases.sort(key=lambda other: other.eval_model != name)
+        if evaluation.is_baseline:
+            return evaluation
+        name = evaluation.base_model_name + BASELINE
+        bases = [candidate for candidate in beside if candidate.is_baseline]
+        bases.sort(key=lambda candidate: candidate.eval_model != name)
         if bases:
             return bases[0]
         existing = await self.service.find_by_key(account, idempotency_key(name))
@@ -238,7 +242,7 @@ class FlagevalHandlers:
         ]
 
     async def _apply_to_each(self, call: OperationCall, command: RunCommand) -> None:
-        """To each run of the request that allows it; refused if none does."""
+        """Apply a command to each run that allows it; refuse it if none does."""
         ids = call.body.request_id.split(".")
         for run_id in ids:  # before any is changed: does each exist?
             await self.service.find_run(call.account, run_id)

@@ -87,7 +87,10 @@ class EvaluationRequest(_Defaults):
     user_id: int | None = None
 
     def check(self) -> None:
-        """What no schema expresses (FLE-003). Raises Refused."""
+        """Check that the names of models differ, which no schema expresses (FLE-003).
+
+        Raises Refused.
+        """
         names = [info.eval_model for info in self.eval_infos]
         for number, name in enumerate(names):
             if name in names[:number]:
@@ -128,12 +131,12 @@ class EvaluationRequest(_Defaults):
         return checked | {"labels": self._labels(number)}
 
     def _labels(self, number: int) -> dict[str, Any]:
-        """What is stored with the run: the request without the key (FLE-017)."""
+        """The request without the key (FLE-017), which is stored with the run."""
         whole = self.model_dump(exclude={"eval_infos"})
         return whole | self.eval_infos[number].model_dump(exclude={"api_key"})
 
     def digest(self, number: int) -> str:
-        """Equal for an equal request: how a repeat is recognised (FLE-003, FLE-004)."""
+        """Digest of a request, by which a repeat is recognised (FLE-003, FLE-004)."""
         return body_digest(self._labels(number))
 
 
@@ -180,15 +183,15 @@ def _generation(info: EvalInfo, at: str) -> dict[str, float]:
 
     FLE-018: the member `max_gen_toks`, if it is above 0, unless `gen_kwargs` has it.
     """
-    found: dict[str, float] = {}
+    generation: dict[str, float] = {}
     if info.max_gen_toks > 0:
-        found[_RENAMED["max_gen_toks"]] = info.max_gen_toks
+        generation[_RENAMED["max_gen_toks"]] = info.max_gen_toks
     for part in filter(str.strip, info.gen_kwargs.split(",")):
         pair = _PAIR.fullmatch(part)
         if pair is None:
             raise _invalid(at, "must be name=number, separated by commas")
-        found[_RENAMED.get(pair[1], pair[1])] = float(pair[2])
-    return found
+        generation[_RENAMED.get(pair[1], pair[1])] = float(pair[2])
+    return generation
 
 
 def _invalid(at: str, text: str) -> Refused:

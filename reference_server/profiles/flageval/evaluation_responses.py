@@ -108,7 +108,7 @@ class EvaluationView:
         return result | ({"reason": self.reason} if self.has_failed else {})
 
     def diff(self, base: EvaluationView) -> dict[str, Any]:
-        """For evaluation_diffs (FLE-015). Raises Refused."""
+        """The differences to a base, for evaluation_diffs (FLE-015). Raises Refused."""
         compared = self.compare_with(base)
         if compared is None:
             raise Refused("not_comparable", f"{self.eval_model}: the datasets differ.")
@@ -135,8 +135,11 @@ def _gate(compared: dict[str, Any] | None) -> dict[str, Any]:
 
 def failures_of(evaluations: Sequence[EvaluationView]) -> str:
     """FLE-020: why evaluations have failed; `success` if none has."""
-    failed = [one for one in evaluations if one.has_failed]
-    texts = [f"{one.eval_model}: {one.status}: {one.reason}" for one in failed]
+    failed = [evaluation for evaluation in evaluations if evaluation.has_failed]
+    texts = [
+        f"{evaluation.eval_model}: {evaluation.status}: {evaluation.reason}"
+        for evaluation in failed
+    ]
     return " ".join(texts) or "success"
 
 
@@ -155,15 +158,15 @@ def status_of(run: RunHead, episodes: Sequence[Episode]) -> Status:
 
 def progress(evaluations: Sequence[EvaluationView]) -> dict[str, Any]:
     """FLE-014: the progress of all evaluations of a request together."""
-    statuses = {one.status for one in evaluations}
+    statuses = {evaluation.status for evaluation in evaluations}
     status = next(letter for letter in _STATUS_PRIORITY if letter in statuses)
     open_, done, total = [], 0, 0
-    for one in evaluations:
-        for task, group in one.datasets.items():
+    for evaluation in evaluations:
+        for task, group in evaluation.datasets.items():
             counts = group["counts"]
             total += 1
             done += counts["unscored"] == 0
-            if counts["unscored"] and one.status == "R":
+            if counts["unscored"] and evaluation.status == "R":
                 scored = counts["total"] - counts["unscored"]
                 open_.append((task, f"{scored}/{counts['total']}"))
     dataset, running = open_[0] if open_ else ("", "")

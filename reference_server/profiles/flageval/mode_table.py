@@ -29,15 +29,15 @@ class ModeTable:
     @classmethod
     def parse(cls, text: str) -> ModeTable:
         """`NLP:Qnext=quiz,MM:*=question_answering`. Raises ValueError."""
-        found: dict[tuple[str, str], str] = {}
+        benchmarks: dict[tuple[str, str], str] = {}
         for entry in filter(None, map(str.strip, text.split(","))):
             match = _ENTRY.fullmatch(entry)
             if match is None:
                 raise ValueError(f"{entry!r} is not DOMAIN:MODE=BENCHMARK_ID")
-            if (match[1], match[2]) in found:
+            if (match[1], match[2]) in benchmarks:
                 raise ValueError(f"{match[1]}:{match[2]} is mapped twice")
-            found[match[1], match[2]] = match[3]
-        return cls(found)
+            benchmarks[match[1], match[2]] = match[3]
+        return cls(benchmarks)
 
     def find(self, domain: str, mode: str) -> str | None:
         """FLE-023: the benchmark of exactly this mode; an empty one is the default."""

@@ -1,1 +1,1 @@
-"""Decisions on the leaderboard: its entries, and their ranking. Pure."""
+"""Decisions about the leaderboard: its entries, and their ranking. Pure."""

@@ -17,7 +17,8 @@ from reference_server.rules.scoring import ScoredEpisode, score_of
 Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]
 EntryState = Literal["published", "withdrawn"]
 Level = Literal["reported", "signed"]
-# Changes of one entry, because each is kept for good. Withdrawing is always possible.
+# The most changes of one entry, because each is kept for good. After so many it can
+# still be withdrawn.
 CHANGES_MAX = 1000
 SHOWN_OF_SCORE = (
     *("score", "success_rate", "success_interval", "mean_interval", "counts"),
@@ -28,7 +29,7 @@ GROUPS_OF_SCORE, GROUPS_MAX = ("by_task", "by_split"), 64
 
 @dataclass(frozen=True, slots=True)
 class Flag:
-    """The fault that the host finds in an entry."""
+    """A fault that the host has found in an entry."""
 
     reason: str
     flagged_at_wall: float

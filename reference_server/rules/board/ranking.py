@@ -56,7 +56,7 @@ class Ranking:
 def successes_of(
     episode_ids: Sequence[str], successes: Mapping[str, bool]
 ) -> int | None:
-    """Its successes by place in the manifest; None if it has other episodes."""
+    """The successes as bits by place in the manifest; None if it has other episodes."""
     if successes.keys() != set(episode_ids):
         return None
     return sum(successes[name] << place for place, name in enumerate(episode_ids))
@@ -65,21 +65,23 @@ def successes_of(
 def rank(contenders: Sequence[Contender], episodes_total: int) -> Ranking:
     """The ranking of all entries of a manifest (BRD-008, BRD-009, BRD-010, BRD-011)."""
     in_order = sorted(contenders, key=_order)
-    ranked = [one for one in in_order if one.successes is not None]
-    better, worse = _distinguish([one.successes or 0 for one in ranked])
+    ranked = [contender for contender in in_order if contender.successes is not None]
+    better, worse = _distinguish([contender.successes or 0 for contender in ranked])
     letters = _letters([b | w for b, w in zip(better, worse, strict=True)])
     n = len(ranked)
     rows = [
         Row(
-            one.entry_id,
+            contender.entry_id,
             (1 + better[i].bit_count(), n - worse[i].bit_count()),
             better[i].bit_count(),
             worse[i].bit_count(),
             letters[i],
         )
-        for i, one in enumerate(ranked)
+        for i, contender in enumerate(ranked)
     ]
-    rows += [Row(one.entry_id) for one in in_order if one.successes is None]
+    rows += [
+        Row(contender.entry_id) for contender in in_order if contender.successes is None
+    ]
     pairs = n * (n - 1) // 2
     return Ranking(
         n,
@@ -90,9 +92,9 @@ def rank(contenders: Sequence[Contender], episodes_total: int) -> Ranking:
     )
 
 
-def _order(one: Contender) -> tuple[float, int, int]:
+def _order(contender: Contender) -> tuple[float, int, int]:
     """BRD-008: by score, then by successes, then the older one first."""
-    return -one.score, -(one.successes or 0).bit_count(), one.number
+    return -contender.score, -(contender.successes or 0).bit_count(), contender.number
 
 
 def _within(episodes: int, total: int) -> int | None:
@@ -127,12 +129,12 @@ def _candidates(successes: Sequence[int]) -> Iterator[tuple[float, int, int]]:
     lead grows, so that what is known of one pair holds for others that differ as much.
     """
     pairs = len(successes) * (len(successes) - 1) // 2
-    counts = [one.bit_count() for one in successes]
+    counts = [wins.bit_count() for wins in successes]
     # Differing episodes → the largest lead that none does, the smallest that all do.
     bounds: dict[int, tuple[int, int]] = {}
-    for i, one in enumerate(successes):
+    for i, wins in enumerate(successes):
         for j in range(i):
-            n = (one ^ successes[j]).bit_count()
+            n = (wins ^ successes[j]).bit_count()
             lead = abs(counts[i] - counts[j])
             none, all_ = bounds.get(n, (-1, n + 1))
             if lead <= none:

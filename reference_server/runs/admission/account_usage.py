@@ -1,4 +1,4 @@
-"""What each account has of what its quota bounds. Decides nothing, and stores nothing.
+"""Counts for each account all that its quota bounds; decides and stores nothing.
 
 A run counts from the moment at which it is submitted or resumed, so that requests at
 the same time count each other.
@@ -52,7 +52,7 @@ class AccountUsage(RunFollower):
         self._note_size(run, key, 1)
 
     def note_not_stored(self, run: Run, key: str | None) -> None:
-        """What was submitted could not be stored: it counts no more."""
+        """The submitted run could not be stored: take it from the counts again."""
         self.note_open(run.account, run.run_id, is_open=False)
         self._note_size(run, key, -1)
 
@@ -64,7 +64,7 @@ class AccountUsage(RunFollower):
             ids.discard(run_id)
 
     def count_open(self) -> int:
-        """Of all accounts."""
+        """The number of open runs of all accounts."""
         return sum(map(len, self._open.values()))
 
     def forget_open(self) -> None:

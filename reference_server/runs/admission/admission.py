@@ -46,7 +46,7 @@ class Admission:
         self._closed = False
 
     def look_elsewhere(self, look: Callable[[], None]) -> None:
-        """From now on runs wait at other nodes, too.
+        """Take into account from now on that runs wait at other nodes, too.
 
         look: asks for a look at these, which ends in `admit`.
         """
@@ -141,7 +141,7 @@ class Admission:
         )
 
     def _admit_in_time(self) -> None:
-        # By the resolution of the loop's clock, a timer may fire before its `when`:
-        # what has fired must not be taken for what will.
+        # A timer may fire before its `when`, by the resolution of the loop's clock: so
+        # a timer that has fired must not be taken for one that will.
         self._timer = None
         self.admit()

@@ -39,11 +39,11 @@ class Places:
         return run_id in self._account_of
 
     def run_ids(self) -> list[str]:
-        """Of the runs that have a place or wait for one."""
+        """The ids of the runs that have a place or wait for one."""
         return [*self._account_of, *self._waiting]
 
     def waiting_here(self) -> list[WaitingRun]:
-        """Without those of other nodes."""
+        """The runs that wait at this node."""
         here = self._waiting.items()
         return [run for run_id, run in here if run_id not in self._elsewhere]
 
@@ -59,7 +59,7 @@ class Places:
     def note_elsewhere(
         self, waiting: Iterable[WaitingRun], places: Mapping[str, int]
     ) -> None:
-        """What waits at other nodes now, and how many places each account has there."""
+        """Replace the runs that wait at other nodes, and accounts' places there."""
         new = {run.run_id: run for run in waiting}
         for run_id in self._elsewhere - new.keys():
             self.stop_waiting(run_id)
@@ -93,10 +93,10 @@ class Places:
     def wait(self, run: WaitingRun) -> None:
         """The run waits for a place: it is queued, or a worker wants to attach."""
         self._elsewhere.discard(run.run_id)
-        known = self._waiting.get(run.run_id)
-        if known is None:
+        earlier = self._waiting.get(run.run_id)
+        if earlier is None:
             self._waiting_of[run.account] += 1
-        if known != run:
+        if earlier != run:
             self._waiting[run.run_id] = run
             self._settled_until = -math.inf
 
@@ -147,12 +147,12 @@ class Places:
         return shares.admitted
 
     def next_due(self, now_wall: float) -> float | None:
-        """In how many seconds the next queue time is over; None for never."""
+        """Seconds until the next queue time is over; None for never."""
         holds = (run.queue_until_wall - now_wall for run in self._waiting.values())
         return min((hold for hold in holds if hold > 0), default=None)
 
     def next_look(self, now: float) -> float | None:
-        """In how many seconds time alone can change something; None for never.
+        """Seconds until time alone can change something; None for never.
 
         A timer may fire a moment before its time: what found nothing to do then has to
         come again.
@@ -161,7 +161,7 @@ class Places:
         return left_s if 0 < left_s < math.inf else None
 
     def next_overdue(self, now: float) -> float | None:
-        """In how many seconds a run that waits may get an unplayed place.
+        """Seconds until a run that waits may get an unplayed place.
 
         None for never, and when that was so already: then none waits that is due.
         """
@@ -189,8 +189,10 @@ class Places:
             self._give_back(next(iter(self._unplayed)))
 
     def _give_back_longest_unplayed(self, account: str) -> None:
-        found = (one for one in self._unplayed if self._account_of[one] == account)
-        self._give_back(next(found))
+        run_ids = (
+            run_id for run_id in self._unplayed if self._account_of[run_id] == account
+        )
+        self._give_back(next(run_ids))
 
     def _take(self, run_id: str, account: str) -> None:
         if run_id not in self._account_of:

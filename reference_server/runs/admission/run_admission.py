@@ -97,7 +97,7 @@ class RunAdmission(RunFollower):
     def left(self, run: Run, why: Departure) -> None:
         had_place = run.run_id in self.places
         self._admission.index(run, None)
-        # Until it is known what the store has, the run may be active and keeps a place.
+        # The run keeps its place until it is loaded: it may be active in the database.
         if had_place and why in ("unstored", "refused"):
             self.places.play(run.run_id, run.account)
         self._admission.admit()
@@ -111,7 +111,7 @@ class RunAdmission(RunFollower):
     # --- a run that is submitted, or that a worker wants to play ---
 
     def admit_new(self, run: Run) -> None:
-        """Before the run is stored, so that one submit is one transaction."""
+        """Admit a new run before it is stored, so that a submit is one transaction."""
         self._admission.admit(run)
 
     def give_back(self, run_id: str) -> None:
@@ -121,8 +121,8 @@ class RunAdmission(RunFollower):
     def take_place(self, run: Run) -> None:
         """A worker attaches: the run has a place, or is refused and waits for one.
 
-        What waits gets the next place that is its own in turn, so that a repeat finds
-        it. LIM-004: others give back what they do not use.
+        A waiting run gets the next place when its turn comes, so that a repeated attach
+        finds it. LIM-004: other runs give back the places that they do not use.
         """
         if run.run_id in self.places:
             return
@@ -159,7 +159,7 @@ class RunAdmission(RunFollower):
         return self._admission.queue.position(run.number)
 
     def queue_until(self, submission: Submission) -> float:
-        """Until when a run that is submitted or resumed now is held in the queue.
+        """The time until which a run submitted or resumed now is held in the queue.
 
         0 in a cluster if it is not held: any node may take it then, whatever its clock.
         """
@@ -248,7 +248,7 @@ class RunAdmission(RunFollower):
     # --- the queues of other nodes ---
 
     def share_queue(self, other_queues: OtherQueues) -> None:
-        """From now on the runs of this server wait in a queue of several nodes."""
+        """Let the runs of this server wait in a queue of several nodes from now on."""
         self._other_queues = other_queues
         self._admission.look_elsewhere(other_queues.look)
 
@@ -276,14 +276,14 @@ class RunAdmission(RunFollower):
         if self._other_queues is not None and self._admission.queue:
             await self._other_queues.refresh()
 
-    def note_queue(self, seen: StoredQueue) -> None:
-        """What waits at all nodes by now, and what became of others of `queued_ids`."""
+    def note_queue(self, stored: StoredQueue) -> None:
+        """Take in the queue of all nodes, and the runs of `queued_ids` that left it."""
         assert self._ownership is not None, "without it there is no other node"
         me, queue, elsewhere = self._ownership.node_id, self._admission.queue, []
-        for owned in (*seen.queued, *seen.left):
+        for owned in (*stored.queued, *stored.left):
             if owned.owner != me:
                 self._forget_taken(owned)
-        for owned in seen.queued:
+        for owned in stored.queued:
             if owned.owner != me:
                 elsewhere.append(owned.run.number)
             elif owned.run.run_id not in queue and not self._knows(owned.run.run_id):
@@ -295,9 +295,9 @@ class RunAdmission(RunFollower):
     def note_waiting_elsewhere(
         self, waiting: Sequence[WaitingRun], places: Mapping[str, int]
     ) -> None:
-        """What other nodes let this one take, and the places of accounts there.
+        """Take in the runs that other nodes offer, and the places of accounts there.
 
-        By that, and by what waits here, the next runs get the places that are free.
+        The free places then go to the first of these runs and of those that wait here.
         """
         waiting = [run for run in waiting if not self._knows(run.run_id)]
         self._offered.offer(run.run_id for run in waiting)

@@ -25,11 +25,11 @@ class RunQueue:
         return run_id in self._number_of
 
     def __len__(self) -> int:
-        """Without those of other nodes."""
+        """The number of runs that wait at this node."""
         return len(self._number_of)
 
     def ids(self) -> list[str]:
-        """Of the runs that wait here."""
+        """The ids of the runs that wait here."""
         return list(self._number_of)
 
     def put(self, run: WaitingRun) -> None:
@@ -63,14 +63,14 @@ class RunQueue:
         return 1 + here + elsewhere
 
     def oldest_queued_at_wall(self) -> float | None:
-        """Since when the first one waits; None without one."""
+        """The time since which the first run waits; None without one."""
         return self._queued_at[self._numbers[0]] if self._numbers else None
 
     def note_elsewhere(self, numbers: Iterable[int]) -> int | None:
-        """What waits at other nodes now; the first number that came or went."""
+        """Replace the runs of other nodes; returns the first number that changed."""
         before = self._elsewhere
         here = self._queued_at
-        self._elsewhere = sorted(one for one in numbers if one not in here)
+        self._elsewhere = sorted(number for number in numbers if number not in here)
         return min(set(before) ^ set(self._elsewhere), default=None)
 
     def _remove_elsewhere(self, number: int) -> None:

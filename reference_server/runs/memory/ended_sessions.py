@@ -11,12 +11,15 @@ from collections.abc import Mapping
 from reference_server.rules.run import ENDED_SESSIONS_MAX, Run, Session, SessionEnd
 from reference_server.runs.memory.run_events import Departure, RunFollower
 
-# Of all runs together, at some 500 bytes each.
+# Ended sessions of all runs together, at some 500 bytes each.
 SESSIONS_MAX = 2**16
 
 
 class EndedSessions(RunFollower):
-    """By run; those are forgotten first whose run had none for the longest time."""
+    """Keeps ended sessions by run.
+
+    The run for which no session has ended for the longest time is forgotten first.
+    """
 
     def __init__(self) -> None:
         self._of_runs: OrderedDict[str, dict[str, SessionEnd]] = OrderedDict()

@@ -13,7 +13,7 @@ CACHED_EPISODES_MAX = 2**15
 
 
 class RecentRuns:
-    """At most so many runs; what was used longest ago is dropped first."""
+    """Keeps at most so many runs; the one used longest ago is dropped first."""
 
     def __init__(self) -> None:
         self._runs: OrderedDict[str, Run] = OrderedDict()

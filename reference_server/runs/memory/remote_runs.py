@@ -1,4 +1,4 @@
-"""What a node of a cluster knows of runs that other nodes have, or offer.
+"""Knowledge of a node in a cluster about the runs that other nodes own or offer.
 
 It decides nothing, and without other nodes it is empty.
 """
@@ -25,10 +25,10 @@ class Ownership(Protocol):
 
 
 class OtherQueues(Protocol):
-    """What waits at the other nodes of a cluster."""
+    """The queues of the other nodes of a cluster."""
 
     async def refresh(self) -> None:
-        """Call `RunAdmission.note_queue` with what waits at all nodes by now."""
+        """Call `RunAdmission.note_queue` with the runs that wait at all nodes."""
 
     async def take(self, run_id: str) -> bool:
         """Let in a run that waits there, as its owner; whether it worked."""
@@ -117,9 +117,10 @@ class MovedRuns:
         return run in self._complete
 
 
-def has_newer_owner(run: RunHead, seen: OwnedRun) -> bool:
+def has_newer_owner(run: RunHead, stored: OwnedRun) -> bool:
     """Whether a run of this node, as it was just seen, has another owner since then.
 
-    What was read before this node became the owner says nothing.
+    A row that was read before this node became the owner has an older fence, and is
+    not a newer owner.
     """
-    return run.fence < seen.fence and run.owner != seen.owner
+    return run.fence < stored.fence and run.owner != stored.owner

@@ -30,7 +30,7 @@ class RunChanges(RunFollower):
         return len(self._events)
 
     def run_ids(self) -> list[str]:
-        """Of the runs that requests wait for."""
+        """The ids of the runs that requests wait for."""
         return list(self._events)
 
     def next_of(self, run_id: str) -> RunChange:

@@ -1,4 +1,4 @@
-"""What follows when a run changes: one event, published to all that follow runs.
+"""Events of runs: each change is published once, to all parts that follow runs.
 
 The cache and the writer publish, and know none of the followers. Each of these does its
 own part: what an account has open, the log, the queue, the requests that wait, the
@@ -21,8 +21,8 @@ Departure = Literal["deleted", "moved", "unstored", "refused"]
 class RunFollower:
     """Is informed of every change of a run of this server; none of it may await.
 
-    A follower overrides what concerns it. What it does may change another run, whose
-    events are published meanwhile.
+    A follower overrides the events that concern it. Its reaction may change another
+    run, whose events are then published before this one has reached all followers.
     """
 
     def loaded(self, run: Run, stored: State) -> None:
@@ -50,7 +50,7 @@ class RunEvents(RunFollower):
         self._followers = list(followers)
 
     def subscribe(self, follower: RunFollower) -> None:
-        """For a follower that is made of parts that publish."""
+        """Add a follower, which may have been made of parts that publish."""
         self._followers.append(follower)
 
     def loaded(self, run: Run, stored: State) -> None:

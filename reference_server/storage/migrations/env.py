@@ -1,4 +1,4 @@
-"""What Alembic runs for each command: the upgrades, in a transaction that is given."""
+"""Alembic runs this for each command, to upgrade in the transaction it is given."""
 
 from alembic import context
 

@@ -1,8 +1,8 @@
 """The tables of the first version that has a number, in any database of before.
 
 A database of before has some of these tables, and some of their columns: each server
-added what it knew. What is missing is added here, and filled where its content follows
-from older rows. The tables are those of this version for good.
+added what it knew. Missing tables and columns are added here, and filled where their
+content follows from older rows. The tables are those of this version for good.
 """
 
 from __future__ import annotations
@@ -139,7 +139,8 @@ sa.Table(
     sa.Index("archives_of_account", "account", "archive_sha256", unique=True),
 )
 
-# What PostgreSQL stores since then with each backslash as two (`column_types.py`).
+# Columns whose texts PostgreSQL stores since then with each backslash as two
+# (`column_types.py`).
 _ESCAPED = {
     "runs": ("reason",),
     "episodes": ("policy_fault",),

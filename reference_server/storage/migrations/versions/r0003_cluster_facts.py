@@ -1,4 +1,4 @@
-"""What all nodes of a cluster must have equally."""
+"""Adds the table of values that must be equal on all nodes of a cluster."""
 
 from __future__ import annotations
 
