@@ -7,7 +7,8 @@ unexport PYTHONPATH  # robot middleware sets it, and its plugins break our pytes
 
 python := .venv/bin/python
 environment = @PYTHON="$(PYTHON)" sh tools/setup.sh
-pytest := $(python) -m pytest tests --numprocesses auto --maxprocesses 8 --dist worksteal
+pytest := $(python) -m pytest tests --dist worksteal --maxprocesses 8 --numprocesses
+waiting := $(shell expr $$(getconf _NPROCESSORS_ONLN || echo 2) \* 3 / 2)# slow tests wait half of their time
 
 help: ## Show this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 } \
@@ -66,11 +67,10 @@ lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*c
 
 tested := setup programs .venv-cluster/ready lint generate-check
 check: setup lint generate-check ## Lint, check generated files, run the fast tests
-	@$(pytest) -m "not slow and not release"
+	@$(pytest) auto -m "not slow and not release"
 test: $(tested) ## The gate: the same with slow tests, and a sample of mutants and clients
-	@$(pytest) -m "not release"
-test-all: $(tested) ## Everything, every mutant by all rows: before a release, nightly; hours
-	@$(pytest)
+	@$(pytest) $(waiting) -m "not release"
+test-all: $(tested); @$(pytest) $(waiting) ## Everything, every mutant by all rows: before a release, nightly; hours
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .
 	@$(python) -m mypy
