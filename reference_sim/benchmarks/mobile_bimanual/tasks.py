@@ -122,7 +122,7 @@ class TwoHandedLift:
         )
 
     def goal_holds(self, scene: MobileBimanualScene) -> bool:
-        """Whether both hands hold the tray up, level, with the box on it."""
+        """Both hands hold the tray up, level, with the box on it."""
         return (
             scene.height_m("tray") >= TRAY_HALF_M + LIFTED_M
             and scene.tilt_rad("tray") <= self.LEVEL_RAD
