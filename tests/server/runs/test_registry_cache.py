@@ -330,7 +330,7 @@ async def test_why_a_session_ended_outlives_its_run_in_memory(
         while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
             await asyncio.sleep(0.01)
         await parts.registry.close()
-        # What gives a simulator back may refer to the run for a moment longer.
+        # The task that gives a simulator back may refer to the run a moment longer.
         while runs_in_memory(parts) != ["run_2"]:  # noqa: ASYNC110 - not an event
             await asyncio.sleep(0.01)
         run = await parts.registry.get("run_1")
