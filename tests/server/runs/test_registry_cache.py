@@ -60,6 +60,13 @@ def runs_in_memory(parts: ServerParts) -> list[str]:
     return sorted(parts.registry.cache._in_memory)
 
 
+async def expect_in_memory(parts: ServerParts, *run_ids: str) -> None:
+    """Wait until exactly these are: a task that ends may hold a run a moment longer."""
+    async with asyncio.timeout(TIMEOUT_S):
+        while runs_in_memory(parts) != list(run_ids):  # noqa: ASYNC110 - no event
+            await asyncio.sleep(0.01)
+
+
 def held_turns(parts: ServerParts) -> list[Any]:
     """Last turns that sessions hold as they were answered, which takes most memory."""
     sessions = parts.executor._resources._by_session
@@ -84,7 +91,7 @@ async def test_reading_a_stable_run_does_not_load_it(
     assert await parts.registry.reader.page(
         "alice", None, 9, lambda run: run.scored
     ) == [3]
-    assert runs_in_memory(parts) == []
+    await expect_in_memory(parts)
     run = await parts.registry.get("run_1")
     assert run_views.score_view(run, run.episodes) == everything
     assert await look("run_1", "alice", run_summary, 1, 2) == page
@@ -202,7 +209,7 @@ async def test_a_run_in_use_stays_one_object(
         assert await parts.registry.get("run_0") is first
         del first, again, asking, _
         await parts.registry.get("run_3")
-        assert runs_in_memory(parts) == ["run_3"]
+        await expect_in_memory(parts, "run_3")
 
 
 async def test_waiters_are_notified_of_evicted_runs(
@@ -222,7 +229,7 @@ async def test_waiters_are_notified_of_evicted_runs(
         )
         await asyncio.sleep(0)
         await parts.registry.get("run_2")
-        assert runs_in_memory(parts) == ["run_2"]
+        await expect_in_memory(parts, "run_2")
         assert not waiting.done()
         run = await parts.registry.get("run_1")
         effects.resume(run, 0.0)
@@ -243,13 +250,13 @@ async def test_cached_runs_have_so_many_episodes_together(
         del runs, long
         for number in (0, 1, 2, 1, 3):
             await parts.registry.get(f"run_{number}")
-        assert runs_in_memory(parts) == ["run_1", "run_3"]
+        await expect_in_memory(parts, "run_1", "run_3")
         await parts.registry.get("run_8")
-        assert runs_in_memory(parts) == ["run_8"]
+        await expect_in_memory(parts, "run_8")
         await parts.service.delete_run("alice", "run_8")
         for number in (0, 1):
             await parts.registry.get(f"run_{number}")
-        assert runs_in_memory(parts) == ["run_0", "run_1"]
+        await expect_in_memory(parts, "run_0", "run_1")
 
 
 async def test_waiting_keeps_no_run_in_memory(parts: ServerParts) -> None:
@@ -258,7 +265,7 @@ async def test_waiting_keeps_no_run_in_memory(parts: ServerParts) -> None:
     await parts.registry.reader.read_view("run_1", "alice", run_summary)
     waiting = start_task(parts.registry.wait_for_change(change, TIMEOUT_S))
     await asyncio.sleep(0)
-    assert runs_in_memory(parts) == []
+    await expect_in_memory(parts)
     run = await parts.registry.get("run_1")
     turn = await parts.executor.attach(run, Attach("w", "key"))
     assert await waiting
@@ -286,7 +293,7 @@ async def test_a_lease_ends_without_requests(
             change = parts.registry.change_event("run_1")
         await parts.registry.get("run_2")
         await parts.registry.close()
-        assert runs_in_memory(parts) == ["run_2"]
+        await expect_in_memory(parts, "run_2")
 
         def attempt(run: RunHead, episodes: Sequence[Episode]) -> tuple[str, int]:
             return run.state, episodes[0].attempt
@@ -330,9 +337,7 @@ async def test_why_a_session_ended_outlives_its_run_in_memory(
         while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
             await asyncio.sleep(0.01)
         await parts.registry.close()
-        # The task that gives a simulator back may refer to the run a moment longer.
-        while runs_in_memory(parts) != ["run_2"]:  # noqa: ASYNC110 - not an event
-            await asyncio.sleep(0.01)
+        await expect_in_memory(parts, "run_2")
         run = await parts.registry.get("run_1")
         with expect_refusal("session_ended", ended_by=end):
             parts.executor.heartbeat(run, Heartbeat("w", session_id))
@@ -356,7 +361,7 @@ async def test_a_session_that_is_done_keeps_no_run_in_memory(
         for again in (command, attach, Heartbeat("w", last["session_id"])):
             del run
             await parts.registry.get("run_2")
-            assert runs_in_memory(parts) == ["run_2"]
+            await expect_in_memory(parts, "run_2")
             while any(held_turns(parts)):  # noqa: ASYNC110 - a timer, not an event
                 await asyncio.sleep(0.01)
             run = await parts.registry.get("run_1")
@@ -416,7 +421,7 @@ async def test_a_lease_ends_that_has_no_run_in_memory(
         await parts.registry.get("run_2")
         while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
             await asyncio.sleep(0.01)
-        assert runs_in_memory(parts) == ["run_2"]
+        await expect_in_memory(parts, "run_2")
         run = await parts.registry.get("run_1")
         with expect_refusal("session_ended", ended_by="lease_ended"):
             await parts.executor.predict(run, command)
@@ -434,7 +439,7 @@ async def test_closing_ends_sessions_that_have_no_run_in_memory(
         await parts.executor.predict(run, predict_command(turn, end=1))
         del run
         await parts.registry.get("run_2")
-        assert runs_in_memory(parts) == ["run_2"]
+        await expect_in_memory(parts, "run_2")
         await parts.executor.close()
         await assert_no_simulator_lent(parts)
 
@@ -458,7 +463,7 @@ async def test_eviction_does_not_repeat_episodes(
             await parts.executor.detach(run, Detach("w", session_id))
             del run
             await parts.registry.get("run_2")
-            assert runs_in_memory(parts) == ["run_2"]
+            await expect_in_memory(parts, "run_2")
             counted = await parts.registry.reader.read_view(
                 "run_1", "alice", run_summary, end=None
             )
