@@ -158,14 +158,16 @@ def _changed_files(base: str) -> Iterator[tuple[str, set[int], str]]:
 _Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
-def _functions(path: Path) -> Iterator[tuple[str, _Function]]:
-    """Give each function of a module and of its classes, after its owner's name."""
-    tree = ast.parse(path.read_text())
-    for node in tree.body:
+@functools.cache
+def _functions(path: Path) -> tuple[tuple[str, _Function], ...]:
+    """Each function of a module and of its classes, after its owner's name."""
+    functions: list[tuple[str, _Function]] = []
+    for node in ast.parse(path.read_text()).body:
         if isinstance(node, _Function):
-            yield path.stem, node
+            functions.append((path.stem, node))
         elif isinstance(node, ast.ClassDef):
-            yield from ((node.name, n) for n in node.body if isinstance(n, _Function))
+            functions += [(node.name, n) for n in node.body if isinstance(n, _Function)]
+    return tuple(functions)
 
 
 def _span(function: _Function) -> range:
