@@ -20,8 +20,10 @@ import functools
 import importlib
 import inspect
 import pkgutil
+import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any, NamedTuple, TypeVar
 
 Json = dict[str, Any]
@@ -122,13 +124,26 @@ def put(owner: object, name: str, wrong: object) -> None:
     """Replace what `owner` has under `name`; a typo would make a mutant of nothing.
 
     A function has to take what the right one takes: a mutant that fails on a parameter
-    that was added later is broken otherwise than it says.
+    that was added later is broken otherwise than it says. A name that is replaced in
+    the module that defines it is replaced in each module that imported it, too.
     """
     assert hasattr(owner, name), f"{owner} has no {name}"
     right = getattr(owner, name)
     if inspect.isfunction(right) and inspect.isfunction(wrong):
         _check_parameters(right, wrong)
     setattr(owner, name, wrong)
+    if getattr(right, "__module__", "") == getattr(owner, "__name__", None):
+        for module in _importers(name, right):
+            setattr(module, name, wrong)
+
+
+def _importers(name: str, right: object) -> list[ModuleType]:
+    """The modules of the server that hold what another module defines."""
+    return [
+        module
+        for path, module in list(sys.modules.items())
+        if path.startswith("reference_") and vars(module).get(name) is right
+    ]
 
 
 def _check_parameters(right: Callable[..., object], wrong: Callable[..., Any]) -> None:
