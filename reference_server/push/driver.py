@@ -233,11 +233,14 @@ class Driver(RunFollower):
                     backoff = Backoff.between_sessions()
                     worker = _Worker(f"push-{number}", drive, backoff)
                     group.create_task(self._run_worker(worker))
-        except* OwnedElsewhere:
-            raise OwnedElsewhere(drive.run_id) from None
-        except* (PolicyFault, _RunCannotContinue) as errors:
-            reason = str(errors.exceptions[0])
-            raise _RunCannotContinue(reason) from errors
+        except ExceptionGroup as errors:
+            # Not `except*`: Python 3.11.2 wraps errors that are raised inside of it.
+            if errors.subgroup(OwnedElsewhere):
+                raise OwnedElsewhere(drive.run_id) from None
+            faults, defects = errors.split((PolicyFault, _RunCannotContinue))
+            if faults is None or defects is not None:
+                raise
+            raise _RunCannotContinue(str(faults.exceptions[0])) from errors
 
     async def _run_worker(self, worker: _Worker) -> None:
         """Play one session after another, until no episode is left for the worker."""
