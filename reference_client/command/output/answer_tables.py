@@ -23,6 +23,7 @@ from reference_client.command.output.episode_facts import (
     label_of,
     played_by,
 )
+from reference_client.command.output.release import explain_release
 from reference_client.command.output.text_tables import TextTable, fact_table
 from reference_record.comparison.difference_evidence import Evidence
 from reference_record.comparison.sequential_comparison import (
@@ -228,7 +229,8 @@ def comparison_tables(
     may be looked at while the run is played. evidence: of this run.
     earlier: runs played before, by run id.
     """
-    alone = f"{run.wins} wins, {run.losses} losses, {run.ties} ties"
+    alone = f"{run.wins} of the run alone, {run.losses} of the baseline alone"
+    whole = evidence.overall
     head = fact_table(
         {
             "run": run.run_id,
@@ -245,9 +247,10 @@ def comparison_tables(
             if run.difference is None
             else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
             f"{run.mean:.4f} (plus is better)",
+            "scores": f"{whole.better} episodes better, {whole.worse} worse",
             "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
-            "release": _release(comparison, run, evidence),
+            "release": explain_release(comparison, run, evidence),
         }
     )
     table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))
@@ -266,32 +269,6 @@ def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:
     if baseline is None or run is None:
         return None
     return f"before the baseline {baseline}, before the run {run}, each by its account"
-
-
-def _release(comparison: Comparison, run: ComparedRun, evidence: Evidence) -> str:
-    """The server decides; this says where, and whether chance explains it."""
-    tolerance = f"{comparison.tolerance:g}"
-    if run.release:
-        return f"yes: no difference exceeds {tolerance}"
-    if not run.complete:
-        return "no: not every episode is scored in both"
-    groups = [("overall", run.difference, evidence.overall)]
-    for task, group in run.by_task.items():
-        if group.difference is not None:
-            groups.append((task, group.difference, evidence.by_task[task]))
-    far = [
-        (name, of_group)
-        for name, difference, of_group in groups
-        if difference is not None and abs(difference) > comparison.tolerance
-    ]
-    if shown := [name for name, of_group in far if of_group.is_shown]:
-        return f"no: difference exceeds {tolerance} in {', '.join(shown)}"
-    whole, names = evidence.overall, ", ".join(name for name, _ in far)
-    return (
-        f"not decided: difference exceeds {tolerance} in {names}, but chance "
-        f"explains it: {whole.better} episodes better, {whole.worse} worse, of "
-        f"{run.paired}; more episodes decide"
-    )
 
 
 def episode_list(episodes: Sequence[Episode]) -> TextTable:

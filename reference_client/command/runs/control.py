@@ -30,6 +30,7 @@ from reference_client.command.output.episode_facts import (
     players_of,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
+from reference_client.command.output.release import may_release
 from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
 from reference_client.command.usage_error import UsageError
@@ -230,7 +231,8 @@ def compare(args: argparse.Namespace, printer: Printer) -> int:
         "evidence": {run_id: asdict(shown) for run_id, shown in evidence.items()},
     }
     printer.answer(comparison.to_dict() | more, *tables)
-    return DONE if all(run.release for run in comparison.runs) else NOT_RELEASED
+    released = all(may_release(comparison, run) for run in comparison.runs)
+    return DONE if released else NOT_RELEASED
 
 
 def benchmarks(args: argparse.Namespace, printer: Printer) -> int:

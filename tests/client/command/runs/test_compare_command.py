@@ -46,7 +46,23 @@ def test_the_tolerance_decides_the_exit_code(proctor: ProctorCommand) -> None:
     assert proctor("compare", base, worse) == 1
     assert proctor("compare", base, same, worse) == 1
     assert proctor("compare", base, same, worse, "--tolerance", "0.125") == 0
-    assert proctor("compare", worse, base, "--tolerance", "0.124") == 1
+
+
+@pytest.mark.parametrize(
+    ("baseline", "played", "code", "reason"),
+    [
+        ("0 1 1", "1 1 1", 0, "better by more: overall, score"),
+        ("0 1 1", "1 1 0", 1, "not decided: worse by more than 0.05 in count"),
+        ("0.5 1 1", "0.54 1 1", 0, "yes: no difference exceeds 0.05"),
+        ("1 1 1", "1 0 1", 1, "not decided: worse by more than 0.05 in overall, score"),
+    ],
+)
+def test_only_what_is_worse_is_a_reason_against_a_release(
+    proctor: ProctorCommand, baseline: str, played: str, code: int, reason: str
+) -> None:
+    """The protocol's own `release` asks for equality in both directions."""
+    assert proctor("compare", run(proctor, baseline), run(proctor, played)) == code
+    assert reason in " ".join(proctor.out.split())
 
 
 def test_a_script_reads_the_specification_s_words(proctor: ProctorCommand) -> None:
@@ -72,8 +88,10 @@ def test_people_read_a_table(
     better = "difference -0.3333: baseline 1.0000, run 0.6667 (plus is better)"
     assert better in lines
     said = " ".join(lines)
-    assert "release not decided: difference exceeds 0.05 in overall, score" in said
-    assert "0 episodes better, 1 worse, of 3; more episodes decide" in said
+    assert "release not decided: worse by more than 0.05 in overall, score" in said
+    assert "chance explains it; more episodes decide" in said
+    assert "scores 0 episodes better, 1 worse" in lines
+    assert "successes 0 of the run alone, 1 of the baseline alone; p " in said
     assert "score 2 1.000 0.500 -0.500" in lines
     assert "count 1 1.000 1.000 +0.000" in lines
     assert proctor("compare", base, base) == 0
@@ -91,9 +109,9 @@ def test_chance_is_no_reason_against_a_release(proctor: ProctorCommand) -> None:
         ids.append(proctor.json(*made)["run_id"])
     base, once, often = ids
     assert proctor("compare", base, once) == 1
-    assert "not decided: difference exceeds 0.05 in overall, count" in proctor.out
+    assert "not decided: worse by more than 0.05 in overall, count" in proctor.out
     assert proctor("compare", base, often) == 1
-    assert "no: difference exceeds 0.05 in overall, score" in proctor.out
+    assert "no: worse by more than 0.05 in overall, score" in proctor.out
     assert "score, count" not in proctor.out
     found = proctor.json("compare", base, often)["evidence"][often]
     by_task = found["by_task"]
