@@ -20,6 +20,7 @@ from conformance.specification.document import load_spec, schema_faults
 from conformance.specification.stages import BENCHMARKS, LAST, RUNS
 from conformance.verdicts.expect import SetUpFailed, Violation, describe_answer
 
+_FAULTS_MAX = 12
 _PROBES = 12
 _TIMEOUT_S = 10.0
 _TOLERANCE_MIN_S = 0.25
@@ -114,7 +115,8 @@ def _read_service(context: CheckContext) -> dict[str, Any]:
     schema = {"type": "object", "required": list(needs), "properties": needs}
     faults = schema_faults(schema, answer.json)
     if faults:
-        raise CannotJudge(f"invalid response to GET /v1: {faults[0]}; {needed}")
+        listed = "; ".join(faults[:_FAULTS_MAX])
+        raise CannotJudge(f"invalid response to GET /v1: {listed}; {needed}")
     service: dict[str, Any] = answer.json
     return service
 

@@ -38,7 +38,7 @@ def read_junit(folder: Path) -> ET.Element:
 @pytest.mark.parametrize(
     ("behaviour", "says"),
     [
-        (null_servers.always(200), "invalid response to GET /v1"),
+        (null_servers.always(200), "'limits' is a required property; $: 'profiles' is"),
         (null_servers.always(404), "not a Proctor server"),
         (null_servers.always(500), "not a Proctor server"),
         (null_servers.always(200, b"[]"), "not a Proctor server"),

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from conformance.specification.ledger import load_ledger
 from reference_sim import benchmark_registry
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
@@ -54,6 +55,14 @@ def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> 
     assert done.returncode == 0, done.stderr
     count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
     assert f"score 1.0 of {count} episodes" in done.stdout
+
+
+def test_the_sample_verdict_has_the_number_of_rules() -> None:
+    """The rules that the kit judges servers by: all but those of policy servers."""
+    (sample,) = re.findall(r"^\d+ MUST: .*$", README, re.MULTILINE)
+    total, *outcomes = (int(number) for number in re.findall(r"\d+", sample))
+    assert total == sum(rule.profile != "policy" for rule in load_ledger().values())
+    assert sum(outcomes) == total
 
 
 def test_the_example_rule_stands_in_all_four_places() -> None:
