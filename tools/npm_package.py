@@ -33,6 +33,7 @@ def provide_file(pinned: str, member: str, target: Path) -> None:
     package, integrity = (ROOT / "requirements" / pinned).read_text().split()
     with tempfile.TemporaryDirectory() as directory:
         command = [str(NODE), str(NPM), "pack", package, "--loglevel=error"]
+        command += ["--no-update-notifier", "--no-fund"]
         command += ["--fetch-retries=1", "--fetch-timeout=60000"]  # 300 s otherwise
         packed_by_npm = subprocess.run(
             [*command, "--pack-destination", directory],
