@@ -7,7 +7,7 @@ ARCHIVE = "archive"
 
 
 class BrokenRecord(Exception):
-    """A part of a record breaks a rule of spec/record.md.
+    """A part of a record breaks a rule of spec/profiles/record.md.
 
     file: the name of the file inside of the record, or ARCHIVE.
     rule: the id of the rule.

@@ -29,6 +29,7 @@ from pathlib import Path
 
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import POLICY, Requirement, load_ledger
+from conformance.specification.rule_documents import read_rules
 from reference_server.rules.lifecycle import TRANSITIONS
 from tests.mutants import load as load_mutants
 from tools.built_pages import write_page
@@ -173,14 +174,10 @@ def _name_of(node: ast.stmt) -> str:
 @cache
 def stated() -> dict[str, tuple[str, int]]:
     """Id → the file of spec/ and the line that states the rule."""
-    found: dict[str, tuple[str, int]] = {}
-    row = re.compile(rf"(?:\{{id: |^- \[)({ID.pattern})")
-    for path in sorted((ROOT / "spec").rglob("*")):
-        if path.suffix in (".yaml", ".md"):
-            for number, line in enumerate(path.read_text().splitlines(), 1):
-                if match := row.search(line):
-                    found[match[1]] = path.relative_to(ROOT).as_posix(), number
-    return found
+    return {
+        rule.id: (f"spec/{rule.document}", rule.line)
+        for rule in read_rules(ROOT / "spec")
+    }
 
 
 @cache

@@ -1,4 +1,4 @@
-"""The expected ranking of entries, as `spec/board.md` states it. Pure.
+"""The expected ranking of entries, as `spec/profiles/board.md` states it. Pure.
 
 Written apart from any server: whole fractions instead of floating point, sets instead
 of bits. Takes entries in the order in which they were published.

@@ -1,6 +1,6 @@
 """Records that the kit makes of one that it fetched: changed, and signed again or not.
 
-By spec/record.md: the one form of the archive, DSSE, and MCAP by its public library.
+By spec/profiles/record.md: the form of the archive, DSSE, and MCAP by its library.
 """
 
 import base64

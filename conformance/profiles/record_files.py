@@ -1,4 +1,4 @@
-"""Reads the recordings and records of the profile `record`, by spec/record.md.
+"""Reads the recordings and records of the profile `record`, by spec/profiles/record.md.
 
 The kit reads them without the server's code: MCAP with its public library, zip with
 Python's, the signature by its definition. A file that cannot be read violates the rule

@@ -1,26 +1,15 @@
 """The ledger: every rule of the specification with its id, level, profile and text.
 
-Rows come from `x-requirements` and `x-lifecycle` of openapi.yaml, from scoring.md and
-from record.md; no rule is stated here.
+Rows come from the documents of the specification; no rule is stated here.
 """
 
 import functools
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from conformance.specification.document import (
-    SPEC_DIRECTORY,
-    load_policy_spec,
-    load_profiles,
-    load_spec,
-)
+from conformance.specification.document import SPEC_DIRECTORY, load_spec
+from conformance.specification.rule_documents import StatedRule, read_rules
 
-_LINE = re.compile(
-    r"^- \[(?P<id>[A-Z]+-(?P<number>\d{3}))(?P<verifier>, verifier)?\] (?P<text>.+)$",
-    re.MULTILINE,
-)
-_PROFILE_OF_PAGE = {"scoring.md": "core", "record.md": "record"}
 # Rules of record.md with smaller numbers are about files, the others about operations.
 _FIRST_RULE_OF_OPERATIONS = 100
 _OF_FILES = "a rule of a file, which the vectors in vectors/record/ judge"
@@ -38,7 +27,11 @@ CLUSTER = "cluster"  # checked on every service with several base URLs
 
 @dataclass(frozen=True)
 class Requirement:
-    """One rule; `why` gives the reason if it is not observable."""
+    """One rule; `why` gives the reason if it is not observable.
+
+    source: the document that states it. operations: those that it is about; empty where
+    it holds for all.
+    """
 
     id: str
     level: str
@@ -46,6 +39,7 @@ class Requirement:
     text: str
     source: str
     why: str | None = None
+    operations: tuple[str, ...] = ()
 
     @property
     def is_observable(self) -> bool:
@@ -59,42 +53,24 @@ class Requirement:
 
 
 def _read_requirements() -> Iterator[Requirement]:
-    spec = load_spec()
-    listed = {"openapi.yaml": spec.requirements}
-    listed["policy.yaml"] = load_policy_spec().requirements
-    for name, document in load_profiles().items():
-        listed[f"profiles/{name}"] = document["x-requirements"]
-    for name, rows in listed.items():
-        for row in rows:
-            yield Requirement(
-                row["id"],
-                row["level"],
-                row["profile"],
-                row["text"],
-                f"{name} x-requirements",
-                row.get("why"),
-            )
-    for row in spec.lifecycle["transitions"]:
+    for rule in read_rules(SPEC_DIRECTORY):
         yield Requirement(
-            row["id"],
-            "MUST",
-            "core",
-            row["text"],
-            "openapi.yaml x-lifecycle",
-            row.get("why"),
+            rule.id,
+            "MUST" if "MUST" in rule.text else "SHOULD",
+            rule.profile,
+            rule.text,
+            rule.document,
+            _why_unobservable(rule),
+            rule.operations,
         )
-    for page, profile in _PROFILE_OF_PAGE.items():
-        text = (SPEC_DIRECTORY / page).read_text(encoding="utf-8")
-        for line in _LINE.finditer(text):
-            level = "MUST" if "MUST" in line["text"] else "SHOULD"
-            why = _why_unobservable(line) if page == "record.md" else None
-            yield Requirement(line["id"], level, profile, line["text"], page, why)
 
 
-def _why_unobservable(line: re.Match[str]) -> str | None:
-    if line["verifier"]:
+def _why_unobservable(rule: StatedRule) -> str | None:
+    if rule.is_of_verifiers:
         return _OF_VERIFIERS
-    return None if int(line["number"]) > _FIRST_RULE_OF_OPERATIONS else _OF_FILES
+    if rule.profile == "record" and int(rule.id[-3:]) < _FIRST_RULE_OF_OPERATIONS:
+        return _OF_FILES
+    return rule.why_not_judged
 
 
 @functools.cache
@@ -105,6 +81,11 @@ def load_ledger() -> dict[str, Requirement]:
     if len(ledger) != len(rows):
         raise ValueError("an id occurs twice in the specification")
     return ledger
+
+
+def rules_of(operation_id: str) -> list[Requirement]:
+    """The rules that are about an operation, in the order of the documents."""
+    return [rule for rule in load_ledger().values() if operation_id in rule.operations]
 
 
 def load_areas() -> dict[str, str]:

@@ -1,4 +1,4 @@
-// Verifies records of Proctor runs, from spec/record.md alone:
+// Verifies records of Proctor runs, from spec/profiles/record.md alone:
 //
 //	verify-go [--key NAME=SHA256:…]… FILE…
 //

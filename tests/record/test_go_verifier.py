@@ -1,4 +1,4 @@
-"""The verifier in Go, which was written from spec/record.md, names the same."""
+"""The verifier in Go, written from spec/profiles/record.md, names the same."""
 
 import json
 import subprocess

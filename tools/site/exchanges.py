@@ -65,10 +65,7 @@ def _aptness(rule: Requirement, exchange: Plain) -> int:
     code = re.search(r'"code":\s*"(\w+)"', body)
     names_code = code is not None and f"`{code[1]}`" in rule.text
     operation = _operation(exchange)
-    spec = load_spec()
-    listed = operation and (
-        rule.id in spec.operations[operation].description.get("x-requirements", [])
-    )
+    listed = operation in rule.operations
     is_named = f"`{operation}`" in rule.text
     is_cut = max(len(body), len(exchange["request_body"])) >= WHOLE
     return (
@@ -76,7 +73,7 @@ def _aptness(rule: Requirement, exchange: Plain) -> int:
         + 8 * (f'"{rule.id}"' in body and exchange["status"] >= 400)
         + 4 * names_code
         + 2 * is_named
-        + bool(listed)
+        + listed
     )
 
 

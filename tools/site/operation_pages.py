@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from conformance.specification.document import Operation, load_spec
+from conformance.specification.ledger import rules_of
 from tools.site.kit_reports import KitReports
 from tools.site.markdown import cell, link_to_rule, table
 from tools.site.rule_pages import exchange_text
@@ -39,16 +40,14 @@ def index_page(operations: Mapping[str, Operation]) -> str:
         ]
         for name, one in operations.items()
     ]
-    tags = {tag["name"]: tag["description"] for tag in load_spec().document["tags"]}
-    notes = "\n".join(
-        f"## How requests are read: {name}\n\n{text}\n" for name, text in tags.items()
-    )
     listed = "\n".join([*operations, "messages", "problems"])
     return (
         "# Operations\n\nWhat a server serves, below its base URL. "
         "[Messages](messages.md) has the members of every body, "
         "[problems](problems.md) every code of a refusal.\n\n"
-        f"{table(['operation', 'request', 'what for', 'profile'], rows)}\n{notes}\n"
+        f"{table(['operation', 'request', 'what for', 'profile'], rows)}\n"
+        "How requests are read: [HTTP](/spec/http.md), [runs](/spec/runs.md) and "
+        "[play](/spec/play.md).\n\n"
         f"```{{toctree}}\n:hidden:\n\n{listed}\n```\n"
     )
 
@@ -72,7 +71,7 @@ def operation_page(operation: Operation, reports: KitReports) -> str:
         "## Answers\n",
         _answers(described),
         "## Rules\n",
-        _rules(described),
+        _rules(operation.operation_id),
         "## A worked exchange\n",
         _exchange(operation.operation_id, reports),
     ]
@@ -125,11 +124,10 @@ def _answers(described: Json) -> str:
     return table(["status", ""], rows)
 
 
-def _rules(described: Json) -> str:
-    known = traces()
+def _rules(operation_id: str) -> str:
     rows = [
-        [link_to_rule(id_, known), cell(known[id_].rule.text)]
-        for id_ in sorted(described.get("x-requirements", []))
+        [link_to_rule(rule.id, traces()), cell(rule.text)]
+        for rule in rules_of(operation_id)
     ]
     if not rows:
         return "None but those that hold for every operation.\n"

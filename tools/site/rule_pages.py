@@ -12,10 +12,12 @@ from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from http import HTTPStatus
+from itertools import chain
 from typing import Any
 
-from conformance.specification.document import load_spec
-from conformance.specification.ledger import POLICY, load_areas
+from conformance.specification.document import SPEC_DIRECTORY, load_spec
+from conformance.specification.ledger import POLICY, load_areas, load_ledger
+from conformance.specification.rule_documents import rule_documents
 from tests.mutants import load as load_mutants
 from tools.site.kit_reports import KitReports
 from tools.site.markdown import cell, link_to_rule, table
@@ -136,22 +138,28 @@ def _why(trace: Trace) -> str:
 
 @cache
 def _sentences() -> list[str]:
-    """The sentences of all descriptions of openapi.yaml."""
+    """The sentences of the documents and of the descriptions, but for the rules."""
 
     def walk(node: Any) -> Iterator[str]:
         if isinstance(node, dict):
             for key, value in node.items():
                 if key == "description" and isinstance(value, str):
-                    for block in re.split(r"\n\s*\n", value):
-                        text = " ".join(block.split())
-                        yield from re.split(r"(?<=[.;]) (?=[A-Za-z`])", text)
+                    yield value
                 elif not str(key).startswith("x-"):
                     yield from walk(value)
         elif isinstance(node, list):
             for value in node:
                 yield from walk(value)
 
-    return list(dict.fromkeys(walk(load_spec().document)))
+    texts = [path.read_text() for path in rule_documents(SPEC_DIRECTORY)]
+    blocks = [
+        " ".join(block.split())
+        for text in (*texts, *walk(load_spec().document))
+        for block in re.split(r"\n\s*\n", text)
+        if not re.match(r"#|- \[|\||    |Profile:", block)
+    ]
+    sentences = (re.split(r"(?<=[.;]) (?=[A-Za-z`])", block) for block in blocks)
+    return list(dict.fromkeys(chain.from_iterable(sentences)))
 
 
 def sentences_about(id_: str) -> list[str]:
@@ -168,18 +176,9 @@ def _link_span(text: str) -> str:
     return re.sub(r"[A-Z]{2,6}-\d{3}", lambda m: link_to_rule(m[0], traces()), text)
 
 
-@cache
-def operations_of() -> dict[str, list[str]]:
-    """Rule → the operations of openapi.yaml that list it."""
-    found: dict[str, list[str]] = defaultdict(list)
-    for name, operation in load_spec().operations.items():
-        for id_ in operation.description.get("x-requirements", []):
-            found[id_].append(name)
-    return found
-
-
 def _operations(id_: str) -> str:
-    names = operations_of().get(id_, [])
+    known = load_spec().operations
+    names = [name for name in load_ledger()[id_].operations if name in known]
     if not names:
         return "It is listed with no single operation.\n"
     return ", ".join(f"[`{name}`](/operations/{name}.md)" for name in names) + "\n"

@@ -1,4 +1,4 @@
-"""Entries in, ranking out: `spec/board.md` in code. Pure.
+"""Entries in, ranking out: `spec/profiles/board.md` in code. Pure.
 
 All entries are of one manifest, so that their episodes pair by position. An entry is
 its successes: a number whose bit i is set if episode i was one. It knows neither runs

@@ -9,18 +9,25 @@ import subprocess
 import sys
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from conformance.specification.document import SPEC_DIRECTORY, load_spec
+from conformance.specification.document import (
+    SPEC_DIRECTORY,
+    load_policy_spec,
+    load_profiles,
+    load_spec,
+)
 from conformance.specification.ledger import load_areas, load_ledger
+from conformance.specification.rule_documents import read_rules, rule_documents
 from tests.support.paths import ROOT
 
 CHECKS = ROOT / "conformance" / "checks"
 COMMANDS = re.compile(r"\b(MUST|SHALL|SHOULD|MAY|REQUIRED|RECOMMENDED)\b")
-EXTENSIONS = ("x-areas", "x-requirements", "x-lifecycle", "x-problems")
 LONGEST_CHECK = 45
+DOCUMENTS = rule_documents(SPEC_DIRECTORY)
 
 
 # What pytest collects is what will run; each in a process that ends with it.
@@ -102,19 +109,20 @@ def texts(node: Any) -> Iterator[str]:
 
 
 def test_descriptions_of_the_document_state_no_requirement() -> None:
-    document = load_spec().document
-    rest = {name: node for name, node in document.items() if name not in EXTENSIONS}
-    assert [text for text in texts(rest) if COMMANDS.search(text)] == []
-    assert [t for t in texts(document["x-problems"]) if COMMANDS.search(t)] == []
+    assert [t for t in texts(load_spec().document) if COMMANDS.search(t)] == []
 
 
-@pytest.mark.parametrize("name", ["scoring.md", "record.md", "calibration.md"])
-def test_normative_sentences_are_rows(name: str) -> None:
-    known = {row.text for row in load_ledger().values()}
-    for line in (SPEC_DIRECTORY / name).read_text(encoding="utf-8").splitlines():
-        if COMMANDS.search(line):
-            text = re.sub(r"^- \[[A-Z]+-\d{3}(, verifier)?\] ", "", line)
-            assert text in known, f"{name}: {line}"
+@pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.name)
+def test_normative_sentences_are_rules(path: Path) -> None:
+    """Expect each item with an id to be read as a rule, and no command beside rules."""
+    text = path.read_text(encoding="utf-8")
+    document = path.relative_to(SPEC_DIRECTORY).as_posix()
+    rules = [rule for rule in read_rules(SPEC_DIRECTORY) if rule.document == document]
+    assert re.findall(r"^- \[([A-Z]+-\d{3})", text, re.MULTILINE) == [
+        r.id for r in rules
+    ]
+    prose = re.sub(r"^- \[[A-Z]+-\d{3}.*(?:\n  .*)*", "", text, flags=re.MULTILINE)
+    assert COMMANDS.findall(prose) == []
 
 
 def test_each_row_has_one_normative_keyword() -> None:
@@ -125,12 +133,57 @@ def test_each_row_has_one_normative_keyword() -> None:
         assert row.text.endswith("."), row
 
 
-def test_operations_cite_known_rows() -> None:
-    known = set(load_ledger())
-    for operation in load_spec().operations.values():
-        cited = operation.description.get("x-requirements", [])
-        assert set(cited) <= known, operation.operation_id
-        assert len(cited) == len(set(cited)), operation.operation_id
+def test_rules_name_known_operations() -> None:
+    documents = [load_spec().document, load_policy_spec().document]
+    documents += load_profiles().values()
+    known = {
+        described["operationId"]
+        for document in documents
+        for item in document["paths"].values()
+        for described in item.values()
+    }
+    for rule in load_ledger().values():
+        assert known >= set(rule.operations), rule.id
+        assert len(rule.operations) == len(set(rule.operations)), rule.id
+
+
+def test_each_cell_of_the_lifecycle_is_a_rule() -> None:
+    cells = {row["id"] for row in load_spec().lifecycle["transitions"]}
+    assert cells <= load_ledger().keys()
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"),
+    [
+        ("- [A-1] No rule.", None),
+        (
+            "Profile: `a`.\n- [ABC-001] It MUST\n  go. — `a`,\n  `b`\n  *Not judged: No.*",
+            ("a", "It MUST go.", ("a", "b"), "No"),
+        ),
+        (
+            "Profile: `a`.\nProfile: `b`.\n- [ABC-001, verifier] It MUST — or not.",
+            ("b", "It MUST — or not.", (), None),
+        ),
+    ],
+)
+def test_a_rule_is_read_from_its_item(
+    tmp_path: Path, text: str, rule: tuple[object, ...] | None
+) -> None:
+    """Wrapped lines are joined; operations and a reason stand behind the sentence."""
+    for path in rule_documents(tmp_path):
+        path.write_text(text if path.name == "runs.md" else "# Nothing\n")
+    read = [
+        (rule.profile, rule.text, rule.operations, rule.why_not_judged)
+        for rule in read_rules(tmp_path)
+    ]
+    assert read == ([] if rule is None else [rule])
+
+
+def test_a_rule_without_a_profile_is_an_error(tmp_path: Path) -> None:
+    for path in rule_documents(tmp_path):
+        path.write_text("- [ABC-001] A server MUST answer.\n")
+    with pytest.raises(ValueError, match=r"http\.md names no profile above ABC-001"):
+        list(read_rules(tmp_path))
 
 
 def test_lifecycle_states_each_cell_once_with_declared_names() -> None:

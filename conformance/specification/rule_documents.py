@@ -1,0 +1,93 @@
+"""The rules, as the documents of the specification state them.
+
+A rule is an item of a list in a Markdown file of `spec/`: its id, its sentence, and the
+operations that it is about, or none where it holds for every operation. A line
+``Profile: `NAME`.`` says to which profile the rules below it belong. The last sentence
+of an item may say why no outsider can judge it.
+
+    - [BEN-002] `get_benchmark` of an unknown id MUST be refused with `not_found`.
+      — `get_benchmark`
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+# In the order in which they are read; then those of profiles, by name.
+_DOCUMENTS = ("http", "benchmarks", "runs", "play", "calibration", "scoring", "policy")
+_PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
+_RULE = re.compile(r"^- \[([A-Z]{2,6}-\d{3})(, verifier)?\] (.+)$")
+_NOT_JUDGED = re.compile(r" \*Not judged: (.+)\.\*$")
+_OPERATIONS = re.compile(r" — (`\w+`(?:, `\w+`)*)$")
+
+
+@dataclass(frozen=True)
+class StatedRule:
+    """A rule, the document and the line that state it, and what stands beside it.
+
+    document: the path below spec/. operations: their ids; empty where a rule holds for
+    all. is_of_verifiers: it obliges programs that read a file. why_not_judged: None
+    where an outsider can judge it.
+    """
+
+    id: str
+    profile: str
+    text: str
+    operations: tuple[str, ...]
+    document: str
+    line: int
+    is_of_verifiers: bool
+    why_not_judged: str | None
+
+
+def rule_documents(directory: Path) -> list[Path]:
+    """The files that state rules, in the order in which they are read."""
+    named = [directory / f"{name}.md" for name in _DOCUMENTS]
+    return [*named, *sorted((directory / "profiles").glob("*.md"))]
+
+
+def read_rules(directory: Path) -> Iterator[StatedRule]:
+    """Every rule of the documents in `directory`, in their order.
+
+    Raises ValueError if a document does not say to which profile a rule belongs.
+    """
+    for path in rule_documents(directory):
+        document = path.relative_to(directory).as_posix()
+        text = path.read_text(encoding="utf-8")
+        profile = None
+        for line, item in _paragraphs(text):
+            if match := _PROFILE.match(item):
+                profile = match[1]
+            elif match := _RULE.match(item):
+                if profile is None:
+                    raise ValueError(f"{document} names no profile above {match[1]}")
+                yield _rule(match, profile, document, line)
+
+
+def _paragraphs(text: str) -> Iterator[tuple[int, str]]:
+    """Give each line with its number, joined with the lines that are indented below."""
+    number, joined = 0, ""
+    for place, line in enumerate(text.splitlines(), 1):
+        if line.startswith("  ") and joined.startswith("- "):
+            joined += f" {line.strip()}"
+            continue
+        if joined:
+            yield number, joined
+        number, joined = place, line
+    if joined:
+        yield number, joined
+
+
+def _rule(match: re.Match[str], profile: str, document: str, line: int) -> StatedRule:
+    text, why, operations = match[3], None, ()
+    if reason := _NOT_JUDGED.search(text):
+        text, why = text[: reason.start()], reason[1]
+    if listed := _OPERATIONS.search(text):
+        text = text[: listed.start()]
+        operations = tuple(re.findall(r"\w+", listed[1]))
+    return StatedRule(
+        match[1], profile, text, operations, document, line, bool(match[2]), why
+    )
