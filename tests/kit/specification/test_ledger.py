@@ -157,8 +157,8 @@ def test_each_cell_of_the_lifecycle_is_a_rule() -> None:
     [
         ("- [A-1] No rule.", None),
         (
-            "Profile: `a`.\n- [AB-001] It MUST\n  go. — `a`,\n  `b`\n  *Not judged: N.*",
-            ("a", "It MUST go.", ("a", "b"), "N"),
+            "Profile: `a`.\n- [AB-001] I MUST\n  go. — `a`,\n  `b`\n  *Not judged: N.*",
+            ("a", "I MUST go.", ("a", "b"), "N"),
         ),
         (
             "Profile: `a`.\nProfile: `b`.\n- [ABC-001, verifier] It MUST — or not.",
