@@ -22,6 +22,7 @@ PAGES = [
     *(ROOT / "clients" / "README.md", ROOT / "generated_clients" / "README.md"),
     *(ROOT / "clients").glob("*/README.md"),
     *DOCS.rglob("*.md"),
+    *(ROOT / "spec").rglob("*.md"),
 ]
 LINK = re.compile(r"\]\(<?([^)>\s]+)>?(?: \"[^\"]*\")?\)")
 FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)
