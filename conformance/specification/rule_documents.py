@@ -20,6 +20,7 @@ from pathlib import Path
 _DOCUMENTS = ("http", "benchmarks", "runs", "play", "calibration", "scoring", "policy")
 _PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
 _RULE = re.compile(r"^- \[([A-Z]{2,6}-\d{3})(, verifier)?\] (.+)$")
+_LEVEL = re.compile(r"\b(?:MUST|SHOULD|MAY)\b")
 _NOT_JUDGED = re.compile(r" \*Not judged: (.+)\.\*$")
 _OPERATIONS = re.compile(r" — (`\w+`(?:, `\w+`)*)$")
 
@@ -41,6 +42,12 @@ class StatedRule:
     line: int
     is_of_verifiers: bool
     why_not_judged: str | None
+
+    @property
+    def level(self) -> str:
+        """The word of BCP 14 that the sentence has first: MUST, SHOULD or MAY."""
+        match = _LEVEL.search(self.text)
+        return match[0] if match else ""
 
 
 def rule_documents(directory: Path) -> list[Path]:

@@ -11,6 +11,7 @@ from typing import Any
 
 import yaml
 
+from conformance.specification.ledger import load_ledger
 from reference_server.rules import effects
 from reference_server.rules import lifecycle as protocol
 from reference_server.rules.run import Run
@@ -43,14 +44,15 @@ NOT_MUTATED = {"LIFE-201", "LIFE-302", "LIFE-801"}
 def _rows() -> Iterator[Row]:
     lifecycle = yaml.safe_load(SPEC.read_text())["x-lifecycle"]
     for row in lifecycle["transitions"]:
-        if row.get("observable") is False or row["id"] in NOT_MUTATED:
+        rule = load_ledger()[row["id"]]
+        if not rule.is_observable or rule.id in NOT_MUTATED:
             continue
         verb = "accepts" if row["to"] == "refused" else "refuses"
         if row["event"] in lifecycle["events"]:
             verb = "misses"
         name = f"{verb}_{row['event']}_when_{row.get('when', row['from'])}"
         kills = {row["id"]} | ALSO.get(row["id"], set())
-        yield Row(name, tuple(kills), f"The opposite of: {row['text']}", row)
+        yield Row(name, tuple(kills), f"The opposite of: {rule.text}", row)
 
 
 @mutants(*_rows())
