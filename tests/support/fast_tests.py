@@ -1,7 +1,8 @@
 """Keeps `make check` fast, with hooks of pytest that know fast tests from slow ones.
 
-A test is slow when it is marked so, or when it has one of SLOW_FIXTURES. Any other
-fails when it starts a server or a kit, or computes for long: the marks stay complete.
+A test is slow when it is marked so or for releases, or when it has one of
+SLOW_FIXTURES. Any other fails when it starts a server or a kit, or computes for long:
+the marks stay complete.
 """
 
 import asyncio
@@ -23,6 +24,7 @@ FAST_TEST_MAX_S = 20.0
 # A test that is a coroutine function and still waits then fails.
 ASYNC_TEST_MAX_S = 120.0
 # Fixtures that start a server, or build the wheel.
+SLOW_TIERS = ("slow", "release")
 SLOW_FIXTURES = {"push_server", "server", "wheel"}
 
 _fast_test = [False]  # whether such a test runs now
@@ -54,7 +56,7 @@ def _processor_time_s() -> float:
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     """Know what runs, from its set-up to its tear-down."""
-    _fast_test[0] = item.get_closest_marker("slow") is None
+    _fast_test[0] = not any(item.get_closest_marker(tier) for tier in SLOW_TIERS)
     try:
         return (yield)
     finally:
