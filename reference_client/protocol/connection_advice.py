@@ -8,9 +8,9 @@ from __future__ import annotations
 import http.client
 import re
 from collections.abc import Iterator
-from urllib.parse import urljoin
 
 from proctor_client import ApiException
+from proctor_client.transport.server_address import place_of_redirection
 from urllib3.exceptions import ConnectTimeoutError, NewConnectionError
 
 _TUNNEL = re.compile(r"Tunnel connection failed: (\d{3})\b *(.*)", re.DOTALL)
@@ -57,8 +57,7 @@ def where_it_moved(error: ApiException, url: str) -> str | None:
     """The sentence that names the new place of a server, if the answer redirects."""
     if error.location is None:
         return None
-    place = urljoin(f"{url}/", error.location)
-    base = re.fullmatch(r"(https?://[^/?#]+.*?)/v1(?:[/?#].*)?", place)
-    if base is None or base[1] == url:
-        return f"It points to {place}; check that the URL is that of a Proctor server"
-    return f"The server is at {base[1]} now: use that URL"
+    place, is_base = place_of_redirection(url, error.location)
+    if is_base:
+        return f"The server is at {place} now: use that URL"
+    return f"It points to {place}; check that the URL is that of a Proctor server"

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import base64
 import contextlib
-import http.client
 import selectors
 import socket
 import ssl
@@ -21,7 +20,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 TIMEOUT_S = 30.0
-_HOP = ("connection", "proxy-connection", "proxy-authorization", "transfer-encoding")
+_HOP = ("connection", "proxy-connection", "proxy-authorization")
 
 
 @dataclass
@@ -53,51 +52,42 @@ class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     proxy: ForwardProxy
 
+    rbufsize = 0  # what follows the head of a request stays in the socket
+
     def _forward(self) -> None:
         self.proxy.requests.append(f"{self.command} {self.path}")
         parts = urlsplit(self.path)
-        body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
-        if not self._is_admitted():
-            return
-        address = self.proxy.address(parts.hostname or "", parts.port or 80)
+        target = parts.path + (f"?{parts.query}" if parts.query else "")
         headers = {n: v for n, v in self.headers.items() if n.lower() not in _HOP}
-        upstream = http.client.HTTPConnection(*address, timeout=TIMEOUT_S)
-        with contextlib.closing(upstream):
-            try:
-                target = parts.path + (f"?{parts.query}" if parts.query else "")
-                upstream.request(self.command, target, body, headers)
-                answer = upstream.getresponse()
-                content = answer.read()
-            except OSError as error:
-                self._refuse(502, str(error))
-                return
-        self.send_response_only(answer.status)
-        for name, value in answer.getheaders():
-            if name.lower() not in (*_HOP, "content-length"):
-                self.send_header(name, value)
-        if answer.status not in (204, 304):
-            self.send_header("Content-Length", str(len(content)))
-        self.end_headers()
-        self.wfile.write(content)
+        lines = [f"{name}: {value}" for name, value in headers.items()]
+        head = [f"{self.command} {target} HTTP/1.1", *lines, "Connection: close"]
+        address = (parts.hostname or "", parts.port or 80)
+        self._carry(address, "\r\n".join([*head, "", ""]).encode("latin-1"))
 
     do_GET = do_PUT = do_POST = do_DELETE = _forward  # noqa: N815 - http.server's names
 
     def do_CONNECT(self) -> None:
         self.proxy.requests.append(f"{self.command} {self.path}")
+        host, _, port = self.path.rpartition(":")
+        self._carry((host.strip("[]"), int(port)), None)
+
+    def _carry(self, address: tuple[str, int], head: bytes | None) -> None:
+        """Carry what follows in both directions. head: of a request, else a tunnel."""
         self.close_connection = True
         if not self._is_admitted():
             return
-        host, _, port = self.path.rpartition(":")
         try:
-            upstream = socket.create_connection(
-                self.proxy.address(host.strip("[]"), int(port)), TIMEOUT_S
-            )
+            place = self.proxy.address(*address)
+            upstream = socket.create_connection(place, TIMEOUT_S)
         except OSError as error:
             self._refuse(502, str(error))
             return
-        self.send_response_only(200, "Connection established")
-        self.end_headers()
         with upstream:
+            if head is None:
+                self.send_response_only(200, "Connection established")
+                self.end_headers()
+            else:
+                upstream.sendall(head)
             _pump(self.connection, upstream)
 
     def _is_admitted(self) -> bool:
@@ -126,16 +116,17 @@ def _pump(one: socket.socket, two: socket.socket) -> None:
     with selectors.DefaultSelector() as selector:
         selector.register(one, selectors.EVENT_READ, two)
         selector.register(two, selectors.EVENT_READ, one)
-        while True:
-            for key, _ in selector.select(TIMEOUT_S):
-                source: Any = key.fileobj
-                # A socket with TLS may hold more than the selector sees.
-                data = source.recv(2**16)
-                while isinstance(source, ssl.SSLSocket) and source.pending():
-                    data += source.recv(2**16)
-                if not data:
-                    return
-                key.data.sendall(data)
+        with contextlib.suppress(OSError):
+            while True:
+                for key, _ in selector.select(TIMEOUT_S):
+                    source: Any = key.fileobj
+                    # A socket with TLS may hold more than the selector sees.
+                    data = source.recv(2**16)
+                    while isinstance(source, ssl.SSLSocket) and source.pending():
+                        data += source.recv(2**16)
+                    if not data:
+                        return
+                    key.data.sendall(data)
 
 
 @contextlib.contextmanager

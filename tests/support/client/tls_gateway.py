@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import ssl
 import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -56,10 +57,20 @@ def serve_tls(
 ) -> Iterator[tuple[str, Path]]:
     """A server for a name that no authority knows: its URL and certificate."""
     pem, context = create_certificate(folder, name)
-    server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
-    server.socket = context.wrap_socket(server.socket, server_side=True)
-    thread = threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True)
-    thread.start()
-    yield f"https://{name}:{server.server_port}", pem
-    server.shutdown()
-    server.server_close()
+    with serve_plainly(handler, context) as url:
+        yield url.replace("http://127.0.0.1", f"https://{name}"), pem
+
+
+@contextlib.contextmanager
+def serve_plainly(
+    handler: type[BaseHTTPRequestHandler], tls: ssl.SSLContext | None = None
+) -> Iterator[str]:
+    """A server with these answers: its URL without TLS."""
+    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        server.daemon_threads = True
+        if tls is not None:
+            server.socket = tls.wrap_socket(server.socket, server_side=True)
+        serve = threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True)
+        serve.start()
+        yield f"http://127.0.0.1:{server.server_port}"
+        server.shutdown()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from ipaddress import AddressValueError, IPv6Address
-from urllib.parse import urlsplit
+from urllib.parse import urljoin, urlsplit
 
 from .copied_text import trim
 
@@ -37,6 +37,16 @@ def url_of_host(host: str | None, port: int | None) -> str:
     name = trim(host or "127.0.0.1")
     is_bare_ipv6 = ":" in name and not name.startswith("[")
     return f"http://{f'[{name}]' if is_bare_ipv6 else name}:{port or 8460}"
+
+
+def place_of_redirection(url: str, location: str) -> tuple[str, bool]:
+    """The address that an answer of the server at a base URL points to.
+
+    The base URL of a server, and True, if it is another one of the same interface.
+    """
+    place = urljoin(f"{url}/", location)
+    base = re.fullmatch(r"(https?://[^/?#]+.*?)/v1(?:[/?#].*)?", place)
+    return (base[1], True) if base and base[1] != url else (place, False)
 
 
 def without_user(url: str) -> str:
