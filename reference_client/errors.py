@@ -39,6 +39,8 @@ NOT_TRUSTED = "not_trusted"
 # Two more, of workers in their own processes: the process exited, or the policy raised.
 WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
+# And one of a defect of this client, which is never said to be the policy's.
+CLIENT_FAILED = "client_failed"
 
 # Raised by the generated client and the data plane when no response arrives.
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)

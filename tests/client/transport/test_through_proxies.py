@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from urllib3.util.wait import wait_for_read
 
 from reference_client.command.main import main
+from reference_client.protocol import http_connection
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.http_connection import HttpConnection
 from tests.support.client.command import options
@@ -178,3 +180,28 @@ def test_a_tunnel_that_is_refused_is_not_the_server_s_fault(
     written = capsys.readouterr().err
     assert f"{proxy.url} of ALL_PROXY refused the way to https://{NAME} (403" in written
     assert written.count("\n") == 1
+
+
+@pytest.mark.parametrize("more", [[], ["--processes"]])
+def test_a_defect_of_the_connection_is_not_said_to_be_the_policy_s(
+    server: ReferenceServer,
+    more: list[str],
+    policy_folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (policy_folder / "broken.py").write_text(
+        "from policies import Graded\n"
+        "from reference_client.protocol import http_connection\n"
+        "def wait_for_read(*_): raise ModuleNotFoundError('No module named socks')\n"
+        "class Broken(Graded):\n"
+        "    def act(self, observation):\n"
+        "        http_connection.wait_for_read = wait_for_read\n"
+        "        return super().act(observation)\n"
+    )
+    monkeypatch.setattr(http_connection, "wait_for_read", wait_for_read)
+    flags = ["--policy", "broken:Broken", "--no-dry-turn", *options("count"), *more]
+    assert main(["run", "--url", server.url, *flags]) == 1
+    written = capsys.readouterr().err
+    assert "This client failed in its connection to the server: ModuleNot" in written
+    assert "The policy raised" not in written
