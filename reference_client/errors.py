@@ -11,9 +11,25 @@ from collections.abc import Sequence
 
 import pydantic
 import urllib3.exceptions
-from proctor_client import ApiException, Problem, Run
+from proctor_client import (
+    ApiException,
+    BadProxy,
+    Problem,
+    ProxyRoute,
+    Run,
+    find_route,
+)
+from proctor_client.transport.tls_trust import certificate_cure
 
 from reference_client.printable_text import printable
+from reference_client.protocol.connection_advice import (
+    causes_of,
+    is_of_first_hop,
+    refusal_of_tunnel,
+    scheme_hint,
+    speaks_tls,
+    where_it_moved,
+)
 
 # Three codes of this client beside those of x-problems: no response, a response that
 # violates the protocol, and a server that does not prove to be the one of the URL.
@@ -23,9 +39,12 @@ NOT_TRUSTED = "not_trusted"
 # Two more, of workers in their own processes: the process exited, or the policy raised.
 WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
+# And one of a defect of this client, which is never said to be the policy's.
+CLIENT_FAILED = "client_failed"
 
 # Raised by the generated client and the data plane when no response arrives.
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
+_PROXY_WANTS_PASSWORD = 407
 
 _CLIENT_HINTS = {
     "unauthenticated": "In this client: the argument `token`, or PROCTOR_TOKEN.",
@@ -130,25 +149,62 @@ def how_to_resume(run_id: str, *, takeover: bool = False) -> str:
 
 def from_failure(error: Exception, url: str) -> ProctorError:
     """The ProctorError for the error of a request to the server at `url`."""
+    route = _route_to(url)
     if isinstance(error, ApiException) and error.status:
-        return _from_answer(error, url)
+        return _from_answer(error, url, route)
     if (tls := _tls_error(error)) is not None and _is_final(tls):
-        return _not_trusted(tls, url)
+        return _not_trusted(tls, url, route)
     if isinstance(error, NO_ANSWER_ERRORS):
-        return ProctorError(
-            UNREACHABLE,
-            f"{url} is unreachable ({innermost_reason(error)}). "
-            "Check the URL, and that the server runs.",
-            retryable=True,
-            side_effects="possible",
-        )
+        return _no_answer(error, url, route)
+    way = f"; {route.how}" if route.url else ""
     return ProctorError(
         BAD_ANSWER,
-        f"{url} sent an invalid response ({_what_is_wrong(error)}). "
+        f"{url} sent an invalid response ({_what_is_wrong(error)}{way}). "
         "Check that the URL is that of a Proctor server; if it is, report this to its "
         "operator. The request may have been carried out; to repeat it as it was is "
         "safe.",
         side_effects="possible",
+    )
+
+
+def _route_to(url: str) -> ProxyRoute:
+    try:
+        return find_route(url)
+    except BadProxy:  # was reported before anything was sent
+        return ProxyRoute()
+
+
+def _no_answer(error: Exception, url: str, route: ProxyRoute) -> ProctorError:
+    """The server, or the proxy on the way to it, did not answer."""
+    reason, advice = innermost_reason(error), route.advice
+    proxy = f"The proxy {route.url} of {route.variable}, on the way to {url},"
+    refused = refusal_of_tunnel(error) if route.url else None
+    if refused is not None and refused[0] < 500:
+        return _refused_by_proxy(refused[0], refused[1], url, route)
+    if route.url and refused is not None:
+        text = f"{proxy} did not reach it ({refused[1]}). Check the URL, and that"
+        text += f" the server runs; {advice}."
+    elif route.url and is_of_first_hop(error):
+        text = f"{proxy} is unreachable ({reason}). Correct {route.variable}; {advice}."
+    else:
+        way = f"; {route.how}" if route.how else ""
+        text = f"{url} is unreachable ({reason}{way}). Check the URL"
+        text += f"{scheme_hint(error, url)}, and that the server runs"
+        text += f"; {advice}." if advice else "."
+    return ProctorError(UNREACHABLE, text, retryable=True, side_effects="possible")
+
+
+def _refused_by_proxy(
+    status: int, phrase: str, url: str, route: ProxyRoute
+) -> ProctorError:
+    """A proxy refused the request, which did not reach the server."""
+    cure = route.advice
+    if status == _PROXY_WANTS_PASSWORD:
+        cure = f"Give it in {route.variable}=http://USER:PASSWORD@HOST:PORT; {cure}"
+    return ProctorError(
+        UNREACHABLE,
+        f"The proxy {route.url} of {route.variable} refused the way to {url} "
+        f"({phrase}). {cure}.",
     )
 
 
@@ -164,10 +220,8 @@ def _what_is_wrong(error: Exception) -> str:
 
 def _tls_error(error: BaseException) -> ssl.SSLError | None:
     """The error of TLS, however deep the libraries have wrapped it; else None."""
-    inner: BaseException | None = error
-    while inner is not None and not isinstance(inner, ssl.SSLError):
-        inner = inner.__cause__ or inner.__context__
-    return inner
+    tls = (cause for cause in causes_of(error) if isinstance(cause, ssl.SSLError))
+    return next(tls, None)
 
 
 def _is_final(error: ssl.SSLError) -> bool:
@@ -176,34 +230,28 @@ def _is_final(error: ssl.SSLError) -> bool:
     return not isinstance(error, lost)
 
 
-def _not_trusted(error: ssl.SSLError, url: str) -> ProctorError:
+def _not_trusted(error: ssl.SSLError, url: str, route: ProxyRoute) -> ProctorError:
+    way = f" ({route.how})" if route.url else ""
     if isinstance(error, ssl.SSLCertVerificationError):
+        reason = error.verify_message.rstrip(".")
         detail = (
-            f"The certificate of {url} is not accepted: {error.verify_message}. "
-            "Correct the name in the URL, or name the file with the certificate of its "
-            "authority: PROCTOR_CA, SSL_CERT_FILE or REQUESTS_CA_BUNDLE."
+            f"The certificate of {url}{way} is not accepted: {reason}. "
+            f"{certificate_cure(error)}."
         )
     else:
         detail = (
-            f"{url} does not speak TLS as this client does ({error.reason or error}). "
+            f"{url}{way} does not speak TLS as this client does "
+            f"({error.reason or error}). "
             "Check the port, and whether the URL begins with http:// instead."
         )
     return ProctorError(NOT_TRUSTED, detail)
 
 
-def _from_answer(error: ApiException, url: str) -> ProctorError:
+def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:
     problem, status = error.data, error.status
     if not isinstance(problem, Problem):
-        # Sent by a gateway in front of the server, not by the server itself.
-        return ProctorError(
-            BAD_ANSWER,
-            f"{url} answered {status} {error.reason} without a problem document. "
-            "Check that the URL is that of a Proctor server.",
-            retryable=status == 429 or status >= 500,
-            side_effects="possible",
-            retry_after_s=error.retry_after_s,
-        )
-    here = _CLIENT_HINTS.get(problem.code)
+        return _from_gateway(error, url, route)
+    here = _CLIENT_HINTS.get(problem.code) or _base_hint(status, url).strip()
     return ProctorError(
         problem.code,
         f"{problem.detail} {here}" if here else problem.detail,
@@ -215,11 +263,41 @@ def _from_answer(error: ApiException, url: str) -> ProctorError:
     )
 
 
+def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:
+    """The answer was sent by something in front of the server, or by another server."""
+    status, phrase = error.status, f"{error.status} {error.reason or ''}".strip()
+    if route.url and status == _PROXY_WANTS_PASSWORD:
+        return _refused_by_proxy(status, phrase, url, route)
+    moved = where_it_moved(error, url)
+    if moved is not None:
+        return ProctorError(BAD_ANSWER, f"{url} answered {phrase}. {moved}.")
+    if speaks_tls(error, url):
+        text = f"{url} answered {phrase}: it speaks TLS. Begin the URL with https://."
+        return ProctorError(BAD_ANSWER, text)
+    who, advice = url, ""
+    if route.url:
+        who = f"{url}, or the proxy {route.url} of {route.variable} in its place,"
+        advice = f"; {route.advice}"
+    return ProctorError(
+        BAD_ANSWER,
+        f"{who} answered {phrase} without a problem document. "
+        f"Check that the URL is that of a Proctor server{advice}."
+        f"{_base_hint(status, url)}",
+        retryable=status == 429 or status >= 500,
+        side_effects="possible",
+        retry_after_s=error.retry_after_s,
+    )
+
+
+def _base_hint(status: int, url: str) -> str:
+    """The hint for who gives the address of the interface in place of the server's."""
+    is_hinted = status == 404 and url.rstrip("/").endswith("/v1")
+    return " Try the URL without /v1, which is added to it." if is_hinted else ""
+
+
 def innermost_reason(error: BaseException) -> str:
     """The innermost reason; the operating system's text if there is one."""
-    inner = error
-    while (deeper := inner.__cause__ or inner.__context__) is not None:
-        inner = deeper
+    *_, inner = causes_of(error)
     strerror = getattr(inner, "strerror", None)
     return strerror or str(inner) or type(inner).__name__
 

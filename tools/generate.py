@@ -49,13 +49,17 @@ VERSIONS = tuple(
     Path(package, "generated", "protocol_version.py")
     for package in ("reference_client", "reference_server")
 )
-SINGLE_FILES = (MODELS, CATALOGUE, PARAMETERS, TURNS, *VERSIONS)
 CLIENTS = Path("generated_clients")
+# Written by hand for the clients, and copied to the kit, which imports no client.
+TRANSPORT = sorted((ROOT / CLIENTS).glob("python/proctor_client/transport/*.py"))
+KIT_TRANSPORT = Path("conformance", "client", "connections", "transport")
+COPIES = tuple(KIT_TRANSPORT / path.name for path in TRANSPORT)
+SINGLE_FILES = (MODELS, CATALOGUE, PARAMETERS, TURNS, *VERSIONS, *COPIES)
 BIN = Path(sys.executable).parent
 STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
 # Beside the generated files: what we write on top of them, and what builds leave.
 NOT_GENERATED = {
-    *("example", "interop", "Cargo.lock", "package-lock.json", ".mvn"),
+    *("example", "interop", "transport", "Cargo.lock", "package-lock.json", ".mvn"),
     *("__pycache__", "build", "dist", "node_modules", "target"),
 }
 PARTS = {"apis": "", "models": "", "supportingFiles": ""} | dict.fromkeys(
@@ -256,6 +260,12 @@ def write_versions(out: Path) -> None:
         (out / path).write_text(f'{VERSION_HEADER}\nPROTOCOL_VERSION = "{version}"\n')
 
 
+def write_transport(out: Path) -> None:
+    """The kit's copy of what clients and kit have in common, and may not share."""
+    for path in TRANSPORT:
+        (out / KIT_TRANSPORT / path.name).write_text(path.read_text())
+
+
 def format_python(*targets: Path) -> None:
     settings = ("--quiet", "--no-cache", "--config", ROOT / "pyproject.toml")
     run(BIN / "ruff", "check", *settings, "--select", "F401,I,UP", "--fix", *targets)
@@ -374,6 +384,9 @@ def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
         tidy(folder / name, dropped, patches)
         if scripts := sorted((folder / name).rglob("*.py")):
             format_python(*scripts)
+        if name == "python":
+            of_client = TRANSPORT[0].parent.relative_to(ROOT / CLIENTS / name)
+            shutil.copytree(TRANSPORT[0].parent, folder / name / of_client)
 
 
 def take_repairs(plan: dict[str, Any]) -> tuple[list[str], list[dict[str, str]]]:
@@ -421,7 +434,7 @@ def write_all(out: Path) -> None:
         (out / path).parent.mkdir(parents=True, exist_ok=True)
     writers = (
         *(write_committed_clients, write_models, write_turns),
-        *(write_catalogue, write_parameters, write_versions),
+        *(write_catalogue, write_parameters, write_versions, write_transport),
     )
     with ThreadPoolExecutor(len(writers)) as pool:
         for writing in [pool.submit(write, out) for write in writers]:

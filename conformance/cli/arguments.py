@@ -3,13 +3,17 @@
 import argparse
 import difflib
 import importlib.metadata
-import os
 import random
 import time
 from collections.abc import Iterable
 from pathlib import Path
 from typing import NoReturn
 
+from conformance.cli.reached_server import (
+    accept_authorities,
+    read_base_url,
+    read_secret,
+)
 from conformance.reports.attestation import CannotAttest, load_key, read_subject
 from conformance.run_settings import Settings
 from conformance.specification.document import spec_name
@@ -48,6 +52,11 @@ def build_parser() -> argparse.ArgumentParser:
         metavar="URL[,URL…]",
         help="base URL of the server under test; all of them, with commas, of a "
         "service that has several: requests are spread over them",
+    )
+    server.add_argument(
+        "--ca",
+        metavar="FILE",
+        help="certificates to accept, instead of the system's [PROCTOR_CA]",
     )
     server.add_argument(
         "--start-cmd",
@@ -261,14 +270,12 @@ def read_settings(options: argparse.Namespace) -> Settings:
         raise BadArguments("--fail-fast and --known-failures exclude each other")
     if options.max_time is not None and not options.max_time > 0:
         raise BadArguments(f"--max-time {options.max_time:g}: must be greater than 0")
-    environment = os.environ
-    _read_nodes(options, settings)
+    try:
+        _read_accounts(options, settings)
+        _read_nodes(options, settings)
+    except ValueError as error:
+        raise BadArguments(str(error)) from error
     _read_attestation(options, settings)
-    settings.token = options.token or environment.get("PROCTOR_TOKEN") or None
-    settings.token_2 = options.token_2 or environment.get("PROCTOR_TOKEN_2") or None
-    settings.token_read = (
-        options.token_read or environment.get("PROCTOR_TOKEN_READ") or None
-    )
     settings.start_cmd = options.start_cmd
     settings.restart_cmd = options.restart_cmd
     settings.durable = not options.not_durable
@@ -284,12 +291,18 @@ def read_settings(options: argparse.Namespace) -> Settings:
     return settings
 
 
+def _read_accounts(options: argparse.Namespace, settings: Settings) -> None:
+    accept_authorities(options.ca)
+    settings.token = read_secret(options.token, "--token", "PROCTOR_TOKEN")
+    settings.token_2 = read_secret(options.token_2, "--token-2", "PROCTOR_TOKEN_2")
+    settings.token_read = read_secret(
+        options.token_read, "--token-read", "PROCTOR_TOKEN_READ"
+    )
+
+
 def _read_nodes(options: argparse.Namespace, settings: Settings) -> None:
     """Read where the service is reached, or how many servers of it are started."""
-    urls = [url.rstrip("/") for url in _split(options.url)]
-    for url in urls:
-        if not url.startswith(("http://", "https://")):
-            raise BadArguments(f"--url {url}: not an http or https URL")
+    urls = [read_base_url("--url", url) for url in _split(options.url)]
     if len(set(urls)) < len(urls):
         raise BadArguments(f"--url {options.url}: a base URL stands twice")
     if options.nodes > 1 and options.start_cmd is None:

@@ -9,6 +9,7 @@ import contextlib
 import functools
 import json as json_module
 import re
+import ssl
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
@@ -16,14 +17,20 @@ from typing import Any
 import httpx
 
 from conformance.client.base_urls import BaseUrls
-from conformance.client.connections.connection_faults import is_own_fault, is_repeatable
+from conformance.client.connections.connection_faults import (
+    causes_of,
+    is_own_fault,
+    is_repeatable,
+)
 from conformance.client.connections.connection_pool import (
     Connection,
     ConnectionPool,
     Connections,
 )
+from conformance.client.connections.failure_texts import PROXY_ERRORS, proxy_in_between
 from conformance.client.connections.kept_connection import HttpRequest, HttpResponse
 from conformance.client.connections.proxy_answers import find_proxy
+from conformance.client.connections.transport.proxy_route import BadProxy, find_route
 from conformance.client.exchange_log import ExchangeLog
 from conformance.exchanges.answer import Answer, ParsedAnswer, media_type_of, parse
 from conformance.exchanges.exchange import Exchange
@@ -71,6 +78,14 @@ def _send_once(connection: Connection, request: HttpRequest) -> HttpResponse:
     if media_type_of(response.headers) != EVENT_STREAM:
         response.read()
     return response
+
+
+def _is_of_own_proxy(error: Exception, url: str) -> bool:
+    """Whether the proxy that the environment names failed, before any server."""
+    is_of_tls = any(isinstance(cause, ssl.SSLError) for cause in causes_of(error))
+    return (
+        isinstance(error, PROXY_ERRORS) and not is_of_tls and bool(find_route(url).url)
+    )
 
 
 def _read_first_event(response: HttpResponse) -> bytes:
@@ -261,9 +276,11 @@ class HttpClient:
                 response = _send_once(connection, request)
         except httpx.LocalProtocolError:
             raise
+        except BadProxy as error:
+            raise OwnConnectionFailed(f"{request.url}: {error}") from error
         except (httpx.RequestError, OSError) as error:
             text = f"{type(error).__name__}: {error}"
-            if is_own_fault(error):
+            if is_own_fault(error) or _is_of_own_proxy(error, str(request.url)):
                 raise OwnConnectionFailed(f"{request.url}: {text}") from error
             raise self._log_no_answer(exchange, text) from error
         if response.body is not None:
@@ -280,8 +297,9 @@ class HttpClient:
         self, response: HttpResponse, body: bytes, exchange: Exchange
     ) -> None:
         """Raise if a proxy answered: a 5xx says that it got no answer, either."""
-        status = response.status
-        proxy = find_proxy(status, response.headers, body)
+        status, headers = response.status, response.headers
+        proxy = find_proxy(status, headers, body)
+        proxy = proxy or proxy_in_between(status, headers, exchange.url)
         if proxy is None:
             return
         text = f"{proxy}, in front of the server, answered {status} in its place"

@@ -66,7 +66,7 @@ class SharedContext:
         """Open the connections for one run of the kit."""
         is_policy = settings.profiles == [POLICY]
         spec = load_policy_spec() if is_policy else load_spec()
-        return cls(settings, ConnectionPool(settings.url), spec)
+        return cls(settings, ConnectionPool(), spec)
 
     def close(self) -> None:
         """Close the connections."""
@@ -124,8 +124,8 @@ class RequestContext:
     @contextlib.contextmanager
     def own_connection(self) -> Iterator[HttpClient]:
         """Give a client that sends its requests one by one over one connection."""
-        url, token = self._base_urls.first, self.shared.settings.token
-        with contextlib.closing(ConnectionPool(url)) as connections:
+        token = self.shared.settings.token
+        with contextlib.closing(ConnectionPool()) as connections:
             yield self._open_client(token, "TOKEN", connections, pinned=0)
 
     @property

@@ -14,14 +14,20 @@ from typing import Any
 from conformance.cli.arguments import BadArguments
 from conformance.cli.console import Terminal
 from conformance.cli.kit_run import run_kit
+from conformance.cli.reached_server import (
+    accept_authorities,
+    read_base_url,
+    read_secret,
+)
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.failure_texts import describe_failure
 from conformance.client.request_context import SharedContext
 from conformance.policy.benchmark_source import DEFAULT_SERVER, read_benchmark
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import POLICY, load_ledger
-from conformance.verdicts.expect import Violation, describe_answer
+from conformance.verdicts.expect import OwnConnectionFailed, Violation, describe_answer
 from conformance.verdicts.result import Result, conclude
 
 
@@ -47,6 +53,11 @@ def _parser() -> argparse.ArgumentParser:
         "policy server, wrong key, kit error).",
     )
     parser.add_argument("--url", required=True, help="base URL of the policy server")
+    parser.add_argument(
+        "--ca",
+        metavar="FILE",
+        help="certificates to accept, instead of the system's [PROCTOR_CA]",
+    )
     parser.add_argument("--key", help="its API key, if it has one [PROCTOR_POLICY_KEY]")
     parser.add_argument(
         "--benchmark",
@@ -70,8 +81,14 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _settings(options: argparse.Namespace) -> Settings:
-    if not options.url.startswith(("http://", "https://")):
-        raise BadArguments(f"--url {options.url}: not an http or https URL")
+    try:
+        accept_authorities(options.ca)
+        url = read_base_url("--url", options.url)
+        server = read_base_url("--server", options.server)
+        key = read_secret(options.key, "--key", "PROCTOR_POLICY_KEY")
+        token = read_secret(None, "PROCTOR_TOKEN", "PROCTOR_TOKEN")
+    except ValueError as error:
+        raise BadArguments(str(error)) from error
     only = [part.strip() for part in (options.only or "").split(",") if part.strip()]
     rule_ids = [row.id for row in load_ledger().values() if row.profile == POLICY]
     for wanted in only:
@@ -79,15 +96,13 @@ def _settings(options: argparse.Namespace) -> Settings:
             raise BadArguments(f"--only {wanted}: no rule id starts with {wanted}")
     seed = options.seed
     return Settings(
-        url=options.url.rstrip("/"),
-        token=options.key or os.environ.get("PROCTOR_POLICY_KEY") or None,
+        url=url,
+        token=key,
         only=only,
         profiles=[POLICY],
         report=options.report,
         seed=random.randrange(10**6) if seed is None else seed,
-        benchmark=read_benchmark(
-            options.benchmark, options.server, os.environ.get("PROCTOR_TOKEN")
-        ),
+        benchmark=read_benchmark(options.benchmark, server, token),
     )
 
 
@@ -113,11 +128,12 @@ def _description(settings: Settings) -> dict[str, Any]:
         answer = CheckContext(shared, "preflight").call(
             "describe_policy", timeout_s=10.0
         )
-    except Violation as error:
-        raise CannotJudge(
-            f"no response to GET {settings.url}/v1/policy ({error.observed}): start "
-            "the policy server or correct --url"
-        ) from error
+    except (Violation, OwnConnectionFailed) as error:
+        url, observed = settings.url, getattr(error, "observed", error)
+        text = f"no response from {url} ({observed}): start it or correct --url"
+        if error.__cause__ is not None:
+            text = describe_failure(error.__cause__, url)
+        raise CannotJudge(text) from error
     finally:
         shared.close()
     body = answer.json

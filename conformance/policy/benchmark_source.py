@@ -3,6 +3,7 @@
 The evaluation server describes the benchmark; nothing is played on it.
 """
 
+import contextlib
 import json
 import re
 from pathlib import Path
@@ -11,6 +12,12 @@ from typing import Any
 import httpx
 
 from conformance.cli.arguments import BadArguments
+from conformance.client.connections.connection_pool import Connections
+from conformance.client.connections.failure_texts import (
+    describe_failure,
+    describe_other_answer,
+)
+from conformance.client.connections.kept_connection import HttpRequest
 from conformance.policy.turn_builder import calibration
 from conformance.specification.document import load_policy_spec
 
@@ -50,23 +57,33 @@ def _from_file(path: str) -> Any:
 
 
 def _from_server(name: str, server: str, token: str | None) -> Any:
-    headers = {} if token is None else {"Authorization": f"Bearer {token}"}
-    url = f"{server}/v1/benchmarks/{name}"
+    headers = {"accept": ("Accept", "application/json")}
+    if token is not None:
+        headers["authorization"] = ("Authorization", f"Bearer {token}")
+    request = HttpRequest(
+        "GET", httpx.URL(f"{server}/v1/benchmarks/{name}"), headers, None, _TIMEOUT_S
+    )
     try:
-        answer = httpx.get(url, headers=headers, timeout=_TIMEOUT_S)
-        if answer.status_code == 200:
-            return answer.json()
-    except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
+        with contextlib.closing(Connections()) as connections:
+            answer = connections.to(request.url).send(request)
+            body = answer.read()
+        if answer.status == 200:
+            return json.loads(body)
+    except (httpx.HTTPError, httpx.InvalidURL) as error:
         raise BadArguments(
-            f"--benchmark {name}: no description from {server} ({error}); start the "
-            "evaluation server, or give --server"
+            f"--benchmark {name}: {describe_failure(error, server)}; or give --server"
         ) from error
-    if answer.status_code in (401, 403):
+    except ValueError as error:
+        raise BadArguments(f"--benchmark {name}: {server} sends no JSON") from error
+    other = describe_other_answer(answer.status, answer.headers, body, server)
+    if other is not None:
+        raise BadArguments(f"--benchmark {name}: {other}")
+    if answer.status in (401, 403):
         raise BadArguments(
             f"--benchmark {name}: {server} requires a token; set PROCTOR_TOKEN"
         )
-    if answer.status_code == 404:
+    if answer.status == 404:
         raise BadArguments(f"--benchmark {name}: {server} has no such benchmark")
     raise BadArguments(
-        f"--benchmark {name}: {server} answered with status {answer.status_code}"
+        f"--benchmark {name}: {server} answered with status {answer.status}"
     )

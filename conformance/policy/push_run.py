@@ -147,8 +147,10 @@ def own_address(url: str) -> str:
         return "127.0.0.1"
     port = parts.port or (443 if parts.scheme == "https" else 80)
     try:
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-            probe.connect((parts.hostname or "", port))  # sends nothing
+        places = socket.getaddrinfo(parts.hostname, port, type=socket.SOCK_DGRAM)
+        family, kind, protocol, _, address = places[0]
+        with socket.socket(family, kind, protocol) as probe:
+            probe.connect(address)  # sends nothing
             return str(probe.getsockname()[0])
     except OSError as error:
         reason = f"no address of this machine is reachable from {url}: {error}"

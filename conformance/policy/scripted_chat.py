@@ -11,9 +11,10 @@ import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 from typing import Any, Self
 
+from conformance.policy.listening_server import ListeningServer
 from conformance.policy.request_body import read_body
 
 
@@ -66,8 +67,8 @@ class ScriptedChat:
         self.is_closed = False
         self._events_by_count: list[tuple[int, threading.Event]] = []
         self._lock = threading.Lock()
-        self._server = _Server((host, 0), _handler_of(self))
-        self.url = f"http://{host}:{self._server.server_port}/v1"
+        self._server = _Server(host, _handler_of(self))
+        self.url = f"{self._server.origin}/v1"
 
     @property
     def completions_url(self) -> str:
@@ -116,9 +117,7 @@ class ScriptedChat:
                 event.set()
 
 
-class _Server(ThreadingHTTPServer):
-    daemon_threads = True
-
+class _Server(ListeningServer):
     def handle_error(self, request: Any, client_address: Any) -> None:
         """Ignore closed connections: a stopped run closes them."""
         if not isinstance(sys.exception(), ConnectionError):

@@ -10,10 +10,11 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 from typing import Any, Self
 
 from conformance.client.calibration_actions import action
+from conformance.policy.listening_server import ListeningServer
 from conformance.policy.request_body import read_body
 from conformance.specification.document import JSON, PROBLEM_JSON, load_spec
 
@@ -76,9 +77,8 @@ class ScriptedPolicy:
             "reset": self.reset_reply,
             "predict": self.final_action_reply,
         }
-        self._server = ThreadingHTTPServer((host, 0), _handler_of(self))
-        self._server.daemon_threads = True
-        self.url = f"http://{host}:{self._server.server_port}"
+        self._server = ListeningServer(host, _handler_of(self))
+        self.url = self._server.origin
 
     def __enter__(self) -> Self:
         """Serve, in a thread."""

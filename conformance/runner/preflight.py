@@ -12,13 +12,22 @@ from datetime import UTC, datetime
 from typing import Any
 
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.failure_texts import (
+    describe_failure,
+    describe_other_answer,
+)
 from conformance.client.http_client import HttpClient
 from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedContext
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec, schema_faults
 from conformance.specification.stages import BENCHMARKS, LAST, RUNS
-from conformance.verdicts.expect import SetUpFailed, Violation, describe_answer
+from conformance.verdicts.expect import (
+    OwnConnectionFailed,
+    SetUpFailed,
+    Violation,
+    describe_answer,
+)
 
 _FAULTS_MAX = 12
 _PROBES = 12
@@ -89,11 +98,12 @@ def _require_accounts(context: CheckContext, settings: Settings) -> None:
 def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Answer:
     try:
         return http_client.request(method, path, timeout_s=_TIMEOUT_S, **how)
-    except Violation as error:
-        raise CannotJudge(
-            f"no response to {method} {http_client.base_url}{path} "
-            f"({error.observed}): start the server or correct --url"
-        ) from error
+    except (Violation, OwnConnectionFailed) as error:
+        url, observed = http_client.base_url, getattr(error, "observed", error)
+        text = f"no response from {url} ({observed}): start it or correct --url"
+        if error.__cause__ is not None:
+            text = describe_failure(error.__cause__, url)
+        raise CannotJudge(text) from error
     except SetUpFailed as error:
         raise CannotJudge(f"{method} {path}: {error.reason}") from error
 
@@ -103,6 +113,10 @@ def _read_service(context: CheckContext) -> dict[str, Any]:
     if answer.status in (401, 403):
         # Whether it needs a token is judged by SVC-001.
         answer = _request(context.http_client, "GET", "/v1")
+    url = context.http_client.base_url
+    other = describe_other_answer(answer.status, answer.headers, answer.body, url)
+    if other is not None:
+        raise CannotJudge(other)
     needed = "GET /v1 must describe the service; is --url the base of a Proctor server?"
     if answer.status != 200 or not isinstance(answer.json, dict):
         raise CannotJudge(

@@ -16,6 +16,7 @@ from typing import Protocol
 import httpx
 
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.connection_pool import Connections
 from conformance.runner.server_process import (
     AccountTokens,
     ServerProcess,
@@ -86,8 +87,11 @@ class _HookedServer:
         deadline = time.monotonic() + _RESTART_S
         url = self.context.shared.settings.url
         while time.monotonic() < deadline:
-            with contextlib.suppress(httpx.TransportError):
-                httpx.get(f"{url}/v1", timeout=2.0)
+            with (
+                contextlib.suppress(httpx.TransportError),
+                contextlib.closing(Connections()) as connections,
+            ):
+                connections.get(f"{url}/v1", timeout_s=2.0)
                 return
             time.sleep(0.05)
         raise SetUpFailed("server restart failed: no response after --restart-cmd")

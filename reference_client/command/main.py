@@ -92,9 +92,6 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
     except ProctorError as error:
         if args.debug:
             printer.say(traceback.format_exc().rstrip())
-        url = getattr(args, "url", None) or getattr(args, "server", None) or ""
-        if error.code == "not_found" and url.rstrip("/").endswith("/v1"):
-            error = error.explained("Try the URL without /v1, which is added to it.")
         _print_error(error.code, message_of(error), as_json=args.json)
         return exit_code_of(error, has_run=False)
     except UsageError:

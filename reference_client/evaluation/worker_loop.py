@@ -51,7 +51,9 @@ class WorkerLoop:
         self._slot = slot
         self._policy = policy
         self._retry_policy = replace(
-            retry_policy, report_waiting=board.waiting_reporter(slot.worker_id)
+            retry_policy,
+            url=slot.data.endpoint,
+            report_waiting=board.waiting_reporter(slot.worker_id),
         )
         self._board = board
         self._takeover = takeover

@@ -13,7 +13,6 @@ import queue
 import signal
 import sys
 import threading
-import traceback
 from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, TextIO
@@ -22,13 +21,13 @@ from proctor_client import Assumptions, Player, Run
 
 from reference_client.api.action_layout import ActionLayout, ClipCount
 from reference_client.api.policy import Policy
-from reference_client.errors import ProctorError
+from reference_client.errors import PolicyFailed, ProctorError
 from reference_client.evaluation.dry_turn import play_dry_turn
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.evaluation.turn_report import LatestTurn
 from reference_client.evaluation.worker_loop import WorkerLoop
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
-from reference_client.policies.error_origin import describe_policy_error
+from reference_client.policies.error_origin import policy_failure
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
 from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
@@ -87,8 +86,11 @@ class ReportingBoard(StatusBoard):
                 errors=(),
             )
         else:
-            whole = "".join(traceback.format_exception(error))
-            self.report("failed", detail=describe_policy_error(error), traceback=whole)
+            failure = policy_failure(error)
+            if not isinstance(failure, PolicyFailed):
+                self.failed(failure)
+                return
+            self.report("failed", detail=failure.detail, traceback=failure.traceback)
 
 
 class OrderReceiver:

@@ -1,13 +1,19 @@
-"""Describes an exception of a policy in one line, with the place in the user's code."""
+"""Describes an exception in one line: that of a policy with its place in its code.
+
+An error that the connection to the server raises is not the policy's.
+"""
 
 from __future__ import annotations
 
 import traceback
 from pathlib import Path
 
-from reference_client.errors import PolicyFailed
+import proctor_client
+
+from reference_client.errors import CLIENT_FAILED, PolicyFailed, ProctorError
 
 _CLIENT_ROOT = Path(__file__).resolve().parent.parent
+_CONNECTION = {_CLIENT_ROOT / "protocol", Path(proctor_client.__file__).parent}
 
 
 def describe_policy_error(error: BaseException) -> str:
@@ -29,7 +35,25 @@ def describe_policy_error(error: BaseException) -> str:
     return f"The policy raised {what} ({at}){'.' if notes else ''}{notes}"
 
 
-def policy_failure(error: BaseException) -> PolicyFailed:
-    """The failure to report for an error of the policy's own code."""
+def policy_failure(error: BaseException) -> ProctorError:
+    """The failure to report for an error that nothing expects: the policy's, mostly."""
+    if _is_of_connection(error):
+        what = " ".join(f"{type(error).__name__}: {error}".split())
+        return ProctorError(
+            CLIENT_FAILED,
+            f"This client failed in its connection to the server: {what}. The policy "
+            "is not the cause; PROCTOR_DEBUG=1 or --debug shows where.",
+        )
     whole = "".join(traceback.format_exception(error))
     return PolicyFailed(describe_policy_error(error), whole)
+
+
+def _is_of_connection(error: BaseException) -> bool:
+    """Whether the client called its connection, and not the policy, when it failed."""
+    for frame in traceback.extract_tb(error.__traceback__):
+        folders = Path(frame.filename).parents
+        if not _CONNECTION.isdisjoint(folders):
+            return True
+        if _CLIENT_ROOT not in folders:
+            return False
+    return False

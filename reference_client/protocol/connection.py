@@ -5,14 +5,15 @@ from __future__ import annotations
 import importlib.metadata
 from types import TracebackType
 from typing import Self
-from urllib.parse import urlsplit
 
-from proctor_client import ApiClient, Configuration, ControlApi
+from proctor_client import ApiClient, BadProxy, Configuration, ControlApi
+from proctor_client.transport.copied_text import read_token
+from proctor_client.transport.server_address import check_base_url
+from proctor_client.transport.tls_trust import client_context, proxy_context
 
-from reference_client.errors import NOT_TRUSTED, ProctorError
+from reference_client.errors import BAD_ANSWER, NOT_TRUSTED, UNREACHABLE, ProctorError
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.protocol.data_plane import DataPlane
-from reference_client.protocol.tls_context import client_context
 
 USER_AGENT = f"proctor-reference-client/{importlib.metadata.version('proctor-eval')}"
 # (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).
@@ -23,16 +24,13 @@ class Connection:
     """The control plane at `url`, and the data planes at the endpoints of runs.
 
     token: bearer token, sent to both. requests: maximum of simultaneous requests.
-    Raises ValueError if `url` is not an http or https URL, or certificates are named
-    that cannot be read. Nothing is sent yet.
+    Raises ValueError if `url` or the token cannot be used, or the environment names a
+    proxy or certificates that cannot be. Nothing is sent yet.
     """
 
     def __init__(self, url: str, token: str | None, *, requests: int) -> None:
-        parts = urlsplit(url)
-        if parts.scheme not in ("http", "https") or not parts.netloc:
-            raise ValueError(f"url must be like http://127.0.0.1:8460, not {url!r}")
-        self.url = url.rstrip("/")
-        self._token = token
+        self.url = check_base_url(url)
+        self._token = read_token(token or "", "this call (`token`)")
         self._requests = requests
         self._clients: dict[str, ApiClient] = {}
         self._planes: list[DataPlane] = []
@@ -41,8 +39,18 @@ class Connection:
     def data(self, endpoint: str) -> DataPlane:
         """The data plane at a run's `endpoint`, for one worker.
 
-        Raises ProctorError `not_trusted` if the token would be sent unencrypted.
+        Raises ProctorError: `not_trusted` if the token would be sent unencrypted,
+        `bad_answer` if the endpoint is not a URL, `unreachable` if the environment
+        names a proxy for it that cannot be used.
         """
+        try:
+            endpoint = check_base_url(endpoint)
+        except ValueError as error:
+            raise ProctorError(
+                BAD_ANSWER,
+                f"{self.url} named an endpoint of the run that cannot be used: "
+                f"{error}. Ask the operator to set the server's public URL.",
+            ) from error
         if self.url.startswith("https:") and not endpoint.startswith("https:"):
             raise ProctorError(
                 NOT_TRUSTED,
@@ -52,8 +60,12 @@ class Connection:
         headers = {"User-Agent": USER_AGENT, "Proctor-Version": PROTOCOL_VERSION}
         if self._token is not None:
             headers["Authorization"] = f"Bearer {self._token}"
-        client = self._client(endpoint.rstrip("/"))
-        plane = DataPlane(endpoint, client, headers, TIMEOUTS_S)
+        try:
+            client = self._client(endpoint)
+            plane = DataPlane(endpoint, client, headers, TIMEOUTS_S)
+        except BadProxy as error:
+            text = f"{endpoint}, the endpoint of the run, is unreachable: {error}."
+            raise ProctorError(UNREACHABLE, text) from error
         self._planes.append(plane)
         return plane
 
@@ -83,6 +95,7 @@ class Connection:
                 # Retries are decided in retry_policy.py only.
                 retries=False,
                 ssl_context=client_context() if host.startswith("https:") else None,
+                proxy_ssl_context=proxy_context(host),
             )
             client = ApiClient(configuration)
             client.default_headers |= {

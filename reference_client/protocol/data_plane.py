@@ -30,7 +30,11 @@ from proctor_client import (
 from urllib3 import HTTPHeaderDict
 
 from reference_client.generated.messages import Turn
-from reference_client.protocol.http_connection import Answer, HttpConnection
+from reference_client.protocol.http_connection import (
+    Answer,
+    HttpConnection,
+    ascii_place,
+)
 
 JSON, MSGPACK = "application/json", "application/msgpack"
 # The first response shows whether the server supports the faster one.
@@ -42,6 +46,7 @@ _DECODERS = {
 _ENCODERS = {JSON: msgspec.json.encode, MSGPACK: msgspec.msgpack.encode}
 # Triple buffer: the observation in use, the previous one, and one for the live view.
 _BUFFERS_MAX = 3
+_REFUSAL_BYTES_MAX = 2**16
 
 
 class DataPlane:
@@ -50,8 +55,9 @@ class DataPlane:
     client: the generated client of this endpoint, for everything that is not a turn.
     timeouts_s: to connect, and between two reads of a response.
 
-    `attach_worker` and `predict` raise ApiException for refusals, OSError without a
-    response, msgspec.MsgspecError and ValueError for responses that violate the schema.
+    `attach_worker` and `predict` raise ApiException for refusals, NO_ANSWER_ERRORS
+    without a response, msgspec.MsgspecError and ValueError for responses that violate
+    the schema.
     """
 
     def __init__(
@@ -61,21 +67,20 @@ class DataPlane:
         headers: Mapping[str, str],
         timeouts_s: tuple[float, float],
     ) -> None:
-        parts = urlsplit(endpoint)
-        self._base = parts.path.rstrip("/")
-        if any(set("\r\n\0") & set(value) for value in headers.values()):
-            raise ValueError("a header contains a line break; check the token")
-        place = parts.netloc.rpartition("@")[2]
+        self.endpoint = endpoint
+        connection = HttpConnection(endpoint, timeouts_s, self._free_buffer)
+        self.http_connection = connection
+        self._base = connection.target_prefix + urlsplit(endpoint).path.rstrip("/")
         lines = {
-            "Host": place if place.isascii() else place.encode("idna").decode(),
+            "Host": ascii_place(endpoint),
             "Accept": _EITHER,
             "Accept-Encoding": "identity",
             **headers,
+            **connection.proxy_headers,
         }
         self._lines = "".join(f"{name}: {value}\r\n" for name, value in lines.items())
         self._media_type = JSON
         self._buffers: deque[bytearray] = deque(maxlen=_BUFFERS_MAX)
-        self.http_connection = HttpConnection(endpoint, timeouts_s, self._free_buffer)
         api = DataApi(client)
         self.heartbeat, self.detach_worker = api.heartbeat, api.detach_worker
 
@@ -149,5 +154,10 @@ def _refusal(answer: Answer) -> ApiException:
     problem = None
     with contextlib.suppress(ValueError):
         problem = Problem.from_json(bytes(answer.body))
-    headers = HTTPHeaderDict(answer.headers)
-    return ApiException(answer.status, answer.reason, data=problem, headers=headers)
+    return ApiException(
+        answer.status,
+        answer.reason,
+        body=bytes(answer.body[:_REFUSAL_BYTES_MAX]).decode(errors="replace"),
+        data=problem,
+        headers=HTTPHeaderDict(answer.headers),
+    )

@@ -4,7 +4,8 @@ Why no HTTP client library: on loopback, a request for 670 bytes takes 123 µs w
 module, 281 µs with http.client, 329 µs with aiohttp, 471 µs with urllib3 and 913 µs
 with requests (`make bench`, "An HTTP client"). Images are megabytes; they
 are received directly into the memory in which the policy reads them. Parsing is left to
-a library: httptools, the binding of llhttp.
+a library: httptools, the binding of llhttp. A connection is opened by urllib3, which
+knows proxies and TLS.
 
 Knows neither paths nor encodings, and repeats nothing.
 """
@@ -15,19 +16,27 @@ import socket
 import ssl
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 from urllib.parse import urlsplit
 
 import httptools
+from urllib3.connection import HTTPConnection, HTTPSConnection, ProxyConfig
+from urllib3.util import parse_url
+from urllib3.util.ssltransport import SSLTransport
 from urllib3.util.wait import wait_for_read
-
-from reference_client.protocol.tls_context import client_context
 
 # Received at once until the size of a response is known: most responses fit.
 _PIECE_BYTES = 2**16
 _HEAD_BYTES_MAX = 2**17
 ANSWER_BYTES_MAX = 2**30
+Stream = socket.socket | SSLTransport  # the latter is TLS inside of TLS
 _INCOMPLETE = "connection closed before the response was complete"
+
+
+def ascii_place(url: str) -> str:
+    """HOST:PORT of a URL, as the header Host has it."""
+    place = urlsplit(url).netloc
+    return place if place.isascii() else place.encode("idna").decode()
 
 
 class BrokenAnswer(OSError):
@@ -49,6 +58,9 @@ class HttpConnection:
 
     timeouts_s: to connect, and between two reads of a response.
     make_buffer: size → writable memory for a body of known size.
+
+    target_prefix, proxy_headers: stand before the path, and are sent, in each request
+    that a proxy forwards; both are empty without one. Raises BadProxy.
     """
 
     def __init__(
@@ -61,13 +73,20 @@ class HttpConnection:
         self._is_secure = parts.scheme == "https"
         self._host = parts.hostname or ""
         self._port = parts.port or (443 if self._is_secure else 80)
+        # Imported late: completion at a Tab imports this module, and often ends here.
+        from proctor_client import find_route
+
+        self._route = find_route(url)
+        is_forwarded = bool(self._route.url) and not self._is_secure
+        self.target_prefix = f"http://{ascii_place(url)}" if is_forwarded else ""
+        self.proxy_headers = self._route.headers if is_forwarded else {}
         self._timeouts_s = timeouts_s
         self._make_buffer = make_buffer
         self._piece = memoryview(bytearray(_PIECE_BYTES))
-        self.sock: socket.socket | None = None
+        self.sock: Stream | None = None
 
     def send_request(self, request: bytes) -> Answer:
-        """Raises OSError without a response, BrokenAnswer for an invalid one."""
+        """Raises NO_ANSWER_ERRORS: without a response, BrokenAnswer for a bad one."""
         if self._has_unexpected_data():
             self.close()
         try:
@@ -91,24 +110,45 @@ class HttpConnection:
         # TLS may have buffered bytes that the socket no longer shows.
         if isinstance(self.sock, ssl.SSLSocket) and self.sock.pending():
             return True
-        return wait_for_read(self.sock, 0.0)
+        return wait_for_read(cast("socket.socket", self.sock), 0.0)
 
-    def _connect(self) -> socket.socket:
-        place = self._host, self._port
-        made = socket.create_connection(place, self._timeouts_s[0])
+    def _connect(self) -> Stream:
+        connection = self._connection_to_open()
         try:
-            made.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-            if self._is_secure:
-                context = client_context()
-                context.set_alpn_protocols(["http/1.1"])
-                made = context.wrap_socket(made, server_hostname=self._host)
-            made.settimeout(self._timeouts_s[1])
+            connection.connect()
+            opened = connection.sock
+            assert opened is not None
+            opened.settimeout(self._timeouts_s[1])
         except BaseException:
-            made.close()
+            connection.close()
             raise
-        return made
+        connection.sock = None  # it is kept here, and not closed with its opener
+        return opened
 
-    def _read_answer(self, sock: socket.socket) -> Answer:
+    def _connection_to_open(self) -> HTTPConnection:
+        """To the server, or to its proxy, which opens a tunnel for TLS."""
+        proxy = urlsplit(self._route.url)
+        host, port = proxy.hostname or self._host, proxy.port or self._port
+        if not (self._is_secure or proxy.scheme == "https"):
+            return HTTPConnection(host, port, timeout=self._timeouts_s[0])
+        from proctor_client.transport.tls_trust import client_context
+
+        context, connect_s = client_context(), self._timeouts_s[0]
+        if not (self._is_secure and self._route.url):
+            return HTTPSConnection(host, port, timeout=connect_s, ssl_context=context)
+        tunnel = HTTPSConnection(
+            host,
+            port,
+            timeout=connect_s,
+            ssl_context=context,
+            proxy=parse_url(self._route.url),
+            proxy_config=ProxyConfig(context, False, None, None),
+        )
+        headers = self._route.headers
+        tunnel.set_tunnel(self._host, self._port, headers, scheme=proxy.scheme)
+        return tunnel
+
+    def _read_answer(self, sock: Stream) -> Answer:
         parser = _ResponseParser()
         while parser.status < 200:
             self._feed(parser, sock)
@@ -123,21 +163,27 @@ class HttpConnection:
             self.close()
         return Answer(parser.status, parser.reason, parser.headers, body)
 
-    def _feed(self, parser: _ResponseParser, sock: socket.socket) -> None:
-        count = sock.recv_into(self._piece)
+    def _feed(self, parser: _ResponseParser, sock: Stream) -> None:
+        count = _receive_into(sock, self._piece)
         parser.feed(self._piece[:count])
 
-    def _receive_body(self, sock: socket.socket, begun: bytes, size: int) -> memoryview:
+    def _receive_body(self, sock: Stream, begun: bytes, size: int) -> memoryview:
         """A body of known size: received directly into the buffer, not parsed."""
         buffer = self._make_buffer(size)
         filled = len(begun)
         buffer[:filled] = begun
         while filled < size:
-            count = sock.recv_into(buffer[filled:])
+            count = _receive_into(sock, buffer[filled:])
             if not count:
                 raise BrokenAnswer(_INCOMPLETE)
             filled += count
         return buffer
+
+
+def _receive_into(sock: Stream, memory: memoryview) -> int:
+    count = sock.recv_into(memory)
+    assert isinstance(count, int)
+    return count
 
 
 class _ResponseParser:

@@ -16,8 +16,18 @@ _TOKEN_BYTES_MAX = 4096
 
 
 def find_token(url: str, given: str | None = None) -> str | None:
-    """The token given, or PROCTOR_TOKEN, or that of the server at a loopback URL."""
-    return given or os.environ.get("PROCTOR_TOKEN") or _token_of_local_server(url)
+    """The token given, or PROCTOR_TOKEN, or that of the server at a loopback URL.
+
+    Raises BadToken, a ValueError, for one that cannot be sent.
+    """
+    # Imported late: completion at a Tab imports this module, and often ends here.
+    from proctor_client.transport.copied_text import read_token
+
+    return (
+        read_token(given or "", "this call (`token`)")
+        or read_token(os.environ.get("PROCTOR_TOKEN", ""), "PROCTOR_TOKEN")
+        or _token_of_local_server(url)
+    )
 
 
 def token_file(url: str) -> Path | None:

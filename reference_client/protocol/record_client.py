@@ -5,14 +5,13 @@ The generated client keeps a whole body in memory; a record is sent and read by 
 
 from __future__ import annotations
 
-import contextlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import BinaryIO
 from urllib.parse import quote
 
-from proctor_client import ApiException, Problem, PublicKey, RecordImport
-from urllib3 import BaseHTTPResponse, Timeout
+from proctor_client import PublicKey, RecordImport, refusal
+from urllib3 import BaseHTTPResponse
 
 from reference_client.errors import BAD_ANSWER, NO_ANSWER_ERRORS, ProctorError
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
@@ -27,8 +26,8 @@ def fetch_record(
     connection: Connection, retry_policy: RetryPolicy, run_id: str
 ) -> Iterator[bytes]:
     """The record of a run, block by block. Raises ProctorError."""
-    url = f"{connection.url}/v1/runs/{quote(run_id, safe='')}/record"
-    return _read(connection, retry_policy, url, "record")
+    path = f"/v1/runs/{quote(run_id, safe='')}/record"
+    return _read(connection, retry_policy, path, "record")
 
 
 def fetch_recording(
@@ -36,8 +35,7 @@ def fetch_recording(
 ) -> bytes:
     """The recording of an episode that has its result. Raises ProctorError."""
     path = f"{quote(run_id, safe='')}/episodes/{quote(episode_id, safe='')}/recording"
-    url = f"{connection.url}/v1/runs/{path}"
-    return b"".join(_read(connection, retry_policy, url, "recording"))
+    return b"".join(_read(connection, retry_policy, f"/v1/runs/{path}", "recording"))
 
 
 def fetch_keys(
@@ -61,12 +59,9 @@ def send_record(
             response = _request(
                 connection,
                 "POST",
-                f"{connection.url}/v1/records",
-                {
-                    "Content-Type": "application/zip",
-                    "Content-Length": str(path.stat().st_size),
-                },
+                "/v1/records",
                 file,
+                {"Content-Length": str(path.stat().st_size)},
             )
         try:
             return RecordImport.model_validate_json(response.read(BLOCK_BYTES))
@@ -86,9 +81,9 @@ def read_import(
 
 
 def _read(
-    connection: Connection, retry_policy: RetryPolicy, url: str, what: str
+    connection: Connection, retry_policy: RetryPolicy, path: str, what: str
 ) -> Iterator[bytes]:
-    response = retry_policy.call(lambda: _request(connection, "GET", url, {}))
+    response = retry_policy.call(lambda: _request(connection, "GET", path))
     try:
         yield from response.stream(BLOCK_BYTES)
     except NO_ANSWER_ERRORS as error:
@@ -102,34 +97,20 @@ def _read(
 def _request(
     connection: Connection,
     method: str,
-    url: str,
-    headers: Mapping[str, str],
+    path: str,
     body: BinaryIO | None = None,
+    headers: Mapping[str, str] | None = None,
 ) -> BaseHTTPResponse:
-    """An answer that was not read yet; of a refusal, ApiException."""
-    client = connection.control.api_client
-    all_headers = {**client.default_headers, **headers}
-    if token := client.configuration.access_token:
-        all_headers["Authorization"] = f"Bearer {token}"
-    response: BaseHTTPResponse = client.pool_manager.request(
+    """An answer that was not read yet; raises ApiException for a refusal."""
+    response = connection.control.api_client.send(
         method,
-        url,
+        path,
         body=body,
-        headers=all_headers,
-        preload_content=False,
-        redirect=False,
-        retries=False,
-        timeout=Timeout(*RECORD_TIMEOUTS_S),
+        content_type="application/zip",
+        more_headers={"Accept": "*/*", **(headers or {})},
+        timeout=RECORD_TIMEOUTS_S,
+        stream=True,
     )
     if not 200 <= response.status < 300:
-        answer, problem = response.read(BLOCK_BYTES), None
-        with contextlib.suppress(ValueError):  # the body is not a problem document
-            problem = Problem.from_json(answer)
-        raise ApiException(
-            response.status,
-            response.reason,
-            body=answer.decode(errors="replace"),
-            data=problem,
-            headers=response.headers,
-        )
+        raise refusal(response)
     return response

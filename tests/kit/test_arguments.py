@@ -172,7 +172,7 @@ def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
 @pytest.mark.parametrize(
     ("options", "says"),
     [
-        (["--url", "http://a,b"], "--url b: not an http or https URL"),
+        (["--url", "http://a,b"], "--url: url must be like http://"),
         (["--url", "http://a,http://a/"], "a base URL stands twice"),
         (["--url", "http://a", "--nodes", "2"], "--nodes needs --start-cmd"),
         (["--start-cmd", "x", "--nodes", "0"], "--nodes 0: must be 1 to 9"),

@@ -85,7 +85,7 @@ def test_other_generated_headers_are_sent_unchanged(headers: dict[str, Any]) -> 
 
 
 def test_two_threads_never_share_a_connection() -> None:
-    pool = ConnectionPool("http://127.0.0.1:1")
+    pool = ConnectionPool()
     in_use: list[Connections] = []
     both = threading.Barrier(2, timeout=10)
 

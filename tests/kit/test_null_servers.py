@@ -43,7 +43,7 @@ def read_junit(folder: Path) -> ET.Element:
         (null_servers.always(500), "not a Proctor server"),
         (null_servers.always(200, b"[]"), "not a Proctor server"),
         (null_servers.echo, "invalid response to GET /v1"),
-        (null_servers.close, "no response to"),
+        (null_servers.close, "no response from"),
         (null_servers.refuse_everyone, "was rejected"),
         (null_servers.other_protocol_version, "supports protocol 7.0 to 7.2"),
     ],
@@ -66,7 +66,7 @@ def test_cannot_judge_where_nothing_listens(tmp_path: Path) -> None:
         pass
     kit = judge(tmp_path, "--url", url)
     assert kit.code == 2
-    assert "no response to" in kit.last_line
+    assert "no response from" in kit.last_line
 
 
 def test_canned_answers_pass_no_rule_about_playing(tmp_path: Path) -> None:
@@ -98,7 +98,7 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
     ("arguments", "says"),
     [
         ([], "give --url"),
-        (["--url", "localhost:8460"], "not an http or https URL"),
+        (["--url", "localhost:8460"], "url must be like http://"),
         (["--no-such-option"], "unrecognized arguments"),
         (["--url", "http://x", "--only", "NOPE-001"], "no rule id"),
         (["--url", "http://x", "--profile", "fast"], "known: core"),

@@ -240,8 +240,8 @@ def test_a_benchmark_is_read_from_a_server_by_its_name(
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["http://127.0.0.1:1"], "no response to"),
-        (["ftp://127.0.0.1"], "not an http or https URL"),
+        (["http://127.0.0.1:1"], "no response from"),
+        (["ftp://127.0.0.1"], "must be like http://"),
         (["http://127.0.0.1:1", "--only", "PRED"], "no rule id starts with PRED"),
         (["http://127.0.0.1:1", "--benchmark", "nowhere.json"], "nowhere.json"),
         (
@@ -249,7 +249,7 @@ def test_a_benchmark_is_read_from_a_server_by_its_name(
                 "http://127.0.0.1:1",
                 *("--benchmark", "tabletop", "--server", "http://127.0.0.1:1"),
             ],
-            "no description from http://127.0.0.1:1",
+            "no response from http://127.0.0.1:1",
         ),
     ],
 )

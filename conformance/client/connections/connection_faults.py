@@ -24,7 +24,7 @@ _REPEATABLE_OPERATIONS = frozenset(
 def is_own_fault(error: BaseException) -> bool:
     """Say whether the kit's own side of the connection failed."""
     return any(
-        isinstance(cause, OSError) and is_own_error(cause) for cause in _causes(error)
+        isinstance(cause, OSError) and is_own_error(cause) for cause in causes_of(error)
     )
 
 
@@ -33,7 +33,8 @@ def is_own_error(error: OSError) -> bool:
     return error.errno in _OWN_ERRORS
 
 
-def _causes(error: BaseException | None) -> Iterator[BaseException]:
+def causes_of(error: BaseException | None) -> Iterator[BaseException]:
+    """Give the error, and those that it was raised from."""
     visited: set[int] = set()
     while error is not None and id(error) not in visited:
         visited.add(id(error))

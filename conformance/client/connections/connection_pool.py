@@ -6,13 +6,12 @@ knows how to speak with proxies.
 
 import contextlib
 import functools
-import ipaddress
+import os
 import ssl
 import threading
-import urllib.request
 from collections.abc import Iterator
-from urllib.parse import urlsplit
 
+import certifi
 import httpx
 
 from conformance.client.connections.kept_connection import (
@@ -21,6 +20,8 @@ from conformance.client.connections.kept_connection import (
     KeptConnection,
 )
 from conformance.client.connections.proxied_connection import ProxiedConnection
+from conformance.client.connections.transport.proxy_route import find_route
+from conformance.client.connections.transport.tls_trust import VARIABLES, client_context
 
 Connection = KeptConnection | ProxiedConnection
 # Requests go to the service and to the endpoints of its runs.
@@ -30,12 +31,14 @@ _ORIGINS_MAX = 4
 class Connections:
     """The connections of one thread: one to each host, opened when needed."""
 
-    def __init__(self, *, is_behind_proxy: bool = False) -> None:
-        self._is_behind_proxy = is_behind_proxy
+    def __init__(self) -> None:
         self._by_origin: dict[tuple[str, str, int | None], Connection] = {}
 
     def to(self, url: httpx.URL) -> Connection:
-        """Give the connection to the host of a URL. Raises UnsupportedProtocol."""
+        """Give the connection to the host of a URL.
+
+        Raises UnsupportedProtocol, and BadProxy for a proxy that cannot be used.
+        """
         origin = url.scheme, url.host, url.port
         connection = self._by_origin.get(origin)
         if connection is None:
@@ -43,8 +46,13 @@ class Connections:
                 raise httpx.UnsupportedProtocol(f"{url} is no URL of HTTP with a host")
             if len(self._by_origin) >= _ORIGINS_MAX:
                 self.close()
-            kind = ProxiedConnection if self._is_behind_proxy else KeptConnection
-            connection = self._by_origin[origin] = kind(_certificates)
+            route = find_route(str(url))
+            connection = (
+                ProxiedConnection(certificates, route)
+                if route.url
+                else KeptConnection(certificates)
+            )
+            self._by_origin[origin] = connection
         return connection
 
     def get(self, url: str, timeout_s: float) -> HttpResponse:
@@ -64,8 +72,7 @@ class Connections:
 class ConnectionPool:
     """Connections that are kept, each used by one thread at a time."""
 
-    def __init__(self, url: str) -> None:
-        self._is_behind_proxy = _is_behind_proxy(url)
+    def __init__(self) -> None:
         self._idle: list[Connections] = []
         self._lock = threading.Lock()
 
@@ -77,7 +84,7 @@ class ConnectionPool:
         """
         with self._lock:
             connections = self._idle.pop() if self._idle else None
-        connections = connections or Connections(is_behind_proxy=self._is_behind_proxy)
+        connections = connections or Connections()
         try:
             yield connections
         except BaseException:
@@ -94,17 +101,15 @@ class ConnectionPool:
             connections.close()
 
 
+def certificates() -> ssl.SSLContext:
+    """The certificates that are accepted; loaded once, because it is slow."""
+    return _load_certificates(tuple(os.environ.get(name) for name in VARIABLES))
+
+
 @functools.cache
-def _certificates() -> ssl.SSLContext:
-    """Load the certificate authorities once: it is slow."""
-    return httpx.create_ssl_context()
-
-
-def _is_behind_proxy(url: str) -> bool:
-    """Whether the environment names proxies, which are for other machines only."""
-    host = urlsplit(url).hostname or ""
-    try:
-        is_this_machine = ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        is_this_machine = host == "localhost"
-    return not is_this_machine and bool(urllib.request.getproxies())
+def _load_certificates(named: tuple[str | None, ...]) -> ssl.SSLContext:
+    """Without a name they are those of this machine and those of browsers."""
+    context = client_context()
+    if not any(named):
+        context.load_verify_locations(certifi.where())
+    return context

@@ -15,17 +15,26 @@ from conformance.client.connections.kept_connection import (
     HttpResponse,
     can_be_stale,
 )
+from conformance.client.connections.transport.proxy_route import ProxyRoute
 
 
 class ProxiedConnection:
     """One client of httpx, which keeps its connections; for one thread."""
 
-    def __init__(self, certificates: Callable[[], ssl.SSLContext]) -> None:
+    def __init__(
+        self, certificates: Callable[[], ssl.SSLContext], route: ProxyRoute
+    ) -> None:
         no_cookies = http.cookiejar.DefaultCookiePolicy(allowed_domains=[])
         self._client = httpx.Client(
             follow_redirects=False,
             cookies=http.cookiejar.CookieJar(policy=no_cookies),
             verify=certificates(),
+            trust_env=False,
+            proxy=httpx.Proxy(
+                route.url,
+                headers=dict(route.headers),
+                ssl_context=certificates() if route.url[:6] == "https:" else None,
+            ),
         )
         self._response: httpx.Response | None = None
         self._is_new = self._has_answer = False

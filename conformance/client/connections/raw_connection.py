@@ -4,14 +4,16 @@ Knows URLs, TLS and the status line of an answer, and nothing of the protocol.
 """
 
 import contextlib
+import http.client
 import socket
-import ssl
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from urllib.parse import urlsplit
 
-import httpx
+from conformance.client.connections.connection_pool import certificates
+from conformance.client.connections.transport.proxy_route import ProxyRoute, find_route
+from conformance.verdicts.expect import SetUpFailed
 
 _CONNECT_TIMEOUT_S = 10.0
 _STORED_BYTES = 2**16
@@ -88,19 +90,43 @@ class RawConnection:
 
 @contextlib.contextmanager
 def open_raw_connection(url: str) -> Iterator[RawConnection]:
-    """Connect to the server at a base URL; raises OSError."""
+    """Connect to the server at a base URL; raises OSError.
+
+    Raises SetUpFailed where a proxy opens no tunnel: what it forwards are requests.
+    """
     parts = urlsplit(url)
     assert parts.hostname is not None
     is_tls = parts.scheme == "https"
     address = (parts.hostname, parts.port or (443 if is_tls else 80))
     with contextlib.ExitStack() as stack:
-        connection = stack.enter_context(
-            socket.create_connection(address, _CONNECT_TIMEOUT_S)
-        )
+        connection = stack.enter_context(_connect(address, find_route(url)))
         if is_tls:
-            certificates: ssl.SSLContext = httpx.create_ssl_context()
             connection = stack.enter_context(
-                certificates.wrap_socket(connection, server_hostname=parts.hostname)
+                certificates().wrap_socket(connection, server_hostname=parts.hostname)
             )
         host = parts.netloc.rpartition("@")[2]
         yield RawConnection(connection, host, parts.path.rstrip("/"))
+
+
+def _connect(address: tuple[str, int], route: ProxyRoute) -> socket.socket:
+    if not route.url:
+        return socket.create_connection(address, _CONNECT_TIMEOUT_S)
+    proxy = urlsplit(route.url)
+    if proxy.scheme == "https":
+        reason = f"the kit opens no tunnel {route.how}, which speaks TLS itself"
+        raise SetUpFailed(reason, allowed=True)
+    opener = http.client.HTTPConnection(
+        proxy.hostname or "", proxy.port, timeout=_CONNECT_TIMEOUT_S
+    )
+    opener.set_tunnel(*address, headers=dict(route.headers))
+    try:
+        opener.connect()
+    except OSError as error:
+        opener.close()
+        raise SetUpFailed(
+            f"no connection of its own {route.how} ({error}): {route.advice}",
+            allowed=True,
+        ) from error
+    tunnel = opener.sock
+    opener.sock = None
+    return tunnel

@@ -7,6 +7,7 @@ from .api.control_api import ControlApi as ControlApi
 from .api.data_api import DataApi as DataApi
 from .api_client import ApiClient as ApiClient
 from .api_client import ApiResponse as ApiResponse
+from .api_client import refusal as refusal
 from .api_client import with_http_info as with_http_info
 from .configuration import Configuration as Configuration
 from .exceptions import ApiException as ApiException
@@ -97,5 +98,8 @@ from .models import TensorSpace as TensorSpace
 from .models import Timing as Timing
 from .models import Turn as Turn
 from .models import VectorSpace as VectorSpace
+from .transport.proxy_route import BadProxy as BadProxy
+from .transport.proxy_route import ProxyRoute as ProxyRoute
+from .transport.proxy_route import find_route as find_route
 
 __version__ = "0.1.0"

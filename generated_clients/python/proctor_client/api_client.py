@@ -9,8 +9,8 @@ import contextlib
 from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
-from typing import Any, Generic, ParamSpec, Self, TypeVar, overload
-from urllib.parse import quote, urlencode
+from typing import Any, BinaryIO, Generic, ParamSpec, Self, TypeVar, overload
+from urllib.parse import quote, urlencode, urljoin, urlsplit
 
 import urllib3
 
@@ -23,6 +23,7 @@ Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
 Answer = TypeVar("Answer", bound=Message)
 
+_REDIRECTS_MAX = 5
 # Seconds for the whole request, or a pair for connecting and for each read.
 Timeout = float | tuple[float, float]
 
@@ -77,7 +78,7 @@ class ApiClient:
         """
         response = self.send(method, path, **parts)
         if not 200 <= response.status <= 299:
-            raise _refusal(response)
+            raise refusal(response)
         message = None if answer is None else _read(answer, response)
         status, headers = response.status, response.headers
         self._on_answer(ApiResponse(status, headers, message, response.data))
@@ -92,11 +93,16 @@ class ApiClient:
         query: Mapping[str, Any] | None = None,
         headers: Mapping[str, str | None] | None = None,
         more_headers: Mapping[str, str] | None = None,
-        body: Message | bytes | None = None,
+        body: Message | bytes | BinaryIO | None = None,
         content_type: str = "application/json",
         timeout: Timeout | None = None,
+        stream: bool = False,
     ) -> urllib3.BaseHTTPResponse:
-        """Send a request: parameters that are None are left out."""
+        """Send a request: parameters that are None are left out.
+
+        stream: the body is not read yet. The redirection of a GET is followed within
+        the origin of the server; the answer is that redirection otherwise.
+        """
         for name, value in (path_parameters or {}).items():
             path = path.replace("{" + name + "}", quote(value, safe=""))
         url = self.configuration.host.rstrip("/") + path
@@ -110,13 +116,38 @@ class ApiClient:
             lines["Content-Type"] = content_type
         for name, value in (_given(headers) | dict(more_headers or {})).items():
             lines[name] = value
-        return self.pool_manager.request(
-            method,
-            url,
-            body=body.to_json() if isinstance(body, Message) else body,
-            headers=lines,
-            timeout=_timeout(timeout),
-        )
+        for left in reversed(range(_REDIRECTS_MAX)):
+            response = self.pool_manager.request(
+                method,
+                url,
+                body=body.to_json() if isinstance(body, Message) else body,
+                headers=lines,
+                timeout=_timeout(timeout),
+                redirect=False,
+                preload_content=not stream,
+            )
+            place = response.get_redirect_location()
+            following = urljoin(url, place) if place else url
+            is_near = urlsplit(following)[:2] == urlsplit(url)[:2]
+            if method != "GET" or not place or not is_near or not left:
+                break
+            response.drain_conn()
+            url = following
+        return response
+
+
+def refusal(response: urllib3.BaseHTTPResponse) -> ApiException:
+    """Make the exception for an answer that is not a success; reads its body."""
+    body, problem = response.data, None
+    with contextlib.suppress(ValueError):  # a gateway's answer is no problem document
+        problem = Problem.from_json(body)
+    return ApiException(
+        response.status,
+        response.reason,
+        body=body.decode(errors="replace"),
+        data=problem,
+        headers=response.headers,
+    )
 
 
 def with_http_info(
@@ -166,16 +197,3 @@ def _read(message: type[Answer], response: urllib3.BaseHTTPResponse) -> Answer:
             reason=f"the answer is not the message {message.__name__}: {error}",
             headers=response.headers,
         ) from error
-
-
-def _refusal(response: urllib3.BaseHTTPResponse) -> ApiException:
-    problem = None
-    with contextlib.suppress(ValueError):  # a gateway's answer is no problem document
-        problem = Problem.from_json(response.data)
-    return ApiException(
-        response.status,
-        response.reason,
-        body=response.data.decode(errors="replace"),
-        data=problem,
-        headers=response.headers,
-    )

@@ -9,10 +9,11 @@ import ssl
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
-from urllib.parse import urlsplit
-from urllib.request import getproxies, proxy_bypass
 
 import urllib3
+
+from .transport.copied_text import read_token
+from .transport.proxy_route import ProxyRoute, find_route, proxy_of
 
 
 @dataclass
@@ -20,7 +21,8 @@ class Configuration:
     """The settings of an ApiClient.
 
     host: base URL of the control plane, or of a run's data plane (`run.endpoint`).
-    access_token: bearer token, sent with every request.
+    access_token: bearer token, sent with every request. Spaces, quotes and a newline
+        around it are dropped; BadToken, a ValueError, if a header cannot carry it.
     retries: how often urllib3 repeats a request without an answer, or urllib3's Retry.
         None: urllib3's default. False: the caller repeats.
     connection_pool_maxsize: how many connections stay open.
@@ -30,8 +32,8 @@ class Configuration:
     assert_hostname: the name in the certificate, or False for any.
     tls_server_name: the name sent in the TLS handshake.
     ssl_context: a context to use instead of the settings above.
-    proxy: URL of a proxy. None: the proxy that the environment names (HTTPS_PROXY,
-        NO_PROXY). Empty text: no proxy. SOCKS needs the package PySocks.
+    proxy: URL of a proxy. None: as transport/proxy_route.py finds it in the environment. Empty
+        text: no proxy. A SOCKS proxy can be given here only; it needs PySocks.
     proxy_headers, proxy_ssl_context: for the connection to the proxy itself.
     socket_options: as urllib3 takes them.
     """
@@ -53,6 +55,9 @@ class Configuration:
     proxy_ssl_context: ssl.SSLContext | None = None
     socket_options: list[tuple[int, int, int]] | None = None
 
+    def __post_init__(self) -> None:
+        self.access_token = read_token(self.access_token or "", "access_token")
+
     def pool_manager(self) -> urllib3.PoolManager:
         """The connections with these settings; none is opened yet."""
         named: dict[str, Any] = {
@@ -70,23 +75,22 @@ class Configuration:
         options["maxsize"] = self.connection_pool_maxsize
         if self.ssl_context is None:
             options["cert_reqs"] = "CERT_REQUIRED" if self.verify_ssl else "CERT_NONE"
-        proxy = _environment_proxy(self.host) if self.proxy is None else self.proxy
-        if not proxy:
-            return urllib3.PoolManager(**options)
-        if proxy.startswith("socks"):
+        if self.proxy and self.proxy.lower().startswith("socks"):
             from urllib3.contrib.socks import SOCKSProxyManager
 
-            return SOCKSProxyManager(proxy, headers=self.proxy_headers, **options)
+            return SOCKSProxyManager(self.proxy, headers=self.proxy_headers, **options)
+        route = self.route()
+        if not route.url:
+            return urllib3.PoolManager(**options)
         return urllib3.ProxyManager(
-            proxy,
-            proxy_headers=self.proxy_headers,
+            route.url,
+            proxy_headers=dict(route.headers) | dict(self.proxy_headers or {}),
             proxy_ssl_context=self.proxy_ssl_context,
             **options,
         )
 
-
-def _environment_proxy(host: str) -> str | None:
-    parts, proxies = urlsplit(host), getproxies()
-    if proxy_bypass(parts.netloc.rpartition("@")[2]):
-        return None
-    return proxies.get(parts.scheme) or proxies.get("all")
+    def route(self) -> ProxyRoute:
+        """How the server is reached. Raises BadProxy, a ValueError."""
+        if self.proxy is None:
+            return find_route(self.host)
+        return proxy_of("proxy", self.proxy) if self.proxy else ProxyRoute()

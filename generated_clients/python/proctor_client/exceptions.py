@@ -42,6 +42,12 @@ class ApiException(Exception):
         text = self.headers.get("Retry-After", "")
         return float(text) if text.isdecimal() else None
 
+    @property
+    def location(self) -> str | None:
+        """Where the answer redirects to, as the server wrote it; None if it does not."""
+        is_redirect = 300 <= self.status < 400 and self.status != 304
+        return self.headers.get("Location") if is_redirect else None
+
     def __str__(self) -> str:
         if self.data is not None:
             return f"{self.data.detail} [{self.data.code}]"

@@ -165,8 +165,13 @@ def resolve_server(args: argparse.Namespace) -> None:
     if args.command in SERVERLESS_COMMANDS:
         return
     if args.host is not None or args.port is not None:
-        args.url = f"http://{args.host or '127.0.0.1'}:{args.port or 8460}"
-    args.token = find_token(args.url, args.token)
+        from proctor_client.transport.server_address import url_of_host
+
+        args.url = url_of_host(args.host, args.port)
+    try:
+        args.token = find_token(args.url, args.token)
+    except ValueError as error:
+        raise UsageError(str(error)) from None
 
 
 def _add_control_options(made: Mapping[str, argparse.ArgumentParser]) -> None:

@@ -22,7 +22,7 @@ from argcomplete.shell_integration import shellcode
 
 from reference_client.command.command_line.arguments import build_parser, resolve_server
 from reference_client.printable_text import printable
-from reference_client.protocol.http_connection import HttpConnection
+from reference_client.protocol.http_connection import HttpConnection, ascii_place
 
 if TYPE_CHECKING:
     from reference_client.command.output.printer import Printer
@@ -103,13 +103,14 @@ def _read(args: argparse.Namespace, path: str) -> Any:
 def _receive(args: argparse.Namespace, path: str, members: dict[str, Any]) -> None:
     with contextlib.suppress(Exception):
         resolve_server(args)
-        parts = urlsplit(args.url)
-        lines = {"Host": parts.netloc.rpartition("@")[2], "Connection": "close"}
+        connection = HttpConnection(args.url, (TIMEOUT_S, TIMEOUT_S), _buffer)
+        lines = {"Host": ascii_place(args.url), "Connection": "close"}
+        lines |= connection.proxy_headers
         if args.token:
             lines["Authorization"] = f"Bearer {args.token}"
         head = "".join(f"{name}: {value}\r\n" for name, value in lines.items())
-        target = parts.path.rstrip("/") + path
-        connection = HttpConnection(args.url, (TIMEOUT_S, TIMEOUT_S), _buffer)
+        base = urlsplit(args.url).path.rstrip("/")
+        target = connection.target_prefix + base + path
         with contextlib.closing(connection):
             answer = connection.send_request(
                 f"GET {target} HTTP/1.1\r\n{head}\r\n".encode("ascii")

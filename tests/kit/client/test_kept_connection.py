@@ -48,7 +48,7 @@ class ScriptedServer:
 def connect(server: ScriptedServer) -> Iterator[Connections]:
     with (
         contextlib.closing(server),
-        contextlib.closing(ConnectionPool(server.url)) as pool,
+        contextlib.closing(ConnectionPool()) as pool,
         pool.borrow() as connections,
     ):
         yield connections
@@ -183,7 +183,7 @@ def test_a_server_that_is_silent_is_a_timeout() -> None:
 def test_a_refused_connection_and_another_scheme_are_errors() -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         url = httpx.URL(f"http://127.0.0.1:{free.getsockname()[1]}")
-    with ConnectionPool(str(url)).borrow() as connections:
+    with ConnectionPool().borrow() as connections:
         with pytest.raises(httpx.ConnectError):
             read(connections, HttpRequest("GET", url, {}, None, TIMEOUT_S))
         with pytest.raises(httpx.UnsupportedProtocol):
@@ -197,7 +197,7 @@ def test_a_proxy_of_the_environment_gets_the_request(
     proxy = ScriptedServer(SHORT)
     monkeypatch.setenv("http_proxy", proxy.url)
     url = httpx.URL("http://proctor.example/v1")
-    with contextlib.closing(proxy), ConnectionPool(str(url)).borrow() as connections:
+    with contextlib.closing(proxy), ConnectionPool().borrow() as connections:
         connection = connections.to(url)
         assert isinstance(connection, ProxiedConnection)
         sent = HttpRequest("GET", url, {}, None, TIMEOUT_S)

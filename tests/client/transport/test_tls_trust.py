@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import shlex
 import ssl
 import threading
 from collections.abc import Iterator
-from http.server import BaseHTTPRequestHandler, HTTPServer
+from http.server import HTTPServer
 from pathlib import Path
 
-import httpx
 import pytest
+from proctor_client.transport.tls_trust import VARIABLES, client_context
 
 from reference_client import ProctorError, evaluate
 from reference_client.command.main import main
 from reference_client.protocol.http_connection import HttpConnection
-from reference_client.protocol.tls_context import VARIABLES, client_context
 from tests.support.client.command import options
 from tests.support.client.policies import GradedPolicy
-from tests.support.kit.null_servers import Request, canned_answers
-from tests.support.server.certificates import create_certificate
+from tests.support.client.tls_gateway import CannedHandler, Gateway, serve_tls
 from tests.support.servers import ReferenceServer
 
 
@@ -33,58 +30,9 @@ def no_variables(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.delenv(name)
 
 
-class Handler(BaseHTTPRequestHandler):
-    def do_GET(self) -> None:
-        reply = canned_answers(Request("GET", self.path, b""))
-        assert reply is not None
-        status, headers, body = reply
-        self.send_response(status)
-        for name, value in (headers | {"Content-Length": str(len(body))}).items():
-            self.send_header(name, value)
-        self.end_headers()
-        self.wfile.write(body)
-
-    def log_message(self, *_: object) -> None:
-        """Write no log."""
-
-
-class Gateway(Handler):
-    """Passes requests on to a server that does not know of it."""
-
-    upstream = ""
-
-    def do_GET(self) -> None:
-        body = self.rfile.read(int(self.headers["Content-Length"] or 0))
-        url, headers = f"{self.upstream}{self.path}", dict(self.headers)
-        sent = httpx.request(self.command, url, headers=headers, content=body)
-        self.send_response(sent.status_code)
-        for name in ("Content-Type", "Proctor-Version"):
-            self.send_header(name, sent.headers[name])
-        self.send_header("Content-Length", str(len(sent.content)))
-        self.end_headers()
-        self.wfile.write(sent.content)
-
-    do_POST = do_GET  # noqa: N815 - as the library calls it
-
-
-@contextlib.contextmanager
-def serve_tls(
-    folder: Path, handler: type[BaseHTTPRequestHandler]
-) -> Iterator[tuple[str, Path]]:
-    """A server for `localhost` that no authority knows: its URL and certificate."""
-    pem, context = create_certificate(folder, "localhost")
-    server = HTTPServer(("127.0.0.1", 0), handler)
-    server.socket = context.wrap_socket(server.socket, server_side=True)
-    thread = threading.Thread(target=server.serve_forever, args=(0.05,), daemon=True)
-    thread.start()
-    yield f"https://localhost:{server.server_port}", pem
-    server.shutdown()
-    server.server_close()
-
-
 @pytest.fixture(scope="module")
 def tls_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
-    with serve_tls(tmp_path_factory.mktemp("tls"), Handler) as served:
+    with serve_tls(tmp_path_factory.mktemp("tls"), CannedHandler) as served:
         yield served
 
 
@@ -122,7 +70,7 @@ def test_a_certificate_for_another_name_is_said_at_once(
 def test_a_server_without_tls_is_said_at_once(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    plain = HTTPServer(("127.0.0.1", 0), Handler)
+    plain = HTTPServer(("127.0.0.1", 0), CannedHandler)
     threading.Thread(target=plain.serve_forever, args=(0.05,), daemon=True).start()
     url = f"https://127.0.0.1:{plain.server_port}"
     code, written = benchmarks(capsys, "--url", url)

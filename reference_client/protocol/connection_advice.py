@@ -1,0 +1,63 @@
+"""The cause of a failed connection and its cure, as far as the error itself shows them.
+
+Sentences for errors.py; nothing here is sent or decided.
+"""
+
+from __future__ import annotations
+
+import http.client
+import re
+from collections.abc import Iterator
+
+from proctor_client import ApiException
+from proctor_client.transport.server_address import place_of_redirection
+from urllib3.exceptions import ConnectTimeoutError, NewConnectionError
+
+_TUNNEL = re.compile(r"Tunnel connection failed: (\d{3})\b *(.*)", re.DOTALL)
+
+
+def causes_of(error: BaseException) -> Iterator[BaseException]:
+    """The error, and those that it was raised from, the outermost first."""
+    inner: BaseException | None = error
+    while inner is not None:
+        yield inner
+        inner = inner.__cause__ or inner.__context__
+
+
+def is_of_first_hop(error: Exception) -> bool:
+    """Whether no connection was made: to the server, or to the proxy before it."""
+    kinds = (NewConnectionError, ConnectTimeoutError)
+    return any(isinstance(cause, kinds) for cause in causes_of(error))
+
+
+def refusal_of_tunnel(error: Exception) -> tuple[int, str] | None:
+    """The status and the phrase with which a proxy refused to open a tunnel."""
+    texts = (_TUNNEL.search(str(cause)) for cause in causes_of(error))
+    match = next(filter(None, texts), None)
+    return match and (int(match[1]), f"{match[1]} {match[2]}".strip(" '\")"))
+
+
+def scheme_hint(error: Exception, url: str) -> str:
+    """The question whether a server that hangs up on a request speaks TLS."""
+    silent = (http.client.BadStatusLine, ConnectionResetError)
+    hung_up = any(isinstance(cause, silent) for cause in causes_of(error))
+    return " (https:// if it speaks TLS)" if hung_up and url[:5] == "http:" else ""
+
+
+def speaks_tls(error: ApiException, url: str) -> bool:
+    """Whether an answer says that the port is one for TLS, as nginx and Go do."""
+    said = f"{error.reason} {error.body}".lower()
+    is_refusal = error.status in (400, 497)
+    return (
+        url[:5] == "http:" and is_refusal and "http request" in said and "https" in said
+    )
+
+
+def where_it_moved(error: ApiException, url: str) -> str | None:
+    """The sentence that names the new place of a server, if the answer redirects."""
+    if error.location is None:
+        return None
+    place, is_base = place_of_redirection(url, error.location)
+    if is_base:
+        return f"The server is at {place} now: use that URL"
+    return f"It points to {place}; check that the URL is that of a Proctor server"
