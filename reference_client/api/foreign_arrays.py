@@ -83,7 +83,7 @@ def _check_kind(array: npt.NDArray[Any]) -> None:
 
 
 def _first_strange(value: Any) -> Any:
-    """The value, or the first item of a list that is no plain number."""
+    """The value, or the first item of a list other than a plain number."""
     if isinstance(value, list | tuple):
         items = (_first_strange(item) for item in value)
         strange = (x for x in items if not isinstance(x, int | float | list | tuple))

@@ -22,7 +22,7 @@ from reference_client.api.observation import (
 )
 from reference_client.api.policy import Policy, check_length, chunk_of
 from reference_client.errors import ProctorError
-from reference_client.policies.policy_server_client import PolicySession
+from reference_client.policies.servers.policy_server_client import PolicySession
 
 _IDENTITIES = {
     "quaternion_wxyz": [1.0, 0.0, 0.0, 0.0],

@@ -36,7 +36,7 @@ from reference_client.evaluation.worker_pool import (
     WorkerPool,
 )
 from reference_client.policies.lerobot_policy import LerobotPolicies
-from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient

@@ -66,7 +66,8 @@ from reference_client.policies import (
 )
 from reference_client.policies.error_origin import policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
-from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.policies.policy_loader import server_kind
+from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
 from reference_client.view.server import View
 
@@ -479,8 +480,8 @@ def _policy_name(
 ) -> str:
     if isinstance(server, PolicyServerClient):
         return server.described_name() or "proctor"
-    if reference.startswith(("gr00t:", "openpi:")):
-        return reference.partition(":")[0]
+    if (kind := server_kind(reference)) is not None:
+        return kind
     if reference.startswith("lerobot:"):
         return Path(reference.partition(":")[2]).resolve().name
     return reference.rpartition(":")[2] or reference
