@@ -319,6 +319,7 @@ class _EvaluationCommand:
 
     def print_score(self, score: Score) -> None:
         value = score.to_dict() | {"clips": self._clips()}
+        value["lost_sessions"] = [asdict(lost) for lost in self._board.lost]
         value["players"] = players_of(self._episodes)
         self._printer.answer(value, *answer_tables.score_tables(score, self._episodes))
         if not score.complete and self._run is not None:
