@@ -1,13 +1,14 @@
 """Observation: state vectors, images and tensors, decoded from the answer to a turn.
 
-Raw images and tensors are numpy arrays over the received bytes: nothing is copied.
+All are numpy arrays. Raw images and tensors are views of the received bytes: nothing is
+copied.
 """
 
 from __future__ import annotations
 
 import io
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -52,7 +53,7 @@ class Named(dict[str, Value]):
 class Observation:
     """One observation, in the units and frames of the benchmark's spaces.
 
-    state: name → vector of floats.
+    state: name → float64 of shape (size,); read-only.
     images: name → uint8 of shape (height, width, channels), row 0 on top; read-only.
     tensors: name → array of the dtype and shape that the benchmark declares; read-only.
     instruction: the task of this episode, in natural language.
@@ -61,7 +62,7 @@ class Observation:
     turn: the whole message as received, for policies that forward it.
     """
 
-    state: Mapping[str, tuple[float, ...]]
+    state: Mapping[str, npt.NDArray[np.float64]]
     images: Mapping[str, npt.NDArray[np.uint8]]
     tensors: Mapping[str, npt.NDArray[Any]]
     instruction: str
@@ -92,7 +93,9 @@ def decode_observation(
 ) -> Observation:
     """One of a turn's observations; raises as `observation_of`."""
     return Observation(
-        state=Named("state", {n: tuple(v) for n, v in observation.state.items()}),
+        state=Named(
+            "state", {n: state_vector(v) for n, v in observation.state.items()}
+        ),
         images=Named("images", _pictures(observation.images)),
         tensors=Named(
             "tensors",
@@ -107,6 +110,13 @@ def decode_observation(
         step=step,
         turn=turn,
     )
+
+
+def state_vector(numbers: Sequence[float]) -> npt.NDArray[np.float64]:
+    """A vector of the state as a policy receives it: float64, read-only."""
+    vector = np.array(numbers, dtype=np.float64)
+    vector.flags.writeable = False
+    return vector
 
 
 def _pictures(images: Mapping[str, Image]) -> dict[str, npt.NDArray[np.uint8]]:

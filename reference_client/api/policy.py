@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from reference_client.api.action_layout import ActionLayout
+from reference_client.api.foreign_arrays import UnreadableNumbers, as_numpy
 from reference_client.api.observation import Observation
 from reference_client.errors import ProctorError
 from reference_client.spelling import did_you_mean
@@ -48,7 +49,7 @@ def chunk_of(actions: Actions, layout: ActionLayout | None = None) -> list[WireA
     check names and sizes. Raises ProctorError `invalid_request`, with JSON pointers as
     the server's. The server checks ranges.
     """
-    given = _plain(actions)
+    given = _plain(actions, layout)
     if isinstance(given, Mapping) or (layout is not None and _is_row(given)):
         given = [given]
     if not isinstance(given, Sequence) or isinstance(given, str | bytes):
@@ -72,13 +73,22 @@ def check_length(
         raise _invalid_action("/actions", what, layout)
 
 
-def _plain(given: Any) -> Any:
-    """Arrays of any library as lists; other values unchanged."""
+def _plain(given: Any, layout: ActionLayout | None, at: str = "/actions") -> Any:
+    """Arrays of any library as lists; other values unchanged.
+
+    A batch of one chunk, (1, actions, numbers), is the chunk.
+    """
     if isinstance(given, str | bytes | Mapping | list | tuple):
         return given
-    if hasattr(given, "__array__"):
-        return np.atleast_1d(np.asarray(given)).tolist()
-    return given
+    if not hasattr(given, "__array__"):
+        return given
+    try:
+        array = np.atleast_1d(as_numpy(given))
+    except UnreadableNumbers as error:
+        raise _invalid_action(at, str(error), layout) from error
+    while array.ndim > 2 and len(array) == 1:
+        array = array[0]
+    return array.tolist()
 
 
 def _is_row(given: Any) -> bool:
@@ -93,7 +103,7 @@ def _is_row(given: Any) -> bool:
 
 def _action(at: str, given: Any, layout: ActionLayout | None) -> WireAction:
     if not isinstance(given, Mapping):
-        given = _row(at, _plain(given), layout)
+        given = _row(at, _plain(given, layout, at), layout)
     values = {
         name: _numbers(f"{at}/{_escape(str(name))}", vector, layout)
         for name, vector in given.items()
@@ -150,13 +160,16 @@ def _inspect_vector(
 ) -> list[float]:
     """The numbers of any other array-like vector; raises an error for a bad one."""
     try:
-        numbers = np.asarray(vector, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        what = "holds a value that is no number"
-        raise _invalid_action(at, what, layout) from error
-    if numbers.ndim != 1:
-        what = f"has {numbers.ndim} dimensions; a vector has one"
+        numbers = as_numpy(vector)
+    except UnreadableNumbers as error:
+        raise _invalid_action(at, str(error), layout) from error
+    if numbers.shape[:-1] != (1,) * (numbers.ndim - 1):
+        what = (
+            f"has shape {numbers.shape}; a vector has one dimension, and a chunk is a "
+            "list of actions"
+        )
         raise _invalid_action(at, what, layout)
+    numbers = numbers.reshape(-1)  # without a batch of one; a single number is a vector
     if not np.isfinite(numbers).all():
         index = int(np.flatnonzero(~np.isfinite(numbers))[0])
         what = f"is {numbers[index]}, which is not finite"

@@ -14,10 +14,15 @@ from typing import Any
 import numpy as np
 
 from reference_client.api.action_layout import ActionLayout
-from reference_client.api.observation import DTYPES, Named, Observation
+from reference_client.api.observation import (
+    DTYPES,
+    Named,
+    Observation,
+    state_vector,
+)
 from reference_client.api.policy import Policy, check_length, chunk_of
 from reference_client.errors import ProctorError
-from reference_client.policies.policy_server_client import PolicySession
+from reference_client.policies.servers.policy_server_client import PolicySession
 
 _IDENTITIES = {
     "quaternion_wxyz": [1.0, 0.0, 0.0, 0.0],
@@ -73,7 +78,11 @@ def _observation(benchmark: dict[str, Any]) -> Observation:
     shape = (size["height"], size["width"])
     return Observation(
         state=Named(
-            "state", {n: _vector(declared) for n, declared in space["state"].items()}
+            "state",
+            {
+                name: state_vector(_vector(declared))
+                for name, declared in space["state"].items()
+            },
         ),
         images=Named(
             "images",

@@ -36,12 +36,13 @@ from reference_client.evaluation.worker_pool import (
     WorkerPool,
 )
 from reference_client.policies.lerobot_policy import LerobotPolicies
-from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.local_token import find_token
 from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.silence import summary
 
 _LOG = logging.getLogger("proctor")
 
@@ -170,6 +171,7 @@ def run_evaluation(
     `evaluate`.
     """
     board, stop = board or StatusBoard(), threading.Event()
+    abandoned = 0
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
@@ -204,9 +206,12 @@ def run_evaluation(
             ).play_to_score()
             if board.clips.clipped:
                 say(f"Clipped: {board.clips.describe()}.")
+            abandoned = score.counts.abandoned
             return score
         finally:
             worker_pool.close()
+            if board.lost:
+                say(summary(board.lost, abandoned))
 
 
 def _how_to_continue(run: Run, board: StatusBoard) -> str:

@@ -16,6 +16,7 @@ from reference_client.api.observation import Observation
 from reference_client.api.policy import WireAction
 from reference_client.generated.messages import Turn
 from reference_client.printable_text import printable
+from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode
 
 
@@ -66,6 +67,7 @@ class StatusBoard:
         self._is_warned = False
         self.clips = ClipCount()
         self.left: dict[str, LeftEpisode] = {}
+        self.lost: list[LostSession] = []
         self.max_attempts: int | None = None  # of an episode, where that is known
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
@@ -93,6 +95,13 @@ class StatusBoard:
             if warning is not None and not self._is_warned:
                 self._is_warned = True
                 self._notes.append(warning)
+        self._changed.set()
+
+    def on_lost(self, lost: LostSession) -> None:
+        """A worker has lost its session because it was silent for too long."""
+        with self._lock:
+            self.lost.append(lost)
+            self._notes.append(f"warning: {lost.describe()}.")
         self._changed.set()
 
     def on_left(self, left: LeftEpisode) -> None:

@@ -8,12 +8,12 @@ from __future__ import annotations
 import base64
 import io
 from collections import deque
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from reference_client.api.policy import Vector
 from reference_client.evaluation.status_board import TurnSnapshot
 
 WIDTH_MAX = 320  # pixels, of a picture on the page
@@ -68,7 +68,7 @@ def describe_turn(snapshot: TurnSnapshot) -> dict[str, Any]:
     }
 
 
-def _numbers(vector: Sequence[float]) -> str:
+def _numbers(vector: Vector) -> str:
     shown = " ".join(f"{number:.3f}" for number in vector[:NUMBERS_MAX])
     return shown if len(vector) <= NUMBERS_MAX else f"{shown} … ({len(vector)})"
 

@@ -82,6 +82,8 @@ class WorkerLoop:
                 self._play(session)
             except ProctorError as error:
                 empty_sessions = 0 if session.turn.seq > 0 else empty_sessions + 1
+                if error.code == "session_ended" and (lost := session.lost(error)):
+                    self._board.on_lost(lost)
                 if (
                     error.code != "session_ended"
                     or empty_sessions == EMPTY_SESSIONS_MAX

@@ -30,6 +30,7 @@ from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import policy_failure
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
+from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
 
 # Time for a request or `act` in progress, after the end of the orders.
@@ -58,6 +59,9 @@ class ReportingBoard(StatusBoard):
 
     def on_clips(self, count: ClipCount, warning: str | None) -> None:
         self.report("clips", count=asdict(count), warning=warning)
+
+    def on_lost(self, lost: LostSession) -> None:
+        self.report("lost", lost=asdict(lost))
 
     def on_left(self, left: LeftEpisode) -> None:
         self.report("left", left=asdict(left))

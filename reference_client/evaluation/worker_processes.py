@@ -28,6 +28,7 @@ from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.worker_pool import EvaluationContext
 from reference_client.protocol.retry_policy import Interrupted
+from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, detach
 
 # After the end of its orders, a process leaves its session within this time or is
@@ -213,6 +214,8 @@ class WorkerProcess:
                 board.on_scored()
             elif kind == "clips":
                 board.on_clips(ClipCount(**report["count"]), report["warning"])
+            elif kind == "lost":
+                board.on_lost(LostSession(**report["lost"]))
             elif kind == "left":
                 board.on_left(LeftEpisode(**report["left"]))
             elif kind == "waiting":

@@ -1,8 +1,8 @@
 """Adapters for existing policies.
 
 `policy_loader` loads the policy of a reference, `mapping` converts observations and
-actions to a policy's names and shapes, `openpi_client` and `policy_server_client` call
-policy servers, `lerobot_policy` loads LeRobot's, `policy_http_app` is a policy server.
+actions to a policy's names and shapes, `servers` has clients of policy servers,
+`lerobot_policy` loads LeRobot's, `policy_http_app` is a policy server.
 """
 
 from reference_client.errors import BadPolicy

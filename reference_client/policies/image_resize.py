@@ -6,6 +6,7 @@ a shift of half a pixel changes the input of a network.
 
 from __future__ import annotations
 
+import io
 from typing import Any
 
 import numpy as np
@@ -34,3 +35,14 @@ def resize_picture(
     top, left = (height - inner[1]) // 2, (width - inner[0]) // 2
     out[top : top + inner[1], left : left + inner[0]] = small
     return out
+
+
+def compress_picture(picture: npt.NDArray[np.uint8], codec: str) -> bytes:
+    """A JPEG (quality 95) or PNG file of uint8 (h, w, channels)."""
+    import PIL.Image
+
+    flat = picture[:, :, 0] if picture.shape[2] == 1 else picture
+    file = io.BytesIO()
+    image = PIL.Image.fromarray(np.ascontiguousarray(flat))
+    image.save(file, codec.upper(), quality=95)
+    return file.getvalue()

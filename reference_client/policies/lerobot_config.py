@@ -112,7 +112,7 @@ class LerobotConfig:
         task = given.get(_TASK, RequestEntry(("instruction",)))
         mapping = PolicyMapping(
             name=name,
-            entries=entries | {_TASK: replace(task, leading=1)},
+            tree=entries | {_TASK: replace(task, leading=1)},
             source=None,
             execute=overrides.execute if overrides else None,
             leading=0,

@@ -1,37 +1,53 @@
 """A declarative mapping between the benchmark's names and those of a policy.
 
-A TOML file with two tables. `[observation]` has an entry for each key of the policy's
-request, `[action]` locates the numbers in its answer, and `[action.values]` assigns
-them to the vectors of the action space. docs/evaluate/policies.md explains every
-member. Nothing in such a file is executed.
+A TOML file. `[observation]` has an entry for each key of the policy's request,
+`[action]` locates the numbers in its answer, and `[action.values]` assigns them to the
+vectors of the action space. For policy servers, `[reset]` is the message before an
+episode, and `[server]` says how they are spoken to. Every member is explained in
+docs/evaluate/policies/policies.md. Nothing in such a file is executed.
 """
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
-from typing import Any, Self, TypeVar
+from typing import Any, Self, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 from proctor_client import Benchmark
 
+from reference_client.api.foreign_arrays import as_numpy
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
-from reference_client.policies.image_resize import resize_picture
+from reference_client.policies.image_resize import compress_picture, resize_picture
+from reference_client.policies.servers.wire_formats import pack
 
 Array = npt.NDArray[Any]
+
+
+def _attempt_id(observation: Observation) -> str:
+    """Differs in every attempt of every run, for servers that store by such an id."""
+    turn = observation.turn
+    if turn is None or not turn.episode:
+        return f"dry-{observation.episode_id}"
+    return f"{turn.session_id}-{observation.episode_id}-{turn.episode.attempt}"
+
 
 _WORDS: Mapping[str, Callable[[Observation], Any]] = {
     "instruction": lambda observation: observation.instruction,
     "episode_id": lambda observation: observation.episode_id,
     "step": lambda observation: observation.step,
     "first_step": lambda observation: observation.step == 0,
+    "attempt_id": _attempt_id,
 }
 _GROUPS = ("state", "images", "tensors")
+_TEXTS, _FILES = ("json", "json-numpy"), ("jpeg", "png")
 Row = TypeVar("Row", "RequestEntry", "ActionVector")
+# A request is a table of entries, tables and lists of them.
+Node: TypeAlias = "RequestEntry | Mapping[str, Node] | list[Node]"
 
 
 class BadMapping(ValueError):
@@ -48,7 +64,8 @@ class RequestEntry:
 
     source: `state.NAME`, `images.NAME`, `tensors.NAME`, or a key of _WORDS; several
     states are concatenated. Then, in this order: take, scale, offset for vectors;
-    resize, layout, unit for images; dtype, leading for both.
+    resize, layout, unit for images; dtype, leading for both; encode: JSON text for any,
+    a file in memory for images.
     """
 
     source: tuple[str, ...] = ()
@@ -62,12 +79,22 @@ class RequestEntry:
     layout: str = "hwc"
     unit: bool = False
     leading: int = 0
+    encode: str | None = None
 
     def of(self, observation: Observation) -> Any:
+        value = self._value(observation)
+        if self.encode in _FILES:
+            return compress_picture(value, self.encode)
+        return value if self.encode is None else pack(value, self.encode).decode()
+
+    def _value(self, observation: Observation) -> Any:
         if not self.source:
             return self.value
         if self.source[0] in _WORDS:
             word = _WORDS[self.source[0]](observation)
+            if self.source[0] == "step":
+                number = float(word * self.scale + self.offset)
+                word = int(number) if number.is_integer() else number
             return [word] if self.leading else word
         group = self.source[0].partition(".")[0]
         array = (
@@ -100,13 +127,14 @@ class RequestEntry:
 class ActionVector:
     """One vector of the action, and the part of the answer that it is made of.
 
-    source: key of the answer, if different from the table's. Then, in this order:
-    columns, threshold, scale, offset, cumulate, relative_to, clip; or `value`, a
-    constant. cumulate: cumulative sum of the rows, as for velocities. relative_to:
+    source: place in the answer, if different from the table's; the numbers of several
+    are joined. Then, in this order: columns, threshold, scale, offset, cumulate,
+    relative_to, clip; or `value`, a constant. cumulate: cumulative sum of the rows, as
+    for velocities. relative_to:
     `state.NAME`, whose value before the chunk is added to every row.
     """
 
-    source: str | None = None
+    source: tuple[str, ...] = ()
     columns: Any = None
     threshold: float | None = None
     scale: Any = 1.0
@@ -134,11 +162,22 @@ class PolicyMapping:
     """A mapping, as read from a file."""
 
     name: str
-    entries: Mapping[str, RequestEntry]
+    tree: Mapping[str, Node]
     source: str | None
     execute: int | None
     leading: int
     vectors: Mapping[str, ActionVector]
+    first_message: Mapping[str, Node] | None = None
+    server: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def entries(self) -> Mapping[str, RequestEntry]:
+        """The entries of the request by their dotted names."""
+        return dict(_leaves(self.tree))
+
+    def flat(self) -> Self:
+        """The same without nesting: `video.front` is one key, quoted or not."""
+        return replace(self, tree=self.entries)
 
     @classmethod
     def read(cls, path: str | Path, *, is_partial: bool = False) -> Self:
@@ -160,7 +199,7 @@ class PolicyMapping:
         is_partial: bool = False,
     ) -> Self:
         """The mapping of a parsed TOML document. Raises BadMapping."""
-        _check_known(name, document, {"observation", "action"})
+        _check_known(name, document, {"observation", "action", "reset", "server"})
         if is_partial:
             action = {"values": {}} | document.get("action", {})
             document = {"observation": {}} | dict(document) | {"action": action}
@@ -175,10 +214,7 @@ class PolicyMapping:
         vectors = _table(f"{at}.values", action.get("values"), may_be_empty=is_partial)
         return cls(
             name=name,
-            entries={
-                key: _entry(f'{name}: observation."{key}"', table)
-                for key, table in entries.items()
-            },
+            tree=_tree(f"{name}: observation", entries),
             source=action.get("from"),
             execute=action.get("execute"),
             leading=action.get("leading", 0),
@@ -186,6 +222,12 @@ class PolicyMapping:
                 key: _read(ActionVector, f'{name}: action.values."{key}"', table)
                 for key, table in vectors.items()
             },
+            first_message=_tree(f"{name}: reset", _table(f"{name}: reset", reset))
+            if (reset := document.get("reset")) is not None
+            else None,
+            server=_table(
+                f"{name}: server", document.get("server", {}), may_be_empty=True
+            ),
         )
 
     def check(self, benchmark: Benchmark) -> None:
@@ -195,8 +237,12 @@ class PolicyMapping:
             f"{group}.{name}" for group in _GROUPS for name in getattr(space, group)
         }
         wanted = [
-            (f'observation."{key}"', source)
-            for key, entry in self.entries.items()
+            (f'{table}."{key}"', source)
+            for table, tree in (
+                ("observation", self.tree),
+                ("reset", self.first_message or {}),
+            )
+            for key, entry in _leaves(tree)
             for source in entry.source
             if source not in _WORDS
         ]
@@ -219,16 +265,27 @@ class PolicyMapping:
 
     def request(self, observation: Observation) -> dict[str, Any]:
         """The policy's request for an observation."""
-        return {key: entry.of(observation) for key, entry in self.entries.items()}
+        return {key: _filled(node, observation) for key, node in self.tree.items()}
+
+    def reset_message(self, observation: Observation) -> dict[str, Any] | None:
+        """The message before the first request of an episode; None if there is none."""
+        if self.first_message is None:
+            return None
+        filled: dict[str, Any] = _filled(self.first_message, observation)
+        return filled
 
     def chunk(self, answer: Any, observation: Observation) -> Chunk:
         """The policy's answer as a chunk. Raises InvalidPolicyAnswer."""
         columns: dict[str, Array] = {}
         for name, vector in self.vectors.items():
             if vector.value is None:
-                rows = self._rows(answer, vector.source or self.source)
+                places = vector.source or (self.source,)
                 try:
+                    parts = [self._rows(answer, place) for place in places]
+                    rows = np.concatenate(parts, axis=1)
                     columns[name] = vector.of(rows, observation)
+                except InvalidPolicyAnswer:
+                    raise
                 except (IndexError, ValueError) as error:
                     raise InvalidPolicyAnswer(
                         f"{self.name}: {name}: {error}"
@@ -251,16 +308,16 @@ class PolicyMapping:
 
     def _rows(self, answer: Any, source: str | None) -> Array:
         """The rows (actions, numbers) that the answer has at `source`."""
-        values = answer
+        values, is_list = answer, False
         if source is not None:
             # Some policies return a list of actions instead of an action of lists.
-            many = isinstance(answer, list)
-            values = [self._at(part, source) for part in (answer if many else [answer])]
-            values = values if many else values[0]
+            values, is_list = self._at(answer, source, source)
         try:
-            rows = np.asarray(values, dtype=np.float64)
-        except (TypeError, ValueError) as error:
+            rows = as_numpy(values)
+        except ValueError as error:
             raise InvalidPolicyAnswer(f"{self.name}: {source}: {error}") from error
+        if is_list and rows.ndim == 1:
+            rows = rows[:, np.newaxis]  # one number for each action
         if rows.ndim > self.leading:
             rows = rows.reshape(rows.shape[self.leading :])
         rows = np.atleast_1d(rows)
@@ -273,12 +330,32 @@ class PolicyMapping:
             )
         return rows
 
-    def _at(self, answer: Any, source: str) -> Any:
-        if isinstance(answer, Mapping) and source in answer:
-            return answer[source]
+    def _at(self, answer: Any, path: str, source: str) -> tuple[Any, bool]:
+        """The part of the answer at a dotted path, and whether it is a list of actions.
+
+        A number in the path is an index; any other name is looked up in each item of a
+        list. Names may contain dots: the longest that the answer has is taken.
+        """
+        if not path:
+            return answer, False
+        parts = path.split(".")
+        if isinstance(answer, Mapping):
+            for count in range(len(parts), 0, -1):
+                name, rest = ".".join(parts[:count]), ".".join(parts[count:])
+                for key in (name, name.encode()):
+                    if key in answer:
+                        return self._at(answer[key], rest, source)
+        elif parts[0].isdigit() and isinstance(answer, list | tuple | np.ndarray):
+            if int(parts[0]) < len(answer):
+                return self._at(answer[int(parts[0])], ".".join(parts[1:]), source)
+        elif isinstance(answer, list):
+            return [self._at(item, path, source)[0] for item in answer], True
         has = _listed(answer) if isinstance(answer, Mapping) else type(answer).__name__
+        where = source.removesuffix(path).rstrip(".")
         raise InvalidPolicyAnswer(
-            f"{self.name}: the policy's answer has no {source}, but {has}"
+            f"{self.name}: the policy's answer has no {path}"
+            + (f" in {where}" if where else "")
+            + f", but {has}"
         )
 
 
@@ -298,6 +375,43 @@ def _select(array: Array, which: Any) -> Array:
     return array[..., which]
 
 
+def _tree(at: str, table: Mapping[str, Any]) -> Mapping[str, Node]:
+    return {key: _node(f'{at}."{key}"', part) for key, part in table.items()}
+
+
+def _node(at: str, given: Any) -> Node:
+    """An entry is a table that has `from` or `value`; other tables and lists nest."""
+    if isinstance(given, list) and given:
+        return [_node(f"{at}.{index}", part) for index, part in enumerate(given)]
+    names = {"from" if f.name == "source" else f.name for f in fields(RequestEntry)}
+    is_nested = (
+        isinstance(given, Mapping)
+        and given
+        and not {"from", "value"} & set(given)
+        and all(isinstance(part, Mapping | list) for part in given.values())
+        and not names & set(given)
+    )
+    return _tree(at, given) if is_nested else _entry(at, given)
+
+
+def _leaves(node: Node, at: str = "") -> Iterator[tuple[str, RequestEntry]]:
+    if isinstance(node, RequestEntry):
+        yield at, node
+        return
+    parts = node.items() if isinstance(node, Mapping) else enumerate(node)
+    for key, part in parts:
+        yield from _leaves(part, f"{at}.{key}" if at else str(key))
+
+
+def _filled(node: Node, observation: Observation) -> Any:
+    match node:
+        case RequestEntry():
+            return node.of(observation)
+        case list():
+            return [_filled(part, observation) for part in node]
+    return {key: _filled(part, observation) for key, part in node.items()}
+
+
 def _entry(at: str, table: Any) -> RequestEntry:
     entry = _read(RequestEntry, at, table)
     if bool(entry.source) == (entry.value is not None):
@@ -312,6 +426,13 @@ def _entry(at: str, table: Any) -> RequestEntry:
             )
     if len(entry.source) > 1 and not all(s.startswith("state.") for s in entry.source):
         raise BadMapping(f"{at}: only states can be joined")
+    if entry.encode not in (None, *_TEXTS, *_FILES):
+        raise BadMapping(f"{at}: encode is one of {_listed((*_TEXTS, *_FILES))}")
+    is_picture = bool(entry.source) and entry.source[0].startswith("images.")
+    if entry.encode in _FILES and (
+        not is_picture or entry.unit or entry.leading or entry.layout != "hwc"
+    ):
+        raise BadMapping(f"{at}: encode {entry.encode} is for images alone, as uint8")
     if entry.dtype is not None and not _is_of_numbers(entry.dtype):
         raise BadMapping(f"{at}: dtype {entry.dtype} is not numeric")
     return entry
@@ -335,8 +456,6 @@ def _read(row: type[Row], at: str, table: Any) -> Row:
             value = tuple(given)
         if key == "from":
             value = tuple([given] if isinstance(given, str) else given)
-            if row is ActionVector:
-                value = given
         members["source" if key == "from" else key] = value
     return row(**members)
 

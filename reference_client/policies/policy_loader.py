@@ -1,9 +1,10 @@
 """Loads the policy of a reference.
 
-References are `module:name`, `file.py:name`, `openpi:ws://host:8000`,
-`gr00t:host:5555`, `proctor:http://host:8470` and `lerobot:FOLDER`. A name is a class or
-a function without arguments, called once per worker to make a policy, or a function of
-the observation, which is the policy.
+References are `module:name`, `file.py:name`, `lerobot:FOLDER`, and policy servers:
+`openpi:ws://host:8000`, `vla-eval:ws://host:8000`, `gr00t:host:5555`, `ws://host/path`,
+`http://host/path` and `proctor:http://host:8470`. A name is a class or a function
+without arguments, called once per worker to make a policy, or a function of the
+observation, which is the policy.
 Modules are found as by `python -m`: in the current folder first. Only code that the
 user names is executed.
 """
@@ -14,16 +15,24 @@ import ast
 import importlib
 import importlib.util
 import inspect
+import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import fields, replace
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, Protocol
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
 from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
-from reference_client.policies.mapping import InvalidPolicyAnswer, PolicyMapping
+from reference_client.policies.mapping import (
+    InvalidPolicyAnswer,
+    Node,
+    PolicyMapping,
+    RequestEntry,
+)
+from reference_client.policies.servers.wire_settings import ServerSettings
 from reference_client.spelling import did_you_mean
 
 
@@ -33,14 +42,21 @@ def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], P
     mapping: converts observations and actions for the policy. Raises BadPolicy; errors
     raised by the import of the user's module pass through.
     """
-    kind, _, rest = reference.partition(":")
-    if kind == "openpi":
-        return _openpi(rest, mapping)
-    if kind == "gr00t":
-        return _gr00t(rest, mapping)
-    if kind == "proctor":
+    kind, rest = server_kind(reference), reference.partition(":")[2]
+    if kind is not None:
+        if mapping is None:
+            raise BadPolicy(
+                f"{kind}: needs --mapping FILE, which maps observation and action "
+                "names; docs/evaluate/policies/policy-servers.md lists mapping files"
+                + _MEANT.get(kind, "")
+            )
+        is_url = kind in ("ws", "http")
+        return _SERVERS[kind](reference if is_url else rest, mapping)
+    if mapping is not None and (mapping.server or mapping.first_message):
+        raise BadPolicy(f"{mapping.name}: [server] and [reset] are of policy servers")
+    if reference.startswith("proctor:"):
         return _policy_server(rest, mapping)
-    if kind == "lerobot":
+    if reference.startswith("lerobot:"):
         from reference_client.policies.lerobot_policy import LerobotPolicies
 
         return LerobotPolicies(rest, mapping)
@@ -50,6 +66,14 @@ def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], P
     return lambda: _MappedPolicy(_answer_function(made, reference), mapping)
 
 
+def server_kind(reference: str) -> str | None:
+    """`openpi`, `vla-eval`, `gr00t`, `ws` or `http`; None for any other policy."""
+    kind, _, rest = reference.partition(":")
+    if kind in _SCHEMES:
+        return _SCHEMES[kind] if rest.startswith("//") else None
+    return kind if kind in _SERVERS else None
+
+
 def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
     """The mapping file of a policy, if any. Raises BadMapping."""
     if path is None:
@@ -57,47 +81,110 @@ def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
     return PolicyMapping.read(path, is_partial=reference.startswith("lerobot:"))
 
 
-def _openpi(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.openpi_client import OpenpiClient
-
-    if not url.startswith(("ws://", "wss://")):
-        raise BadPolicy(
-            f"openpi: takes a URL like openpi:ws://127.0.0.1:8000, not {url!r}"
-        )
-    needed = _require(mapping, "openpi")
-    return lambda: _of_server(OpenpiClient.connect_to(url), needed)
+def _openpi(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
+    _require_scheme("openpi", url, ("ws", "wss"))
+    readable = {"expect", "answer_s", "new_connection"}
+    settings = ServerSettings.of(mapping.server, "openpi:", readable)
+    key = os.environ.get("OPENPI_API_KEY")
+    authorization = f"Api-Key {key}" if key else None
+    return _websocket_policies(url, mapping, settings, authorization)
 
 
-def _gr00t(address: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.gr00t.gr00t_client import (
+def _websocket(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
+    readable = {f.name for f in fields(ServerSettings)} - {"reset_path"}
+    settings = ServerSettings.of(mapping.server, "ws:", readable)
+    if (settings.expect or settings.ready) and not settings.greeting:
+        raise BadPolicy("[server]: ready and expect are of servers that greet")
+    key = os.environ.get("PROCTOR_POLICY_KEY")
+    authorization = f"Bearer {key}" if key else None
+    return _websocket_policies(url, mapping, settings, authorization)
+
+
+def _websocket_policies(
+    url: str,
+    mapping: PolicyMapping,
+    settings: ServerSettings,
+    authorization: str | None,
+) -> Callable[[], Policy]:
+    from reference_client.policies.servers.websocket_client import WebsocketClient
+
+    return lambda: _ServedPolicy(
+        WebsocketClient(url, settings, authorization=authorization).connected(),
+        mapping,
+    )
+
+
+def _vla_eval(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
+    from reference_client.policies.servers.vla_eval_client import VlaEvalClient
+
+    _require_scheme("vla-eval", url, ("ws", "wss"))
+    settings = ServerSettings.of(
+        mapping.server, "vla-eval:", {"expect", "answer_s"}, format="msgpack-text"
+    )
+    if mapping.first_message is None:
+        mapping = replace(mapping, first_message=VLA_EVAL_TASK)
+    return lambda: _ServedPolicy(VlaEvalClient(url, settings).connected(), mapping)
+
+
+def _http(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
+    from reference_client.policies.servers.http_policy_client import HttpPolicyClient
+
+    readable = {"format", "envelope", "reset_path", "answer_s"}
+    settings = ServerSettings.of(mapping.server, "http:", readable, format="json")
+    if settings.envelope is not None and not settings.format.startswith("json"):
+        raise BadPolicy("[server]: envelope is for the formats json and json-numpy")
+    return lambda: _ServedPolicy(HttpPolicyClient(url, settings).connected(), mapping)
+
+
+def _gr00t(address: str, mapping: PolicyMapping) -> Callable[[], Policy]:
+    from reference_client.policies.servers.gr00t.gr00t_client import (
         Gr00tClient,
         check_keys,
         split_address,
     )
 
     split_address(address)
-    needed = _require(mapping, "gr00t")
-    keys = list(needed.entries)
+    settings = ServerSettings.of(mapping.server, "gr00t:", {"answer_s"})
+    if mapping.first_message is not None:
+        raise BadPolicy("gr00t: [reset] is not read; its reset has no message")
+    flat = mapping.flat()
+    keys = list(flat.entries)
     check_keys(keys)
-    return lambda: _of_server(Gr00tClient.connect_to(address, keys), needed)
+    return lambda: _ServedPolicy(
+        Gr00tClient.connect_to(address, keys, answer_s=settings.answer_s), flat
+    )
 
 
-def _of_server(client: Any, mapping: PolicyMapping) -> Policy:
-    """client: has infer(request) and close()."""
-    return _MappedPolicy(client.infer, mapping, client.close)
-
-
-def _require(mapping: PolicyMapping | None, kind: str) -> PolicyMapping:
-    if mapping is None:
+def _require_scheme(kind: str, url: str, schemes: tuple[str, ...]) -> None:
+    if url.partition("://")[0] not in schemes or "://" not in url:
         raise BadPolicy(
-            f"{kind}: needs --mapping FILE, which maps observation and action names; "
-            "docs/evaluate/policies.md lists mapping files"
+            f"{kind}: takes a URL like {kind}:{schemes[0]}://127.0.0.1:8000, "
+            f"not {url!r}"
         )
-    return mapping
+
+
+# The first message of an episode to a model server of vla-eval.
+VLA_EVAL_TASK: Mapping[str, Node] = {
+    "task": {"name": RequestEntry(source=("instruction",))}
+}
+_SERVERS: Mapping[str, Callable[[str, PolicyMapping], Callable[[], Policy]]] = {
+    "openpi": _openpi,
+    "vla-eval": _vla_eval,
+    "gr00t": _gr00t,
+    "ws": _websocket,
+    "http": _http,
+}
+_SCHEMES = {"ws": "ws", "wss": "ws", "http": "http", "https": "http"}
+_MEANT = {
+    "ws": "; openpi's protocol is openpi:ws://…, vla-eval's is vla-eval:ws://…",
+    "http": "; a policy server of policy.yaml is proctor:http://…",
+}
 
 
 def _policy_server(url: str, mapping: PolicyMapping | None) -> Callable[[], Policy]:
-    from reference_client.policies.policy_server_client import PolicyServerClient
+    from reference_client.policies.servers.policy_server_client import (
+        PolicyServerClient,
+    )
 
     if not url.startswith(("http://", "https://")):
         raise BadPolicy(
@@ -212,7 +299,7 @@ def _arguments(function: Callable[..., object]) -> int:
 
 def close_policy(policy: Policy) -> None:
     """Close the connection of a policy that `load` connected, and no other policy."""
-    if isinstance(policy, _MappedPolicy):
+    if isinstance(policy, _ServedPolicy):
         policy.close()
 
 
@@ -231,30 +318,59 @@ class _FunctionPolicy:
 
 
 class _MappedPolicy:
-    """A policy behind a mapping of names."""
+    """A policy of this process, behind a mapping of names."""
 
-    def __init__(
-        self,
-        infer: Any,
-        mapping: PolicyMapping,
-        close: Callable[[], None] | None = None,
-    ) -> None:
+    def __init__(self, infer: Any, mapping: PolicyMapping) -> None:
         self._infer = infer
         self._mapping = mapping
-        self._close = close
         self._reset = getattr(getattr(infer, "__self__", None), "reset", None)
 
     def reset(self, instruction: str) -> None:
         if callable(self._reset):
             self._reset(*[instruction][: min(1, _arguments(self._reset))])
 
-    def close(self) -> None:
-        if self._close is not None:
-            self._close()
-
     def act(self, observation: Observation) -> Chunk:
         answer = self._infer(self._mapping.request(observation))
-        try:
-            return self._mapping.chunk(answer, observation)
-        except InvalidPolicyAnswer as error:
-            raise ProctorError(POLICY_FAILED, str(error)) from error
+        return _chunk(self._mapping, answer, observation)
+
+
+class _PolicyServer(Protocol):
+    """A connection to a policy server, of one worker."""
+
+    def infer(self, request: Mapping[str, Any]) -> Any:
+        """The decoded answer. Raises ProctorError `policy_failed`."""
+
+    def begin_episode(self, message: Mapping[str, Any] | None) -> None:
+        """Called before the first `infer` of an episode, with the message of it."""
+
+    def close(self) -> None:
+        """Leave; a request in progress fails."""
+
+
+class _ServedPolicy:
+    """A policy server, behind a mapping of names."""
+
+    def __init__(self, server: _PolicyServer, mapping: PolicyMapping) -> None:
+        self._server = server
+        self._mapping = mapping
+        self._is_new = True
+
+    def reset(self, instruction: str) -> None:
+        self._is_new = True  # its message is made of the observation
+
+    def act(self, observation: Observation) -> Chunk:
+        if self._is_new:
+            self._server.begin_episode(self._mapping.reset_message(observation))
+            self._is_new = False
+        answer = self._server.infer(self._mapping.request(observation))
+        return _chunk(self._mapping, answer, observation)
+
+    def close(self) -> None:
+        self._server.close()
+
+
+def _chunk(mapping: PolicyMapping, answer: Any, observation: Observation) -> Chunk:
+    try:
+        return mapping.chunk(answer, observation)
+    except InvalidPolicyAnswer as error:
+        raise ProctorError(POLICY_FAILED, str(error)) from error

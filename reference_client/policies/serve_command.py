@@ -1,6 +1,7 @@
 """`proctor serve-policy`: serves a policy over HTTP, for runs in push mode.
 
-Accepts the policies of `proctor run --policy`; docs/evaluate/push.md has an example.
+Accepts the policies of `proctor run --policy`; docs/evaluate/policies/push.md has an
+example.
 """
 
 from __future__ import annotations

@@ -23,6 +23,7 @@ from reference_client.errors import ProctorError, from_failure
 from reference_client.generated.messages import Turn
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.retry_policy import FAILURES, Interrupted, RetryPolicy
+from reference_client.protocol.silence import LostSession, SilenceMeter
 
 # Added to the lease when waiting for a busy worker; limit of the retries of a detach,
 # after which the lease ends the session.
@@ -69,6 +70,7 @@ class Session:
         self._ended = False
         self._is_unanswered = False  # a predict was sent and its answer has not come
         self._until = turn.lease.expires_at
+        self._silence = SilenceMeter()
         self.turn = turn
 
     @classmethod
@@ -114,12 +116,14 @@ class Session:
                 observe=observe,
             )
 
+        self._silence.sent()
         try:
             self.turn = self._retry_policy.call(send)
         except ProctorError as error:
             self._ended = error.code in SESSION_END_CODES
             self._is_unanswered = error.side_effects != "none"
             raise
+        self._silence.answered()
         self._is_unanswered = False
         self._until = self.turn.lease.expires_at
         return self.turn
@@ -140,12 +144,36 @@ class Session:
                 _request_timeout=max(1.0, self.turn.lease.idle_timeout_s / 6),
             )
         except FAILURES as failure:
-            return (
-                from_failure(failure, self._retry_policy.url).code
-                not in SESSION_END_CODES
-            )
+            error = from_failure(failure, self._retry_policy.url)
+            if error.code in SESSION_END_CODES:
+                return False
+            self._silence.failed()
+            return True
+        self._silence.answered()
         self._until = lease.expires_at.isoformat()
         return True
+
+    def lost(self, error: ProctorError) -> LostSession | None:
+        """How this worker has lost the session by its silence; None if it has not.
+
+        error: the refusal `session_ended`. A server that no longer knows the reason is
+        believed to have ended the lease if that has passed.
+        """
+        ended_by = error.problem.ended_by if error.problem else None
+        episode, lease_s = self.turn.episode, self.turn.lease.idle_timeout_s
+        silence = self._silence.silence(lease_s)
+        is_known = ended_by == "lease_ended"
+        is_likely = ended_by in (None, "unknown") and silence[0] > lease_s
+        if not episode or not (is_known or is_likely):
+            return None
+        return LostSession(
+            self._slot.worker_id,
+            episode.episode_id,
+            episode.step,
+            episode.attempt,
+            lease_s,
+            *silence,
+        )
 
     def detach(self) -> None:
         """End the session. Never raises; does nothing if the session has ended.

@@ -38,7 +38,7 @@ from reference_client.errors import ProctorError
 from reference_client.evaluation import parameters
 from reference_client.evaluation.declared_policy import DeclaredPolicy, check_offered
 from reference_client.evaluation.status_board import Progress
-from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
 
 _PUSH_OPTIONS = (

@@ -66,7 +66,8 @@ from reference_client.policies import (
 )
 from reference_client.policies.error_origin import policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
-from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.policies.policy_loader import server_kind
+from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
 from reference_client.view.server import View
 
@@ -318,6 +319,7 @@ class _EvaluationCommand:
 
     def print_score(self, score: Score) -> None:
         value = score.to_dict() | {"clips": self._clips()}
+        value["lost_sessions"] = [asdict(lost) for lost in self._board.lost]
         value["players"] = players_of(self._episodes)
         self._printer.answer(value, *answer_tables.score_tables(score, self._episodes))
         if not score.complete and self._run is not None:
@@ -479,8 +481,8 @@ def _policy_name(
 ) -> str:
     if isinstance(server, PolicyServerClient):
         return server.described_name() or "proctor"
-    if reference.startswith(("gr00t:", "openpi:")):
-        return reference.partition(":")[0]
+    if (kind := server_kind(reference)) is not None:
+        return kind
     if reference.startswith("lerobot:"):
         return Path(reference.partition(":")[2]).resolve().name
     return reference.rpartition(":")[2] or reference

@@ -8,7 +8,9 @@ separate model.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+
+import numpy.typing as npt
 
 from reference_sim.benchmarks.mobile_bimanual.plans import PLANS
 from reference_sim.benchmarks.mobile_bimanual.skills import RobotController, Steps
@@ -35,7 +37,7 @@ class MobileBimanualExpert:
         self._plan = PLANS[instruction](self._robot)
 
     def act(
-        self, observation_state: Mapping[str, Sequence[float]]
+        self, observation_state: Mapping[str, npt.ArrayLike]
     ) -> dict[str, list[float]]:
         """The next action, with the names of the benchmark's action space."""
         if self._plan is None:

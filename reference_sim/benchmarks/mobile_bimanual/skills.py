@@ -8,9 +8,10 @@ that yield once per control step.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
+import numpy.typing as npt
 
 from reference_sim.benchmarks.mobile_bimanual import frames
 from reference_sim.benchmarks.mobile_bimanual.layout import (
@@ -49,7 +50,7 @@ class RobotController:
         self._base = np.zeros(3)  # as commanded
         self._motion = np.zeros(3)
 
-    def update(self, observation_state: Mapping[str, Sequence[float]]) -> None:
+    def update(self, observation_state: Mapping[str, npt.ArrayLike]) -> None:
         self._state = {name: np.array(v) for name, v in observation_state.items()}
         self._motion = np.zeros(3)
         if not self._hands:

@@ -7,9 +7,10 @@ sent over the wire. It knows no tasks, seeds or scores.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
+import numpy.typing as npt
 
 from reference_sim.benchmarks.tabletop.layout import HOME_RAD, JOINTS
 from reference_sim.benchmarks.tabletop.plans import PLANS
@@ -45,7 +46,7 @@ class TabletopExpert:
         self._joints: Vector | None = None  # as last commanded
 
     def act(
-        self, observation_state: Mapping[str, Sequence[float]]
+        self, observation_state: Mapping[str, npt.ArrayLike]
     ) -> dict[str, list[float]]:
         """Raises RuntimeError before the first reset."""
         if self._plan is None:

@@ -8,11 +8,12 @@ joints.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Generator, Mapping, Sequence
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
+import numpy.typing as npt
 
 from reference_sim.mujoco.world import Vector
 
@@ -50,7 +51,7 @@ class ObservedState:
     def __init__(self) -> None:
         self._state: Mapping[str, Vector] = {}
 
-    def update(self, state: Mapping[str, Sequence[float]]) -> None:
+    def update(self, state: Mapping[str, npt.ArrayLike]) -> None:
         self._state = {
             name: np.asarray(values, dtype=np.float64) for name, values in state.items()
         }

@@ -46,7 +46,6 @@ def test_numpy_vectors_become_a_chunk() -> None:
         (None, "/actions", "a NoneType, not an action or a list of actions"),
         ([], "/actions", "is empty"),
         ([[1.0]], "/actions/0/values", "not a dict of vectors"),
-        ([{"a": 1.0}], "/actions/0/values/a", "has 0 dimensions"),
         ([{"a": ["one"]}], "/actions/0/values/a", "no number"),
         ([{"a": [1.0, np.nan]}], "/actions/0/values/a/1", "not finite"),
         ([{"a/b~": [np.inf]}], "/actions/0/values/a~1b~0/0", "not finite"),
@@ -86,7 +85,12 @@ def test_one_action_rows_and_chunks_are_accepted(actions: Any, length: int) -> N
     [
         (np.zeros(3), "/actions/0/values", "is an array of 3"),
         (np.zeros((2, 5)), "/actions/0/values", "is an array of 5"),
-        (np.zeros((1, 2, 4)), "/actions/0/values", "2 dimensions"),
+        (np.zeros((2, 2, 4)), "/actions/0/values", r"has shape \(2, 4\)"),
+        (
+            VALUES | {"joint_position": np.zeros((2, 3))},
+            "/actions/0/values/joint_position",
+            r"has shape \(2, 3\); .* a chunk is a list of actions",
+        ),
         ([], "/actions", "is empty"),
         (np.zeros((0, 4)), "/actions", "is empty"),
         (None, "/actions", "a NoneType, not an action"),
@@ -101,7 +105,7 @@ def test_one_action_rows_and_chunks_are_accepted(actions: Any, length: int) -> N
             "/actions/0/values/joint_position",
             "has 1 numbers; joint_position has 3",
         ),
-        (VALUES | {"gripper": 1.0}, "/actions/0/values/gripper", "has 0 dimensions"),
+        (VALUES | {"joint_position": 1.0}, "/actions/0/values/joint_position", "has 1"),
         (VALUES | {"gripper": ["x"]}, "/actions/0/values/gripper", "no number"),
         ([*ROW[:3], np.nan], "/actions/0/values/3", "not finite"),
         (["open", "close"], "/actions/0/values", "is a str"),
@@ -117,12 +121,107 @@ def test_every_refusal_names_the_expected_shape(
     assert "could not convert" not in str(caught.value)
 
 
-def test_an_array_of_another_library_is_a_row() -> None:
-    class Tensor:
-        def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
-            return np.array(ROW, dtype)
+class Tensor:
+    """A tensor of torch: numpy cannot read it before `detach`, `cpu` and `double`."""
 
-    assert chunk_of(Tensor(), ARM) == [{"values": VALUES}]  # type: ignore[arg-type]
+    layout = "torch.sparse_coo"
+    is_quantized = False
+
+    def __init__(self, numbers: Any, reason: str = "", *steps: str) -> None:
+        self.numbers, self.reason, self.steps = numbers, reason, steps
+
+    @property
+    def ndim(self) -> int:
+        return np.ndim(self.numbers)
+
+    def then(self, step: str) -> Tensor:
+        return Tensor(self.numbers, self.reason, *self.steps, step)
+
+    def detach(self) -> Tensor:
+        return self.then("detach")
+
+    def to_dense(self) -> Tensor:
+        return self.then("to_dense")
+
+    def is_complex(self) -> bool:
+        return False
+
+    def cpu(self) -> Tensor:
+        if self.reason:
+            raise NotImplementedError(self.reason)
+        return self.then("cpu")
+
+    def double(self) -> Tensor:
+        return self.then("double")
+
+    def numpy(self) -> Any:
+        assert self.steps == ("detach", "to_dense", "cpu", "double")
+        return np.array(self.numbers, np.float64)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        raise TypeError("Got unsupported ScalarType BFloat16")
+
+
+Tensor.__module__ = "torch"
+
+
+class JaxArray:
+    """An array that numpy can read, as jax and tensorflow have."""
+
+    def __init__(self, numbers: Any, reason: str = "") -> None:
+        self.numbers, self.reason = numbers, reason
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        if self.reason:
+            raise RuntimeError(self.reason)
+        return np.array(self.numbers, dtype)
+
+
+JaxArray.__module__ = "jaxlib.xla_extension"
+ARM_ROW = ROW[:3]
+
+
+@pytest.mark.parametrize(
+    "actions",
+    [
+        *(kind(ROW) for kind in (Tensor, JaxArray)),
+        *(kind([ROW]) for kind in (Tensor, JaxArray)),
+        *(kind([[ROW]]) for kind in (Tensor, JaxArray)),
+        *([kind(number) for number in ROW] for kind in (Tensor, JaxArray)),
+        {"joint_position": Tensor(ARM_ROW), "gripper": JaxArray(0.0)},
+        {"joint_position": Tensor([ARM_ROW]), "gripper": Tensor([[0.0]])},
+        {"joint_position": [JaxArray(n) for n in ARM_ROW], "gripper": 0},
+        [[Tensor(number) for number in ROW]],
+    ],
+)
+def test_arrays_of_other_libraries_are_read(actions: Any) -> None:
+    """Also a batch of one, and a single number for a vector of one."""
+    assert chunk_of(actions, ARM) == [{"values": VALUES}]
+
+
+@pytest.mark.parametrize(
+    ("vector", "texts"),
+    [
+        (
+            Tensor([0.0], "Cannot copy out of meta tensor; no data!"),
+            ["a torch.Tensor: Cannot copy out of meta", "`x.detach().float().cpu()`"],
+        ),
+        ([JaxArray(0, "deleted")], ["jaxlib.JaxArray: deleted", "`jax.device_get(x)`"]),
+        (np.array([1j]), ["complex128", "a numpy array of real numbers"]),
+        (np.ma.array([1.0], mask=[True]), ["masked"]),
+        (np.array(["2026"], "M8[s]"), ["datetime64"]),
+        (["1.0"], ["<U3"]),
+        ([None], ["it has None"]),
+    ],
+)
+def test_an_unreadable_array_is_refused_with_the_reason_and_the_cure(
+    vector: Any, texts: list[str]
+) -> None:
+    with pytest.raises(ProctorError) as caught:
+        chunk_of({"joint_position": ARM_ROW, "gripper": vector}, ARM)
+    ((pointer, text),) = caught.value.errors
+    assert pointer == "/actions/0/values/gripper"
+    assert all(part in text for part in texts), text
 
 
 def test_numbers_outside_a_range_that_clips_are_counted() -> None:

@@ -40,9 +40,24 @@ def compressed(pixels: Any, codec: str) -> bytes:
 
 def test_an_observation_knows_its_episode() -> None:
     observation = observation_of(turn_with(state={"joints": [1, 0.5]}))
-    assert observation.state == {"joints": (1.0, 0.5)}
+    assert {n: v.tolist() for n, v in observation.state.items()} == {"joints": [1, 0.5]}
     assert (observation.episode_id, observation.step) == ("e1", 3)
     assert observation.instruction == "Lift it."
+
+
+def test_a_state_is_an_array_to_calculate_with() -> None:
+    """Expect float64 as documented, and no way to change what the live view shows."""
+    state = observation_of(
+        turn_with(state={"a": [1, 2], "b": [0.5, 1], "none": []})
+    ).state
+    assert (state["a"] - state["b"]).tolist() == [0.5, 1]
+    assert [f"{v.dtype} {v.shape}" for v in state.values()] == [
+        "float64 (2,)",
+        "float64 (2,)",
+        "float64 (0,)",
+    ]
+    with pytest.raises(ValueError, match="read-only"):
+        state["a"][0] = 9
 
 
 @pytest.mark.parametrize("channels", [1, 2, 3, 4])

@@ -237,7 +237,7 @@ def test_the_program_of_the_manual_runs(
     server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """As pasted, with this server's URL and token, for a shorter benchmark."""
-    page = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
+    page = (ROOT / "docs" / "evaluate" / "policies" / "policies.md").read_text()
     (program,) = re.findall(
         r"```python\n(from reference_client import RemoteEnv\n.*?)```", page, re.DOTALL
     )

@@ -58,10 +58,10 @@ def test_the_observation_has_the_declared_names_and_shapes() -> None:
     policy = Recorder()
     play_dry_turn(policy, BENCHMARK)
     (seen,) = policy.seen
-    assert seen.state == {
-        "joints": (0.0, 2.0),
-        "pose": (1.0, 0.0, 0.0, 0.0),
-        "force": (0.0, 0.0, 0.0),
+    assert {name: vector.tolist() for name, vector in seen.state.items()} == {
+        "joints": [0.0, 2.0],
+        "pose": [1.0, 0.0, 0.0, 0.0],
+        "force": [0.0, 0.0, 0.0],
     }
     assert seen.images["front"].shape == (6, 8, 3)
     assert seen.tensors["depth"].dtype == np.float32
@@ -109,4 +109,4 @@ def test_a_missing_name_is_answered_with_those_that_exist() -> None:
     with pytest.raises(KeyError, match=r"joint: .*state has joints, .* mean joints\?"):
         state["joint"]
     assert "joint" not in state
-    assert copy.deepcopy(state) == state
+    assert copy.deepcopy(state)["joints"].tolist() == state["joints"].tolist()

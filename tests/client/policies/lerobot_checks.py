@@ -236,7 +236,10 @@ def actions_of_ours(policies: LerobotPolicies, benchmark: Benchmark) -> Array:
     rows: list[Array] = []
     while len(rows) < STEPS:
         observation = Observation(
-            state={"joint_position": tuple(state[:7]), "gripper": tuple(state[7:])},
+            state={
+                "joint_position": state[:7].astype(np.float64),
+                "gripper": state[7:].astype(np.float64),
+            },
             images={"front": picture_of(state)},
             tensors={},
             instruction=Dynamics.task_description,

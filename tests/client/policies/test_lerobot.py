@@ -23,7 +23,11 @@ from tests.support.servers import ReferenceServer
 
 ROBOT = {"joint_position": 7, "gripper": 1}
 SEEN = Observation(
-    state={"joint_position": tuple(range(7)), "gripper": (9.0,), "ee_pose": (0.0,) * 7},
+    state={
+        "joint_position": np.arange(7.0),
+        "gripper": np.array([9.0]),
+        "ee_pose": np.zeros(7),
+    },
     images={"front": np.full((4, 8, 3), 255, np.uint8)},
     tensors={},
     instruction="Lift.",
@@ -147,7 +151,7 @@ def test_the_documented_mapping_file_fits_its_benchmark(
     direct_client: DirectClient, tmp_path: Path
 ) -> None:
     """The policy that the manual names: 7 numbers of state, other names of cameras."""
-    page = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
+    page = (ROOT / "docs" / "evaluate" / "policies" / "policies.md").read_text()
     (text,) = re.findall(r"```toml\n(# lerobot\.toml\n.*?)```", page, re.DOTALL)
     names = "observation.state=[7] observation.images.top=[3,96,96]"
     folder = save_config(tmp_path, names=f"{names} observation.images.hand=[3,96,96]")

@@ -1,6 +1,6 @@
 """Mappings and references: what a third-party policy receives and returns.
 
-The ready mappings are those of docs/evaluate/policies.md, each played through a real
+The ready mappings are those of the manual. Two are played through a real
 server by a policy that holds still in its own words and checks what it is given.
 """
 
@@ -34,13 +34,14 @@ from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
 
-PAGE = (ROOT / "docs" / "evaluate" / "policies.md").read_text()
+PAGES = (ROOT / "docs" / "evaluate" / "policies").glob("polic*.md")
+PAGE = "".join(page.read_text() for page in PAGES)
 READY = {
     re.findall(r"# (\w+)\.toml", text)[0]: tomllib.loads(text)
     for text in re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
 }
 SEEN = Observation(
-    state={"joint_position": (0.1, 0.2, 0.3), "gripper": (0.25,)},
+    state={"joint_position": np.array([0.1, 0.2, 0.3]), "gripper": np.array([0.25])},
     images={"front": np.full((4, 8, 3), 255, np.uint8)},
     tensors={"depth": np.ones((2, 3), np.float16)},
     instruction="Lift.",
@@ -161,7 +162,7 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
     [
         ({"actions": [1]}, "has no out, but actions"),
         ("nothing", "has no out, but str"),
-        ({"out": "x"}, "could not convert"),
+        ({"out": "x"}, "out: holds a value that is no number: a str"),
         ({"out": np.zeros((1, 1, 1))}, "shape"),
         ({"out": np.zeros((0, 2))}, "no actions"),
         ({"out": [[1.0]]}, "0:2 of 1 numbers"),

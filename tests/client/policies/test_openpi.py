@@ -17,8 +17,9 @@ import pytest
 from websockets.sync.server import Server, ServerConnection, serve
 
 from reference_client import ProctorError
-from reference_client.policies.ndarray import BadMessage, pack, unpack
-from reference_client.policies.openpi_client import OpenpiClient
+from reference_client.policies.servers.websocket_client import WebsocketClient
+from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
+from reference_client.policies.servers.wire_settings import ServerSettings
 from tests.support.client.command import ProctorCommand, options
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
@@ -141,7 +142,7 @@ def test_what_openpi_writes_is_read() -> None:
 )
 def test_an_invalid_message_is_refused(message: bytes) -> None:
     """Cut, of no format, or an array of objects. Expect no array."""
-    with pytest.raises(BadMessage, match="openpi"):
+    with pytest.raises(BadMessage, match="is not MessagePack with numpy arrays"):
         unpack(message)
 
 
@@ -202,7 +203,7 @@ def test_a_closed_client_does_not_connect_again(
         return frame()
 
     policies = start_policy_server(answer)
-    client = OpenpiClient.connect_to(policies.url)
+    client = WebsocketClient(policies.url, ServerSettings()).connected()
 
     def close() -> None:
         entered.wait(TIMEOUT_S)
@@ -241,7 +242,7 @@ def test_a_remote_traceback_is_reported_in_one_line(
 @pytest.mark.parametrize(
     ("answer", "said"),
     [
-        (b"\xc1", "is not openpi's MessagePack"),
+        (b"\xc1", "is not MessagePack with numpy arrays"),
         (msgspec.msgpack.encode({"action": [1]}), "has no actions, but action"),
     ],
 )
@@ -259,7 +260,9 @@ def test_an_answer_that_cannot_be_read_ends_it(
 def test_an_unreachable_policy_server_leaves_no_run(
     proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("reference_client.policies.openpi_client.FIRST_CONTACT_S", 0.0)
+    monkeypatch.setattr(
+        "reference_client.policies.servers.websocket_client.FIRST_CONTACT_S", 0.0
+    )
     before = proctor.json("status")
     answer_json = proctor.json(*run("ws://127.0.0.1:9", "score"))
     assert proctor.code == 2
@@ -269,4 +272,4 @@ def test_an_unreachable_policy_server_leaves_no_run(
     )
     assert proctor.json("status") == before
     with pytest.raises(ProctorError, match="invalid WebSocket URL"):
-        OpenpiClient("ws://").infer({})
+        WebsocketClient("ws://", ServerSettings()).infer({})

@@ -15,7 +15,7 @@ from conformance.policy.scripted_policy import (
     busy_reply,
 )
 from reference_client import ProctorError, evaluate
-from reference_client.policies.policy_server_client import PolicyServerClient
+from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from tests.support.client.policy_apps import (
     make_app,
     run_app,
@@ -101,7 +101,11 @@ def test_an_unanswered_call_is_repeated(push_server: ReferenceServer) -> None:
             PolicyReply({"session_id": "x", "seq": 1}),
             "wrong session_id or seq",
         ),
-        ("predict", PolicyReply(b"", 302, {"Location": "/"}), "status 302"),
+        (
+            "predict",
+            PolicyReply(b"", 302, {"Location": "/"}),
+            "answered 302: it is at /",
+        ),
         ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
     ],
 )

@@ -116,7 +116,7 @@ def observation(step: int = 0) -> Observation:
         instruction="hold",
         episode_id="e0",
         step=step,
-        state={"joint_position": (0.0, 1.0, 2.0), "gripper": (0.0,)},
+        state={"joint_position": np.arange(3.0), "gripper": np.zeros(1)},
         images={"front": np.zeros((4, 6, 3), np.uint8)},
         tensors={},
     )

@@ -152,7 +152,7 @@ def test_an_invalid_submission_is_refused(
 
 
 def test_the_example_request_of_the_page_is_valid() -> None:
-    page = (ROOT / "docs" / "evaluate" / "push.md").read_text()
+    page = (ROOT / "docs" / "evaluate" / "policies" / "push.md").read_text()
     (example,) = re.findall(r"```json\n(.*?)```", page, re.DOTALL)
     asked = json.loads(example)
     asked["policy_server"]["api_key"] = "sesame"

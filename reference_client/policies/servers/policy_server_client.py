@@ -17,11 +17,19 @@ from proctor_client import Benchmark
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
-from reference_client.errors import POLICY_FAILED, ProctorError, innermost_reason
+from reference_client.errors import ProctorError
+from reference_client.policies.servers.http_policy_client import (
+    CONNECT_S,
+    FIRST_ANSWER_S,
+    FIRST_CONTACT_S,
+    PAUSE_S,
+    no_answer,
+    why_unreachable,
+    wrong_server,
+)
+from reference_client.policies.servers.server_faults import failed
+from reference_client.policies.servers.wire_settings import ANSWER_S
 
-PAUSE_S = 0.2
-FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
-CALL_S = 600.0  # the first answer may take minutes, while a network is compiled
 _RETRY_STATUSES = (429, 500, 502, 503, 504)
 
 
@@ -74,6 +82,7 @@ class PolicyServerClient:
     ) -> Any:
         """One request, repeated without a response and on retryable statuses."""
         deadline = time.monotonic() + retry_timeout_s
+        read_s = FIRST_ANSWER_S if content is None else ANSWER_S
         while True:
             try:
                 answer = self._pool.request(
@@ -81,17 +90,20 @@ class PolicyServerClient:
                     f"{self._url}/v1/policy{path}",
                     body=content,
                     headers=_headers(content),
-                    timeout=urllib3.Timeout(connect=5.0, read=CALL_S),
+                    timeout=urllib3.Timeout(connect=CONNECT_S, read=read_s),
                     redirect=False,
                 )
+            except urllib3.exceptions.ReadTimeoutError as error:
+                what = no_answer(self._url, read_s, content is None)
+                raise self.failed(what) from error
             except urllib3.exceptions.HTTPError as error:
-                last = f"is unreachable ({innermost_reason(error)})"
+                last = why_unreachable(self._url, error)
             else:
                 if answer.status == 200:
                     return self._read(answer.data)
-                last = f"answered with status {answer.status}{_detail(answer.data)}"
-                if answer.status == 401:
-                    last += "; its key is taken from PROCTOR_POLICY_KEY"
+                last = wrong_server(answer) or (
+                    f"answered with status {answer.status}{_detail(answer.data)}"
+                )
                 if answer.status not in _RETRY_STATUSES:
                     raise self.failed(last)
             if time.monotonic() > deadline:
@@ -108,7 +120,7 @@ class PolicyServerClient:
         return value
 
     def failed(self, what: str) -> ProctorError:
-        return ProctorError(POLICY_FAILED, f"The policy server at {self._url} {what}.")
+        return failed(self._url, what)
 
 
 class PolicySession:

@@ -12,6 +12,7 @@ import struct
 
 CONNECT_S = 5.0
 RESPONSE_BYTES_MAX = 1 << 28  # a chunk of actions is much smaller
+_REST_S = 0.2  # for the rest of what another protocol says first
 _GREETING_BYTES = 64
 _MORE, _LONG, _COMMAND = 1, 2, 4
 # Signature, version 3.0, mechanism; then as-server and filler, which are zero.
@@ -25,16 +26,23 @@ class NotZeroMq(Exception):
     """The peer does not speak this protocol; the message says what it did."""
 
 
-class ZmqRequester:
-    """Connected to a REP socket. Raises OSError and NotZeroMq, as do its methods."""
+class ZmqAnswerTimeout(Exception):
+    """A request was sent and its answer has not come within the limit."""
 
-    def __init__(self, host: str, port: int) -> None:
+
+class ZmqRequester:
+    """Connected to a REP socket. Raises OSError and NotZeroMq, as do its methods.
+
+    answer_s: the limit of each read while an answer is awaited, which may take minutes
+    while a network is compiled; ZmqAnswerTimeout beyond it.
+    """
+
+    def __init__(self, host: str, port: int, *, answer_s: float) -> None:
         self._socket = socket.create_connection((host, port), CONNECT_S)
         try:
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self._shake_hands()
-            # A response may take minutes, while the network is compiled.
-            self._socket.settimeout(None)
+            self._socket.settimeout(answer_s)
         except BaseException:
             self._socket.close()
             raise
@@ -42,7 +50,10 @@ class ZmqRequester:
     def request(self, message: bytes) -> bytes:
         """The response. An empty frame comes before each message of this pattern."""
         self._socket.sendall(b"".join((_frame(b"", _MORE), _frame(message, 0))))
-        parts = self._receive_parts()
+        try:
+            parts = self._receive_parts()
+        except TimeoutError as error:
+            raise ZmqAnswerTimeout from error
         if len(parts) != 2 or parts[0]:
             raise NotZeroMq(f"answered a message of {len(parts)} parts")
         return parts[1]
@@ -56,8 +67,19 @@ class ZmqRequester:
     def _shake_hands(self) -> None:
         self._socket.sendall(_GREETING)
         # Something else, such as HTTP, may send less than a greeting.
-        if self._receive(1) != b"\xff":
-            raise NotZeroMq("sent no greeting of ZeroMQ")
+        try:
+            first = self._receive(1)
+        except TimeoutError as error:
+            raise NotZeroMq(
+                f"sent no greeting of ZeroMQ within {CONNECT_S:g} s; it may speak "
+                "another protocol, such as WebSocket (openpi:ws://…), or serve another "
+                "client"
+            ) from error
+        if first != b"\xff":
+            self._socket.settimeout(_REST_S)
+            with contextlib.suppress(TimeoutError):
+                first += self._socket.recv(60)
+            raise NotZeroMq(f"is no ZeroMQ server: it sent {first!r:.70}")
         greeting = self._receive(_GREETING_BYTES - 1)
         if greeting[9] < 3 or greeting[11:31].rstrip(b"\0") != b"NULL":
             raise NotZeroMq("wants another version or mechanism of ZeroMQ")

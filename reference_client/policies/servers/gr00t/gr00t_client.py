@@ -15,14 +15,19 @@ from typing import Any
 
 import numpy as np
 
-from reference_client.errors import (
-    POLICY_FAILED,
-    BadPolicy,
-    ProctorError,
-    innermost_reason,
+from reference_client.errors import BadPolicy, ProctorError, innermost_reason
+from reference_client.policies.servers.gr00t.npy_messages import (
+    BadNpyMessage,
+    pack,
+    unpack,
 )
-from reference_client.policies.gr00t.npy_messages import BadNpyMessage, pack, unpack
-from reference_client.policies.gr00t.zmq_requester import NotZeroMq, ZmqRequester
+from reference_client.policies.servers.gr00t.zmq_requester import (
+    NotZeroMq,
+    ZmqAnswerTimeout,
+    ZmqRequester,
+)
+from reference_client.policies.servers.server_faults import check_answer, failed
+from reference_client.policies.servers.wire_settings import ANSWER_S
 
 PAUSE_S = 0.2
 FIRST_CONTACT_S = 3.0  # a mistyped address is reported before the run is created
@@ -33,24 +38,34 @@ class Gr00tClient:
     """The server at host:port; connects at the first request.
 
     GR00T_API_TOKEN of the environment is sent as its API token. retry_timeout_s: how
-    long an unreachable server is retried. There is no timeout for a response.
+    long an unreachable server is retried. answer_s: the limit for one answer.
     """
 
-    def __init__(self, host: str, port: int, *, retry_timeout_s: float = 60.0) -> None:
+    def __init__(
+        self,
+        host: str,
+        port: int,
+        *,
+        answer_s: float = ANSWER_S,
+        retry_timeout_s: float = 60.0,
+    ) -> None:
         self._address = (host, port)
+        self._answer_s = answer_s
         self._retry_timeout_s = retry_timeout_s
         self._requester: ZmqRequester | None = None
         self._is_closed = False
 
     @classmethod
-    def connect_to(cls, address: str, keys: Sequence[str]) -> Gr00tClient:
+    def connect_to(
+        cls, address: str, keys: Sequence[str], *, answer_s: float = ANSWER_S
+    ) -> Gr00tClient:
         """Connected. keys: of the requests that will be sent, such as video.front.
 
         Raises BadPolicy if the server's policy reads others, ProctorError
         `policy_failed` if no server is there.
         """
         host, port = split_address(address)
-        client = cls(host, port)
+        client = cls(host, port, answer_s=answer_s)
         client._check_keys(keys)
         return client
 
@@ -69,7 +84,9 @@ class Gr00tClient:
                 return {name: _unbatched(array) for name, array in actions.items()}
         raise self._failed("answered get_action without a pair of maps")
 
-    def reset(self) -> None:
+    def begin_episode(self, message: Mapping[str, Any] | None) -> None:
+        """Its `reset` has no message."""
+        assert message is None
         self._call("reset", {"options": None})
 
     def close(self) -> None:
@@ -114,9 +131,19 @@ class Gr00tClient:
         deadline = time.monotonic() + retry_timeout_s
         while True:
             try:
-                requester = self._requester or ZmqRequester(*self._address)
+                requester = self._requester or ZmqRequester(
+                    *self._address, answer_s=self._answer_s
+                )
                 self._requester = requester
                 return requester.request(message)
+            except ZmqAnswerTimeout as error:
+                self._drop()
+                if self._is_closed:
+                    raise self._failed("was left") from error
+                raise self._failed(
+                    f"did not answer within {self._answer_s:g} s; answer_s in [server] "
+                    "of the mapping file is the limit"
+                ) from error
             except NotZeroMq as error:
                 self._drop()
                 raise self._failed(str(error)) from error
@@ -132,13 +159,12 @@ class Gr00tClient:
 
     def _read(self, message: bytes) -> Any:
         if message == b"ERROR":
-            raise self._failed("failed")
+            raise self._failed("failed; its own log has the reason")
         try:
             answer = unpack(message)
         except BadNpyMessage as error:
             raise self._failed(f"sent a message that {error}") from error
-        if isinstance(answer, dict) and "error" in answer:
-            raise self._failed(f"failed: {answer['error']!s:.300}")
+        check_answer("{}:{}".format(*self._address), answer)
         return answer
 
     def _drop(self) -> None:
@@ -147,9 +173,7 @@ class Gr00tClient:
             self._requester = None
 
     def _failed(self, what: str) -> ProctorError:
-        host, port = self._address
-        detail = f"The policy server at {host}:{port} {what}."
-        return ProctorError(POLICY_FAILED, detail)
+        return failed("{}:{}".format(*self._address), what)
 
 
 def split_address(address: str) -> tuple[str, int]:

@@ -1,0 +1,186 @@
+"""A client of policy servers over HTTP: a request is a POST to one URL.
+
+The formats and the names are those of the mapping file. A request without a response is
+repeated.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import time
+from collections.abc import Mapping
+from typing import Any, Self
+from urllib.parse import urljoin
+
+import urllib3
+
+from reference_client.errors import innermost_reason
+from reference_client.policies.servers.server_faults import (
+    check_answer,
+    error_text,
+    failed,
+    last_exception,
+    who_speaks_at,
+)
+from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
+from reference_client.policies.servers.wire_settings import ServerSettings
+
+PAUSE_S = 0.2
+CONNECT_S = 5.0
+FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
+FIRST_ANSWER_S = 10.0
+RETRY_STATUSES = (429, 502, 503, 504)
+_MEDIA_TYPES = {"json": "application/json", "msgpack": "application/msgpack"}
+
+
+class HttpPolicyClient:
+    """The server at `url`, http:// or https://, which is posted every request.
+
+    PROCTOR_POLICY_KEY of the environment is sent as bearer token. retry_timeout_s: how
+    long an unreachable server is retried.
+    """
+
+    def __init__(
+        self, url: str, settings: ServerSettings, *, retry_timeout_s: float = 60.0
+    ) -> None:
+        self.url = url
+        self._settings = settings
+        self._retry_timeout_s = retry_timeout_s
+        self._pool = urllib3.PoolManager(maxsize=1, retries=False)
+
+    def connected(self) -> Self:
+        """Itself, if an HTTP server answers a GET, whatever its status."""
+        self._call("GET", self.url, None, FIRST_CONTACT_S, FIRST_ANSWER_S)
+        return self
+
+    def infer(self, request: Mapping[str, Any]) -> Any:
+        """Raises ProctorError `policy_failed`, with the error text of the server."""
+        data = self._post(self.url, request)
+        try:
+            return self._read(self.url, data)
+        except BadMessage as error:
+            raise failed(self.url, f"sent an answer that {error}") from error
+
+    def begin_episode(self, message: Mapping[str, Any] | None) -> None:
+        """message: posted to `reset_path` before the first request of an episode."""
+        path = self._settings.reset_path
+        if message is not None or path is not None:
+            url = urljoin(self.url, path or "")
+            # Any answer acknowledges it, as long as it reports no error.
+            with contextlib.suppress(BadMessage):
+                self._read(url, self._post(url, message))
+
+    def close(self) -> None:
+        self._pool.clear()
+
+    def _post(self, url: str, message: Mapping[str, Any] | None) -> bytes:
+        """The body of the answer; message: None for a request without a body."""
+        settings = self._settings
+        if settings.envelope is not None and message is not None:
+            message = {settings.envelope: pack(message, settings.format).decode()}
+        answer = self._call(
+            "POST",
+            url,
+            b"" if message is None else pack(message, settings.format),
+            self._retry_timeout_s,
+            settings.answer_s,
+        )
+        if answer.status != 200:
+            raise failed(url, f"answered {answer.status}{_said(answer.data)}")
+        return answer.data
+
+    def _read(self, url: str, data: bytes) -> Any:
+        value = unpack(data, self._settings.format)
+        if isinstance(value, str) and value.lstrip()[:1] in ("[", "{"):
+            value = unpack(value, self._settings.format)  # JSON text within JSON
+        check_answer(url, value)
+        return value
+
+    def _call(
+        self,
+        method: str,
+        url: str,
+        content: bytes | None,
+        retry_timeout_s: float,
+        answer_s: float,
+    ) -> urllib3.BaseHTTPResponse:
+        """One request, repeated without a response and on retryable statuses."""
+        deadline = time.monotonic() + retry_timeout_s
+        while True:
+            try:
+                answer = self._pool.request(
+                    method,
+                    url,
+                    body=content,
+                    headers=_headers(self._settings.format, content),
+                    timeout=urllib3.Timeout(connect=CONNECT_S, read=answer_s),
+                    redirect=False,
+                )
+            except urllib3.exceptions.ReadTimeoutError as error:
+                is_first = content is None
+                raise failed(url, no_answer(url, answer_s, is_first)) from error
+            except urllib3.exceptions.LocationValueError as error:
+                raise failed(url, f"has an invalid URL: {error}") from error
+            except urllib3.exceptions.HTTPError as error:
+                what = why_unreachable(url, error)
+            else:
+                wrong = wrong_server(answer)
+                if wrong is not None:
+                    raise failed(url, wrong)
+                if answer.status not in RETRY_STATUSES:
+                    return answer
+                what = f"answered {answer.status}{_said(answer.data)}"
+            if time.monotonic() > deadline:
+                raise failed(url, what)
+            time.sleep(PAUSE_S)
+
+
+def why_unreachable(url: str, error: urllib3.exceptions.HTTPError) -> str:
+    """Why there is no answer; names the protocol of a server that speaks another."""
+    if isinstance(error, urllib3.exceptions.ProtocolError):
+        return f"is no HTTP server ({innermost_reason(error)}): {who_speaks_at(url)}"
+    return f"is unreachable ({innermost_reason(error)})"
+
+
+def no_answer(url: str, answer_s: float, is_first: bool) -> str:
+    """That there was no answer in time; is_first: nothing is known of the server."""
+    what = f"did not answer within {answer_s:g} s"
+    return f"{what}: {who_speaks_at(url)}" if is_first else what
+
+
+def wrong_server(answer: urllib3.BaseHTTPResponse) -> str | None:
+    """Describes a WebSocket server, a redirect and a refused key; else None."""
+    if answer.status == 426:
+        return (
+            "is a WebSocket server: it is --policy ws://…, openpi:ws://… or "
+            "vla-eval:ws://…"
+        )
+    if answer.status in (301, 302, 303, 307, 308):
+        return f"answered {answer.status}: it is at {answer.headers.get('Location')}"
+    if answer.status in (401, 403):
+        return (
+            f"answered {answer.status}{_said(answer.data)}; its key is taken from "
+            "PROCTOR_POLICY_KEY"
+        )
+    return None
+
+
+def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
+    media_type = _MEDIA_TYPES[wire_format.partition("-")[0]]
+    headers = {"Accept": media_type}
+    if content:
+        headers["Content-Type"] = media_type
+    key = os.environ.get("PROCTOR_POLICY_KEY")
+    return headers | ({"Authorization": f"Bearer {key}"} if key else {})
+
+
+def _said(data: bytes) -> str:
+    """The error text of a response, for the policy's author."""
+    head = data[:65536]
+    try:
+        value = unpack(head, "json")
+    except BadMessage:
+        text = last_exception(head.decode(errors="replace"))
+        return f": {text}" if text and not text.startswith("<") else ""
+    return f": {error_text(value)}"

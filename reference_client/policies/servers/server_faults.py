@@ -1,0 +1,101 @@
+"""Describes the faults of a policy server: its error text, or another protocol.
+
+Policy servers report errors in many places; the text is shown whatever its place.
+"""
+
+from __future__ import annotations
+
+import re
+import socket
+from collections.abc import Mapping
+from typing import Any
+from urllib.parse import urlsplit
+
+from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
+
+_TEXT_MAX = 500
+_PROBE_S = 1.0
+_TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")
+_FAILURES = ("error", "failed", "failure")
+# The last line of a traceback that is not indented names the exception.
+_EXCEPTION = re.compile(r"^[A-Za-z_][\w.]*(: |$)")
+
+
+def failed(place: str, what: str, whole: str | None = None) -> ProctorError:
+    """The failure of the policy server at `place`; whole: its text, for --debug."""
+    detail = f"The policy server at {place} {what}."
+    if whole is None:
+        return ProctorError(POLICY_FAILED, detail)
+    return PolicyFailed(detail, whole)
+
+
+def check_answer(place: str, answer: Any) -> None:
+    """Raises ProctorError if a decoded answer reports an error."""
+    if _is_error(answer):
+        raise failed(place, f"failed: {error_text(answer)}")
+
+
+def _is_error(answer: Any) -> bool:
+    if not isinstance(answer, Mapping):
+        return False
+    error = answer.get("error")
+    if error and isinstance(error, str | Mapping | list):
+        return True
+    if any(answer.get(flag) is False for flag in ("ok", "success")):
+        return True
+    words = (answer.get("status"), answer.get("type"))
+    return any(isinstance(word, str) and word.lower() in _FAILURES for word in words)
+
+
+def error_text(value: Any) -> str:
+    """The text of an error, however deep in the answer; whole if it has no place."""
+    text = _text_in(value)
+    return last_exception(text or f"{value!r}")
+
+
+def _text_in(value: Any) -> str:
+    match value:
+        case str():
+            return value
+        case Mapping():
+            place = value.get("loc")
+            texts = (_text_in(value[key]) for key in _TEXT_KEYS if value.get(key))
+            text = next(filter(None, texts), "")
+            if isinstance(place, list | tuple):  # as FastAPI reports invalid requests
+                return f"{'.'.join(map(str, place))}: {text}"
+            return text
+        case list():
+            return "; ".join(filter(None, map(_text_in, value)))
+    return ""
+
+
+def last_exception(text: str) -> str:
+    """The exception that a traceback ends with; other text as it is, in one line."""
+    lines = text.strip().splitlines()
+    if any(line.startswith("Traceback (most recent call last)") for line in lines):
+        frames = [i for i, line in enumerate(lines) if line.startswith("  ")]
+        tail = lines[frames[-1] + 1 :] if frames else lines
+        named = [i for i, line in enumerate(lines) if _EXCEPTION.match(line)]
+        lines = tail or lines[named[-1] :] if named else tail or lines[-1:]
+    return " ".join(" ".join(lines).split())[:_TEXT_MAX]
+
+
+def who_speaks_at(url: str) -> str:
+    """Names the protocol of a server by the bytes that it sends before a request."""
+    parts = urlsplit(url)
+    port = parts.port or (443 if parts.scheme in ("wss", "https") else 80)
+    try:
+        with socket.create_connection((parts.hostname or "", port), _PROBE_S) as peer:
+            peer.settimeout(_PROBE_S)
+            first = peer.recv(64)
+    except OSError:
+        first = b""
+    if first.startswith(b"\xff\x00\x00"):
+        return "it speaks ZeroMQ, as GR00T's policy servers do (gr00t:HOST:PORT)"
+    if first.startswith(b"SSH-"):
+        return "it speaks SSH"
+    if first[3:5] == b"\x04\x00":
+        return "it speaks HTTP/2, as gRPC does, which no source of policies speaks"
+    if first:
+        return f"it sends {first[:32]!r} first"
+    return "it accepts connections and says nothing; check the port"

@@ -1,0 +1,291 @@
+"""A client of policy servers on WebSocket: one frame per request and per answer.
+
+openpi's protocol is one setting of it: the server's first frame is metadata,
+MessagePack follows, and a text frame is the traceback of an error. The protocols have
+no sequence number: a request contains all that the server needs, so a lost one is sent
+again on a new connection.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ssl
+import time
+import weakref
+from collections.abc import Callable, Mapping
+from typing import Any, Self, TypeVar
+
+from websockets.exceptions import (
+    ConnectionClosed,
+    InvalidHandshake,
+    InvalidMessage,
+    InvalidStatus,
+    InvalidURI,
+    WebSocketException,
+)
+from websockets.sync.client import ClientConnection, connect
+
+from reference_client.errors import ProctorError, innermost_reason
+from reference_client.policies.servers.server_faults import (
+    check_answer,
+    error_text,
+    failed,
+    last_exception,
+    who_speaks_at,
+)
+from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
+from reference_client.policies.servers.wire_settings import ServerSettings
+
+PAUSE_S = 0.2
+OPEN_S = 5.0
+CLOSE_S = 1.0  # a server that computes does not answer a close frame
+FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
+GREETING_S = 10.0
+UNASKED_S = 0.05  # a greeting that was not expected comes at once
+# Close codes that the same request meets again; the others are of servers that end.
+_FINAL_CODES = (1002, 1003, 1007, 1008, 1009, 1010, 1011)
+_RETRY_STATUSES = (429, 500, 502, 503, 504)
+
+Answer = TypeVar("Answer")
+
+
+class WebsocketClient:
+    """The server at `url`, ws:// or wss://; connects at the first request.
+
+    authorization: the header of that name. retry_timeout_s: how long an unreachable
+    server is retried.
+    """
+
+    def __init__(
+        self,
+        url: str,
+        settings: ServerSettings,
+        *,
+        authorization: str | None = None,
+        retry_timeout_s: float = 60.0,
+    ) -> None:
+        self.url = url
+        self._settings = settings
+        self._authorization = authorization
+        self._retry_timeout_s = retry_timeout_s
+        self._greeting_s = settings.answer_s  # a busy server greets when it is free
+        self._socket: ClientConnection | None = None
+        self._connection_stack = contextlib.ExitStack()
+        self._is_closed = False
+        # Also where nothing calls `close`, at the latest at the end of the program.
+        weakref.finalize(self, self._connection_stack.close)
+        self.metadata: Any = None
+
+    def connected(self) -> Self:
+        """Itself, connected. Raises ProctorError `policy_failed` if no server is there.
+
+        Raises BadPolicy if the server's greeting is not the one that is expected.
+        """
+        self._greeting_s = min(GREETING_S, self._settings.answer_s)
+        self._retry(self._ensure_connected, FIRST_CONTACT_S)
+        self._greeting_s = self._settings.answer_s
+        self._settings.check_greeting(self.metadata, self.url)
+        return self
+
+    def infer(self, request: Mapping[str, Any]) -> Any:
+        """Raises ProctorError `policy_failed`, with the error text of the server."""
+        frame = self.read(self._exchange(request))
+        check_answer(self.url, frame)
+        return frame
+
+    def begin_episode(self, message: Mapping[str, Any] | None) -> None:
+        """message: what the server is sent before the first request of an episode."""
+        if self._settings.new_connection and self._socket is not None:
+            self._drop()
+        if message is None:
+            return
+        frame = self._exchange(message)
+        if isinstance(frame, bytes):
+            check_answer(self.url, self.read(frame))
+        elif "Traceback (most recent call last)" in frame:
+            raise self.failed_with(frame)  # other text acknowledges the message
+
+    def close(self) -> None:
+        """Leave with a close frame; a request in progress fails."""
+        self._is_closed = True
+        self._drop()
+
+    def _exchange(self, message: Mapping[str, Any]) -> str | bytes:
+        settings = self._settings
+        if settings.envelope is not None:
+            text = pack(message, _json_format(settings.format)).decode()
+            message = {settings.envelope: text}
+        packed = pack(message, settings.format)
+        is_text = settings.format.startswith("json")
+
+        def exchange() -> str | bytes:
+            socket = self._ensure_connected()
+            socket.send(packed.decode() if is_text else packed)
+            return self.receive(socket)
+
+        return self._retry(exchange, self._retry_timeout_s)
+
+    def receive(self, socket: ClientConnection) -> str | bytes:
+        """The next frame, within the limit for an answer."""
+        try:
+            return socket.recv(timeout=self._settings.answer_s)
+        except TimeoutError as error:
+            raise self.failed(
+                f"did not answer within {self._settings.answer_s:g} s; answer_s in "
+                "[server] of the mapping file is the limit"
+            ) from error
+
+    def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
+        deadline = time.monotonic() + retry_timeout_s
+        while True:
+            try:
+                return attempt()
+            except InvalidURI as error:
+                raise self.failed(f"has an invalid WebSocket URL: {error}") from error
+            except (OSError, WebSocketException) as error:
+                self._drop()
+                if self._is_closed:
+                    raise self.failed("was left") from error
+                what, is_final = _why_not_connected(error, self.url)
+                if is_final or time.monotonic() > deadline:
+                    if isinstance(error, ConnectionClosed) and error.rcvd is None:
+                        what += f"; {who_speaks_at(self.url)}"
+                    raise self.failed(what) from error
+                time.sleep(PAUSE_S)
+            except ProctorError:
+                self._drop()  # an answer that comes later is not the next one's
+                raise
+
+    def _ensure_connected(self) -> ClientConnection:
+        if self._socket is None:
+            socket = self._connection_stack.enter_context(self._open())
+            self.metadata = self.greet(socket)
+            self._socket = socket
+        return self._socket
+
+    def _open(self) -> ClientConnection:
+        given = self._authorization
+        try:
+            return connect(
+                self.url,
+                compression=None,
+                max_size=None,
+                open_timeout=OPEN_S,
+                close_timeout=CLOSE_S,
+                # openpi's server computes in the event loop that would answer pings.
+                ping_interval=None,
+                additional_headers={"Authorization": given} if given else None,
+                proxy=None,
+            )
+        except AssertionError as error:  # of the library: words before the handshake
+            raise InvalidMessage("spoke before the handshake") from error
+
+    def greet(self, socket: ClientConnection) -> Any:
+        """The server's first message; None for one that waits for the client."""
+        if not self._settings.greeting:
+            self.expect_silence(socket)
+            return None
+        deadline = time.monotonic() + self._settings.answer_s
+        while True:
+            try:
+                greeting = self.read(socket.recv(timeout=self._greeting_s))
+            except TimeoutError as error:
+                raise self.failed(
+                    f"sent no greeting within {self._greeting_s:g} s. It may wait for "
+                    "the client to speak first: model servers of vla-eval do "
+                    "(--policy vla-eval:URL), and others are --policy ws://… with "
+                    "`greeting = false` in [server]"
+                ) from error
+            check_answer(self.url, greeting)
+            ready = self._settings.ready
+            if not ready or (
+                isinstance(greeting, Mapping)
+                and all(greeting.get(name) == value for name, value in ready.items())
+            ):
+                return greeting
+            if time.monotonic() > deadline:
+                raise self.failed(f"is still not ready: {error_text(greeting)}")
+
+    def expect_silence(self, socket: ClientConnection) -> None:
+        """Raises ProctorError if the server speaks first."""
+        try:
+            frame = socket.recv(timeout=UNASKED_S)
+        except TimeoutError:
+            return
+        raise self.failed(
+            f"speaks first ({_preview(frame)}): servers of openpi's protocol do "
+            "(--policy openpi:URL), and others are --policy ws://… with "
+            "`greeting = true` in [server]"
+        )
+
+    def read(self, frame: str | bytes) -> Any:
+        """A decoded frame. Raises ProctorError `policy_failed`."""
+        is_json = self._settings.format.startswith("json")
+        if isinstance(frame, str) and not is_json:
+            raise self.failed_with(frame)
+        try:
+            return unpack(frame, self._settings.format)
+        except BadMessage as error:
+            raise self.failed(f"sent a frame that {error}") from error
+
+    def _drop(self) -> None:
+        self._socket = None
+        self._connection_stack.close()
+
+    def failed(self, what: str) -> ProctorError:
+        return failed(self.url, what)
+
+    def failed_with(self, text: str) -> ProctorError:
+        return failed(self.url, f"failed: {last_exception(text)}", text)
+
+
+def _why_not_connected(error: Exception, url: str) -> tuple[str, bool]:
+    """A sentence about the error, and whether the next attempt will meet it again."""
+    if isinstance(error, InvalidHandshake):
+        return _failed_handshake(error, url)
+    if isinstance(error, ConnectionClosed):
+        code = error.rcvd.code if error.rcvd else None
+        return f"closed the connection: {error}", code in _FINAL_CODES
+    if isinstance(error, ssl.SSLCertVerificationError):
+        return f"has a certificate that is not accepted: {error.verify_message}", True
+    if isinstance(error, ssl.SSLError) and error.reason == "WRONG_VERSION_NUMBER":
+        return "does not speak TLS there: the URL begins with ws://, not wss://", True
+    if isinstance(error, TimeoutError) and "handshake" in str(error):
+        return f"did not answer the WebSocket handshake: {who_speaks_at(url)}", True
+    return f"is unreachable ({innermost_reason(error)})", False
+
+
+def _failed_handshake(error: InvalidHandshake, url: str) -> tuple[str, bool]:
+    if isinstance(error, InvalidStatus):
+        return _refused_handshake(error)
+    if not isinstance(error, InvalidMessage):
+        return f"does not speak WebSocket as this client does: {error}", True
+    if isinstance(error.__cause__, EOFError):
+        return "closes connections without an answer to the handshake", False
+    said = innermost_reason(error)
+    speaks = f"it answers {said}" if "HTTP/" in said else who_speaks_at(url)
+    return f"is no WebSocket server: {speaks}", True
+
+
+def _refused_handshake(error: InvalidStatus) -> tuple[str, bool]:
+    """The HTTP answer to a handshake, and whether it will be the same again."""
+    response = error.response
+    status = response.status_code
+    body = bytes(response.body or b"")[:2000].decode(errors="replace").strip()
+    said = f"{status} {response.reason_phrase}" + (f": {body:.200}" if body else "")
+    if status in _RETRY_STATUSES:
+        return f"answered the WebSocket handshake with {said}", False
+    if status in (401, 403):
+        return f"refused the handshake with {said}; check the key that is sent", True
+    return (
+        f"is an HTTP server without a WebSocket at this path: it answered {said}. "
+        "Check the path; policies over HTTP are --policy http://… or proctor:http://…"
+    ), True
+
+
+def _json_format(wire_format: str) -> str:
+    return wire_format if wire_format.startswith("json") else "json-numpy"
+
+
+def _preview(frame: str | bytes) -> str:
+    return f"{frame[:40]!r}"

@@ -1,0 +1,107 @@
+"""The table `[server]` of a mapping file: how the policy server is spoken to.
+
+Each source of policies reads some of its members and refuses the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
+from typing import Any, Self
+
+from reference_client.errors import BadPolicy
+from reference_client.policies.servers.wire_formats import FORMATS
+from reference_client.spelling import did_you_mean
+
+# The first answer may take minutes, while a network is compiled.
+ANSWER_S = 600.0
+
+
+@dataclass(frozen=True, slots=True)
+class ServerSettings:
+    """How a policy server is spoken to.
+
+    format: one of wire_formats.FORMATS. greeting: whether a WebSocket server speaks
+    first. ready: members that the greeting has; messages without them are reports of a
+    server that still loads. expect: what the greeting must say, by dotted name.
+    envelope: the request is sent as JSON text under this key. reset_path: the path of
+    an HTTP server that is posted the message of `[reset]`. new_connection: each episode
+    begins with a connection of its own. answer_s: the limit for one answer.
+    """
+
+    format: str = "msgpack"
+    greeting: bool = True
+    ready: Mapping[str, Any] = field(default_factory=dict)
+    expect: Mapping[str, Any] = field(default_factory=dict)
+    envelope: str | None = None
+    reset_path: str | None = None
+    new_connection: bool = False
+    answer_s: float = ANSWER_S
+
+    @classmethod
+    def of(
+        cls, table: Mapping[str, Any], kind: str, readable: set[str], **defaults: Any
+    ) -> Self:
+        """From the table `[server]`; readable: the members that the source reads.
+
+        Raises BadPolicy.
+        """
+        for name, value in table.items():
+            if name not in readable:
+                raise BadPolicy(
+                    f"{kind} does not read {name} of [server], but "
+                    f"{', '.join(sorted(readable))}{did_you_mean(name, readable)}"
+                )
+            wanted = _TYPES[name]
+            if not isinstance(value, wanted) or (
+                isinstance(value, bool) and bool not in wanted
+            ):
+                raise BadPolicy(f"[server]: {name} cannot be {value!r:.60}")
+        settings = replace(cls(**defaults), **table)
+        if settings.format not in FORMATS:
+            raise BadPolicy(
+                f"[server]: format is one of {', '.join(FORMATS)}; "
+                f"not {settings.format!r:.60}"
+            )
+        if settings.answer_s <= 0:
+            raise BadPolicy("[server]: answer_s must be more than 0")
+        return settings
+
+    def check_greeting(self, greeting: Any, url: str) -> None:
+        """Raises BadPolicy if the server says otherwise than `expect`."""
+        for name, wanted in self.expect.items():
+            said = greeting
+            for part in (name,) if _has(greeting, name) else name.split("."):
+                said = said.get(part) if isinstance(said, Mapping) else None
+            if _as_json(said) != wanted:
+                raise BadPolicy(
+                    f"The policy server at {url} says {name} = "
+                    f"{_as_json(said)!r:.200}; the mapping expects {wanted!r:.200} "
+                    "(expect in [server])"
+                )
+
+
+_TYPES: Mapping[str, tuple[type, ...]] = {
+    "format": (str,),
+    "greeting": (bool,),
+    "ready": (dict,),
+    "expect": (dict,),
+    "envelope": (str,),
+    "reset_path": (str,),
+    "new_connection": (bool,),
+    "answer_s": (int, float),
+}
+assert set(_TYPES) == {f.name for f in fields(ServerSettings)}
+
+
+def _has(greeting: Any, name: str) -> bool:
+    return isinstance(greeting, Mapping) and name in greeting
+
+
+def _as_json(value: Any) -> Any:
+    """Tuples and arrays as lists, to compare with what a TOML file can say."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [_as_json(item) for item in value]
+    return value

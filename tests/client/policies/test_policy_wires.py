@@ -1,0 +1,434 @@
+"""Policy servers of other projects, each with its mapping of the manual.
+
+The servers are ours, and speak the wire of the public sources (policy_wires.py). The
+messages about a server of another protocol are tested here, too.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import socket
+import threading
+import time
+import tomllib
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from reference_client import Observation, ProctorError
+from reference_client.api.observation import state_vector
+from reference_client.policies import BadPolicy, PolicyMapping, load
+from reference_client.policies.policy_loader import close_policy
+from reference_client.policies.servers.server_faults import error_text
+from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
+from tests.support.client.policy_wires import (
+    TRACE,
+    WIRES,
+    start_http,
+    start_websocket,
+    start_wire,
+    vla_eval,
+)
+from tests.support.paths import ROOT
+
+PAGE = (ROOT / "docs" / "evaluate" / "policies" / "policy-servers.md").read_text()
+READY = {
+    re.findall(r"# (\w+)\.toml", text)[0]: text
+    for text in re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
+}
+JOINTS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]
+DRY = "dry-e0000"
+
+
+def observation(instruction: str = "Lift.", step: int = 0) -> Observation:
+    pictures = {name: np.zeros((96, 128, 3), np.uint8) for name in ("front", "wrist")}
+    state = {"joint_position": JOINTS, "gripper": [0.25], "ee_pose": JOINTS}
+    return Observation(
+        state={name: state_vector(vector) for name, vector in state.items()},
+        images=pictures,
+        tensors={},
+        instruction=instruction,
+        episode_id="e0000",
+        step=step,
+    )
+
+
+@contextlib.contextmanager
+def connected(reference: str, text: str) -> Iterator[Any]:
+    policy = load(reference, PolicyMapping.of(tomllib.loads(text)))()
+    with contextlib.closing(_Closing(policy)):
+        yield policy
+
+
+class _Closing:
+    def __init__(self, policy: Any) -> None:
+        self.close: Callable[[], None] = lambda: close_policy(policy)
+
+
+def play(policy: Any, *instructions: str) -> list[Any]:
+    """An episode of two turns for each instruction; returns the last chunk."""
+    chunk: list[Any] = []
+    for instruction in instructions:
+        policy.reset(instruction)
+        policy.act(observation(instruction))
+        chunk = policy.act(observation(instruction, step=1))
+    return chunk
+
+
+def rounded(chunk: list[Any]) -> list[dict[str, list[float]]]:
+    return [{n: np.round(v, 4).tolist() for n, v in one.items()} for one in chunk]
+
+
+STILL = {"joint_position": JOINTS, "gripper": [0.25]}
+EACH_TURN = ["infer"] * 4
+
+
+@pytest.mark.parametrize(
+    ("name", "chunk", "log"),
+    [
+        ("droid", [{"joint_position": JOINTS, "gripper": [0.0]}] * 8, EACH_TURN),
+        (
+            "roboarena",
+            [{"joint_position": JOINTS, "gripper": [0.0]}],
+            [("reset", DRY), ("infer", DRY), ("infer", DRY)] * 2,
+        ),
+        ("starvla", [STILL] * 3, EACH_TURN),
+        (
+            "internvla",
+            [{"ee_delta": [1, 2, 3, 4, 5, 6], "gripper": [0.5]}],
+            [("reset", "a"), "infer", "infer", ("reset", "b"), "infer", "infer"],
+        ),
+        (
+            "vla_eval",
+            [STILL],
+            [
+                *("hello", "episode_start", {"task": {"name": "a"}}),
+                *("observation", "observation", "episode_end"),
+                *("episode_start", {"task": {"name": "b"}}),
+                *("observation", "observation"),
+            ],
+        ),
+        (
+            "positronic",
+            [STILL | {"gripper": [0.0]}, STILL | {"gripper": [0.5]}],
+            ["session", *["session", 0, 50_000_000] * 2],
+        ),
+        ("xvla", [STILL] * 10, EACH_TURN),
+        (
+            "simplerenv",
+            [{"joint_position": [0, 1, 2, 3, 4, 5, 6], "gripper": [1.0]}],
+            [("reset", b""), "infer", "infer"] * 2,
+        ),
+    ],
+)
+def test_a_documented_policy_server_plays(
+    name: str, chunk: list[Any], log: list[Any]
+) -> None:
+    """Two episodes of two turns. Expect its actions, and that it forgets in between."""
+    with start_wire(name) as (reference, noted), connected(reference, READY[name]) as p:
+        assert rounded(play(p, "a", "b")) == chunk
+    assert noted == log
+
+
+def test_every_documented_policy_server_is_played() -> None:
+    assert set(READY) - set(WIRES) == {"gr00t"}
+
+
+def test_a_wrapped_command_is_found() -> None:
+    text = READY["positronic"].replace("command.pos", "command.__cmd__.pos")
+    with start_wire("positronic") as (reference, _), connected(reference, text) as p:
+        assert rounded(play(p, "wrapped"))[0]["joint_position"] == JOINTS
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("starvla", "failed: unnorm_key not specified."),
+        ("vla_eval", "failed: observation_failed: KeyError: 'proprio'."),
+        ("positronic", r"failed: Shape mismatch: expected \(7,\)."),
+        ("xvla", "answered 422: body.proprio: Field required."),
+        ("simplerenv", "failed: KeyError: 'proprio'."),
+    ],
+)
+def test_the_error_text_of_a_server_is_shown(name: str, said: str) -> None:
+    with start_wire(name) as (reference, _), connected(reference, READY[name]) as p:
+        with pytest.raises(ProctorError, match=said) as caught:
+            play(p, "fail")
+        assert caught.value.code == "policy_failed"
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        ({"error": {"message": "out of memory"}}, "out of memory"),
+        ({"ok": False, "msg": "no model"}, "no model"),
+        ({"status": "error", "detail": {"reason": "x"}}, "x"),
+        ({"error": ["a", {"message": "b"}]}, "a; b"),
+        ({"traceback": TRACE}, "KeyError: 'proprio'"),
+        (
+            TRACE.replace("KeyError: 'pro", "jax.Error: two\nlines 'pro"),
+            "jax.Error: two",
+        ),
+        ({"ok": False, "x": 1}, "{'ok': False, 'x': 1}"),
+        ("plain\ntext", "plain text"),
+    ],
+)
+def test_an_error_text_is_found_wherever_it_stands(value: Any, text: str) -> None:
+    assert error_text(value).startswith(text)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "said"),
+    [
+        (
+            "roboarena",
+            'action_space = "joint_velocity"',
+            "says action_space = 'joint_p",
+        ),
+        ("starvla", "training_obs_image_size = [256, 256]", "size = \\[224, 224\\]"),
+        ("vla_eval", '"action_spec.gripper.format" = "binary"', "format = 'raw'"),
+        ("positronic", '"meta.action_fps" = 30.0', "says meta.action_fps = 20.0"),
+        ("droid", 'no_such = "x"', "says no_such = None; the mapping expects 'x'"),
+    ],
+)
+def test_other_metadata_than_expected_are_refused(
+    name: str, expected: str, said: str
+) -> None:
+    document = tomllib.loads(READY[name])
+    server = document.get("server", {}) | {"expect": tomllib.loads(expected)}
+    mapping = PolicyMapping.of(document | {"server": server})
+    with start_wire(name) as (reference, _), pytest.raises(BadPolicy, match=said):
+        load(reference, mapping)()
+
+
+def test_a_model_server_that_restarts_is_sent_the_episode_again() -> None:
+    """It closes under its second observation. Expect hello and episode_start again."""
+    closed: list[bool] = []
+
+    def talk(connection: Any, log: list[Any]) -> None:
+        if not closed:
+            closed.append(True)
+
+            class Once:
+                def __iter__(self) -> Iterator[Any]:
+                    for frame in connection:
+                        if log.count("observation") == 1:
+                            return
+                        yield frame
+
+                send = connection.send
+
+            vla_eval(Once(), log)  # type: ignore[arg-type]
+        else:
+            vla_eval(connection, log)
+
+    with (
+        start_websocket(talk) as (address, log),
+        connected(f"vla-eval:ws://{address}", READY["vla_eval"]) as policy,
+    ):
+        assert rounded(play(policy, "a")) == [STILL]
+    begin = ["hello", "episode_start", {"task": {"name": "a"}}, "observation"]
+    assert log == begin * 2
+
+
+# The wrong server, and one that does not answer
+
+MAPPING = """
+[observation]
+x = { from = "state.gripper" }
+[action.values]
+gripper = { value = [0] }
+"""
+WAITS = MAPPING + "[server]\ngreeting = false\n"
+
+
+def says(words: bytes, *, is_open: bool = True) -> Callable[[socket.socket], None]:
+    """A server on TCP that speaks first, then reads to the end or closes."""
+
+    def talk(client: socket.socket) -> None:
+        client.sendall(words)
+        while is_open and client.recv(4096):
+            pass
+
+    return talk
+
+
+def http_1_0(client: socket.socket) -> None:
+    client.recv(4096)
+    client.sendall(b"HTTP/1.0 404 Not Found\r\nContent-Length: 0\r\n\r\n")
+
+
+def waits(connection: Any, _log: Any) -> None:
+    for _ in connection:
+        pass
+
+
+def greets(connection: Any, _log: Any) -> None:
+    connection.send(b"\x80")
+    waits(connection, _log)
+
+
+ZMQ = says(b"\xff" + bytes(8) + b"\x7f")
+GRPC = says(b"\x00\x00\x12\x04\x00\x00\x00\x00\x00")
+SILENT, CLOSING, SSH = says(b""), says(b"", is_open=False), says(b"SSH-2.0-x\r\n")
+
+
+@contextlib.contextmanager
+def start(talk: Any) -> Iterator[str]:
+    if talk in (waits, greets):
+        with start_websocket(talk) as (address, _):
+            yield address
+    elif isinstance(talk, tuple):
+        with start_http(lambda _path, _body, _log: talk) as (address, _):
+            yield address
+    else:
+        listener = socket.create_server(("127.0.0.1", 0))
+
+        def accept() -> None:
+            with contextlib.suppress(OSError):
+                while True:
+                    client = listener.accept()[0]
+                    threading.Thread(target=serve, args=[client], daemon=True).start()
+
+        def serve(client: socket.socket) -> None:
+            with contextlib.suppress(OSError), client:
+                talk(client)
+
+        threading.Thread(target=accept, daemon=True).start()
+        with listener:
+            yield f"127.0.0.1:{listener.getsockname()[1]}"
+
+
+@pytest.fixture
+def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
+    servers = "reference_client.policies.servers"
+    for name in ("OPEN_S", "GREETING_S"):
+        monkeypatch.setattr(f"{servers}.websocket_client.{name}", 0.2)
+    for name in ("CONNECT_S", "FIRST_ANSWER_S"):
+        monkeypatch.setattr(f"{servers}.http_policy_client.{name}", 0.2)
+        monkeypatch.setattr(f"{servers}.policy_server_client.{name}", 0.2)
+    for module in ("websocket_client", "http_policy_client", "policy_server_client"):
+        monkeypatch.setattr(f"{servers}.{module}.FIRST_CONTACT_S", 0.0)
+    monkeypatch.setattr(f"{servers}.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0)
+    monkeypatch.setattr(f"{servers}.gr00t.zmq_requester.CONNECT_S", 0.2)
+    monkeypatch.setattr(f"{servers}.server_faults._PROBE_S", 0.1)
+
+
+@pytest.mark.parametrize(
+    ("source", "talk", "said"),
+    [
+        ("openpi:ws://{}", waits, "sent no greeting .* speak first: .* vla-eval:URL"),
+        ("openpi:ws://{}", SILENT, "did not answer .* says nothing; check the port"),
+        ("openpi:ws://{}", CLOSING, "closed the connection|closes connections"),
+        ("openpi:ws://{}", ZMQ, "it speaks ZeroMQ, as GR00T's"),
+        ("openpi:ws://{}", SSH, "it speaks SSH"),
+        ("openpi:ws://{}", GRPC, "it speaks HTTP/2, as gRPC does"),
+        (
+            "openpi:ws://{}",
+            (404, {"detail": "Not Found"}),
+            "HTTP server without a WebS",
+        ),
+        (
+            "openpi:ws://{}",
+            (401, {"detail": "who?"}),
+            "401 Unauthorized.*check the key",
+        ),
+        ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
+        ("openpi:ws://{}", http_1_0, "is no WebSocket server: .*HTTP/1.0 404"),
+        ("openpi:wss://{}", (404, b""), "begins with ws://, not wss://"),
+        ("vla-eval:ws://{}", greets, r"speaks first \(b'\\x80'\).* openpi:URL"),
+        ("vla-eval:ws://{}", waits, "did not answer within 0.2 s"),
+        ("ws://{}", waits, "`greeting = false`"),
+        ("WAITS ws://{}", greets, "`greeting = true`"),
+        ("http://{}/act", waits, "is a WebSocket server: it is --policy ws://"),
+        ("http://{}/act", SILENT, "did not answer within 0.2 s"),
+        ("http://{}/act", ZMQ, "within 0.2 s: it speaks ZeroMQ"),
+        ("http://{}/act", (302, b""), "answered 302: it is at None"),
+        (
+            "http://{}/act",
+            (403, {"error": "no"}),
+            "answered 403: no; .* PROCTOR_POLICY_K",
+        ),
+        ("http://{}/act", (503, {"detail": "busy"}), "answered 503: busy"),
+        ("proctor:http://{}", waits, "is a WebSocket server"),
+        ("proctor:http://{}", SILENT, "did not answer within 0.2 s"),
+        ("proctor:http://{}", ZMQ, "it speaks ZeroMQ"),
+        ("gr00t:{}", waits, "is no ZeroMQ server|sent no greeting of ZeroMQ"),
+        ("gr00t:{}", SILENT, "no greeting of ZeroMQ within 0.2 s"),
+        ("gr00t:{}", SSH, "is no ZeroMQ server: it sent b'SSH-2.0"),
+    ],
+)
+@pytest.mark.usefixtures("short_limits")
+def test_another_protocol_is_recognised_in_time(
+    source: str, talk: Any, said: str
+) -> None:
+    """Before there is a run. Expect a sentence that names what to do, not a wait."""
+    text = WAITS if source.startswith("WAITS") else MAPPING
+    if source.startswith("gr00t"):
+        text = MAPPING.replace("x =", '"state.x" =')
+    if source.startswith("vla-eval"):
+        text += "[server]\nanswer_s = 0.2\n"
+    mapping = None if "proctor" in source else PolicyMapping.of(tomllib.loads(text))
+    with start(talk) as address:
+        made = load(source.removeprefix("WAITS ").format(address), mapping)
+        with pytest.raises(ProctorError, match=said) as caught:
+            getattr(made, "described_name", made)()
+    assert caught.value.code == "policy_failed"
+
+
+@pytest.mark.parametrize("source", ["openpi:ws://{}", "ws://{}", "http://{}/act"])
+def test_an_answer_has_a_limit(source: str) -> None:
+    """Expect the limit, its name in the file, and that the late answer is not read."""
+
+    def never(path: str, *_: Any) -> tuple[int, Any]:
+        if not path.startswith("GET"):
+            time.sleep(0.3)
+        return 200, {}
+
+    text = MAPPING + "[server]\nanswer_s = 0.1\n"
+    talk: Any = start_http(never) if "http" in source else start_websocket(greets)
+    with talk as (address, _), connected(source.format(address), text) as policy:
+        policy.reset("x")
+        with pytest.raises(ProctorError, match=r"did not answer within 0\.1 s"):
+            policy.act(observation())
+
+
+@pytest.mark.parametrize(
+    ("source", "server", "said"),
+    [
+        ("openpi:ws://h", 'format = "json"', "openpi: does not read format of .server"),
+        ("http://h", "greeting = true", "http: does not read greeting"),
+        ("gr00t:h:1", "expect = { a = 1 }", "gr00t: does not read expect"),
+        ("ws://h", 'format = "yaml"', "format is one of msgpack, msgpack-text, json"),
+        ("ws://h", 'answer_s = "1"', "answer_s cannot be '1'"),
+        ("ws://h", "answer_s = -1", "answer_s must be more than 0"),
+        ("ws://h", "greetng = true", "but answer_s, .*; did you mean greeting"),
+        ("ws://h", "greeting = false\nready = { a = 1 }", "are of servers that greet"),
+        (
+            "http://h",
+            'envelope = "e"\nformat = "msgpack"',
+            "envelope is for the formats",
+        ),
+        ("m:f", "answer_s = 1.0", r"\[server\] and \[reset\] are of policy servers"),
+    ],
+)
+def test_settings_of_another_source_are_refused(
+    source: str, server: str, said: str
+) -> None:
+    text = MAPPING.replace("x =", '"state.x" =') + f"[server]\n{server}\n"
+    with pytest.raises(BadPolicy, match=said):
+        load(source, PolicyMapping.of(tomllib.loads(text)))
+
+
+@pytest.mark.parametrize("wire_format", FORMATS)
+def test_each_format_reads_what_it_writes(wire_format: str) -> None:
+    array = np.arange(6, dtype=np.float32).reshape(2, 3)
+    given = {"a": array, "n": [np.int64(3), np.float32(0.5), True, None, "x"]}
+    read = unpack(pack(given, wire_format), wire_format)
+    assert read["n"] == [3, 0.5, True, None, "x"]
+    assert np.asarray(read["a"]).tolist() == array.tolist()
+    with pytest.raises((TypeError, ValueError), match="not supported"):
+        pack({"a": np.array([object()])}, wire_format)
