@@ -20,6 +20,7 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 
+_HOMEPAGE = re.compile(r"https?://[!-~]{1,490}")  # as `submit_run` takes it
 STEPS_MAX = 4096  # of all workers; no setting allows a longer chunk
 
 
@@ -40,7 +41,7 @@ class CreateTask(BaseModel):
         policy = {"name": f"{name} ({self.model_type})" if self.model_type else name}
         if self.submitter_name:
             policy["submitter"] = self.submitter_name
-        if self.submitter_homepage:
+        if _HOMEPAGE.fullmatch(self.submitter_homepage):
             policy["homepage"] = self.submitter_homepage
         return policy
 
