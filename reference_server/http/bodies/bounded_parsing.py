@@ -37,7 +37,7 @@ INLINE_BYTES_MAX = 2**18
 # Where a schema allows more; no setting allows a longer chunk of actions.
 ENTRIES_MAX = 4096
 # Numbers and texts of one body; an action of a robot has dozens.
-VALUES_MAX = 2**19
+VALUES_MAX = 300_000
 # JSON does not say how many entries follow. Before a list or map is read, each entry
 # is credited with as many marks of its kind, which its own members may have, too.
 MARKS_PER_ENTRY = 16
