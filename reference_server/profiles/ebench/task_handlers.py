@@ -341,8 +341,8 @@ class EbenchHandlers:
         if command is None:
             seq, last = session.seq + 1, partial(_last_command, session)
             read = partial(
-                *(message_conversion.read_actions, chunk.actions, run.manifest),
-                *(last, chunk.at),
+                message_conversion.read_actions,
+                *(chunk.actions, run.manifest, last, chunk.at),
             )
             made = await asyncio.to_thread(read) if chunk.is_large else read()
             command = Predict(worker_id, session.session_id, seq, made)
