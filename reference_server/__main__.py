@@ -40,6 +40,7 @@ from reference_server.push.key_encryption import KeyEncryption
 from reference_server.records.run_records import open_key
 from reference_server.records.shared_folder import NotShared, check_shared
 from reference_server.settings import Settings
+from reference_server.settings.setting_faults import describe_faults
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed
@@ -385,10 +386,7 @@ def _startup_message(settings: Settings, port: int, secret: str | None) -> str:
 
 
 def _one_line(error: Exception) -> str:
-    if isinstance(error, ValidationError):
-        faults = error.errors(include_url=False)
-        return "; ".join(f"{'.'.join(map(str, f['loc']))}: {f['msg']}" for f in faults)
-    return str(error)
+    return describe_faults(error) if isinstance(error, ValidationError) else str(error)
 
 
 if __name__ == "__main__":

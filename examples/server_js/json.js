@@ -3,9 +3,10 @@ import { Problem } from './problems.js';
 
 const DEPTH = 64; // nothing in the protocol nests deeper than ten
 
-/** Nesting is counted before parsing, so that no parser and no later recursion meets a million brackets. */
-function tooDeep(text) {
+/** Members by their colons. Nesting is counted before parsing: no parser and no recursion meets a million brackets. */
+function countMembers(text) {
   let depth = 0;
+  let members = 0;
   let quoted = false;
   for (let i = 0; i < text.length; i += 1) {
     const char = text[i];
@@ -15,9 +16,10 @@ function tooDeep(text) {
     } else if (char === '"') quoted = true;
     else if (char === '[' || char === '{') depth += 1;
     else if (char === ']' || char === '}') depth -= 1;
-    if (depth > DEPTH) return true;
+    else if (char === ':') members += 1;
+    if (depth > DEPTH) throw new SyntaxError('nested too deeply');
   }
-  return false;
+  return members;
 }
 
 /** Half a surrogate pair is no character, and 1e999 no double: many parsers would choke on an answer that repeats it. */
@@ -30,7 +32,14 @@ function wellFormed(name, value) {
 export function parse(bytes) {
   try {
     const text = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true }).decode(bytes);
-    if (!tooDeep(text)) return JSON.parse(text, wellFormed);
+    const sent = countMembers(text);
+    let kept = -1; // the whole value is not a member, and is shown to the function, too
+    const value = JSON.parse(text, function look(name, member) {
+      if (!Array.isArray(this)) kept += 1;
+      return wellFormed(name, member);
+    });
+    // Of members with one name the parser keeps the last: two programs may see two values.
+    if (kept === sent) return value;
   } catch {
     // refused below: the parser's own words do not help a client
   }

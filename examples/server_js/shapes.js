@@ -21,7 +21,7 @@ const assumption = object({
 
 export const SubmitRun = object({
   benchmark_id: text(1, 64, /^[a-z][a-z0-9_]{0,63}$/),
-  policy: object({ name: text(1, 200), version: text(0, 200), submitter: text(0, 200), homepage: text(0, 500) }, ['name']),
+  policy: object({ name: text(1, 200), version: text(0, 200), submitter: text(0, 200), homepage: text(0, 500, /^https?:\/\/[!-~]+$/) }, ['name']),
   max_workers: whole(1, 1024),
   idle_timeout_s: number(1, 86400),
   images: object(

@@ -33,10 +33,10 @@ from reference_client.printable_text import printable
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
 from reference_record.formats.checkpoint import Checkpoint
+from reference_record.pages.spreadsheet_cells import as_cell
 
 REWRITTEN = 1
 VERIFY = "verify"
-FORMULA_BEGINS = ("=", "+", "-", "@", "\t", "\r")
 NAME_CHARS, LETTERS_SHOWN = 28, 4  # so that a row fits in 80 columns
 MANIFESTS_SHOWN = 5
 TRIES = 3  # entries may be published while they are compared
@@ -229,7 +229,7 @@ def _notes(ranking: Ranking) -> str:
 def csv_of(ranking: Ranking) -> str:
     """A row for each entry, and a line of names above them.
 
-    Spreadsheets execute texts that begin like a formula; these get a quote before them.
+    Texts that a spreadsheet would execute get a quote before them.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -265,8 +265,7 @@ def _group_rates(rows: Iterable[RankedEntry]) -> Iterator[dict[str, float | None
 def _plain(value: Any) -> Any:
     if not isinstance(value, str):
         return value
-    text = printable(value)
-    return f"'{text}" if text.startswith(FORMULA_BEGINS) else text
+    return as_cell(printable(value))
 
 
 # --- the history ---

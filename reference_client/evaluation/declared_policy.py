@@ -9,7 +9,7 @@ from __future__ import annotations
 import importlib.metadata
 from dataclasses import dataclass
 
-from proctor_client import Player, PolicyInfo, Run, Service, SubmitRun
+from proctor_client import Player, PolicyInfo, Run, RunPolicy, Service, SubmitRun
 
 from reference_client.errors import ProctorError
 from reference_client.protocol.control_client import ControlClient
@@ -119,5 +119,5 @@ def check_offered(submission: SubmitRun, service: Service) -> None:
         )
 
 
-def _label(policy: PolicyInfo | Player) -> str:
+def _label(policy: RunPolicy | Player) -> str:
     return policy.name if not policy.version else f"{policy.name} {policy.version}"

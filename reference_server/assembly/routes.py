@@ -13,6 +13,7 @@ from reference_server.http.application import Endpoint, not_found
 from reference_server.http.auth import Tokens
 from reference_server.http.handlers import Handlers
 from reference_server.http.pages.page_routes import Pages
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.monitoring.health import health_routes
 from reference_server.monitoring.readiness import Readiness
 from reference_server.monitoring.request_spans import RequestSpans
@@ -35,8 +36,9 @@ def make_router(
     table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
+    most, open_requests = settings.max_body_bytes, OpenRequests()
     endpoints: dict[str, ASGIApp] = {
-        path: Endpoint(operations, tokens, settings.max_body_bytes, hosts)
+        path: Endpoint(operations, tokens, most, hosts, open_requests)
         for path, operations in table.items()
     }
     if node_routes is not None:

@@ -166,7 +166,7 @@ class BoardEntry(BaseModel):
     benchmark_version: str
     manifest_sha256: Sha256
     select: SelectionView | MISSING = MISSING
-    policy: PolicyInfo
+    policy: RunPolicy
     model_name: str
     is_public: bool
     model_type: str | MISSING = MISSING
@@ -834,7 +834,9 @@ class PolicyInfo(BaseModel):
     name: Annotated[str, Field(max_length=200, min_length=1)]
     version: Annotated[str | MISSING, Field(max_length=200)] = MISSING
     submitter: Annotated[str | MISSING, Field(max_length=200)] = MISSING
-    homepage: Annotated[str | MISSING, Field(max_length=500)] = MISSING
+    homepage: Annotated[
+        str | MISSING, Field(max_length=500, pattern="^https?://[!-~]+$")
+    ] = MISSING
 
 
 PolicyProtocol = TypeAliasType(
@@ -1262,7 +1264,7 @@ class Run(BaseModel):
     benchmark_id: str
     benchmark_version: str
     manifest_sha256: Sha256
-    policy: PolicyInfo
+    policy: RunPolicy
     mode: Annotated[
         str | MISSING,
         Field(
@@ -1325,6 +1327,18 @@ RunMode = TypeAliasType(
         ),
     ],
 )
+
+
+class RunPolicy(BaseModel):
+    """
+    A `PolicyInfo` as it was submitted. A run of an earlier server may have a homepage of another form.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    name: str
+    version: str | MISSING = MISSING
+    submitter: str | MISSING = MISSING
+    homepage: str | MISSING = MISSING
 
 
 RunState = TypeAliasType(

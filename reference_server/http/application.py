@@ -9,6 +9,7 @@ import logging
 import time
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import AbstractAsyncContextManager
+from functools import partial
 
 from starlette.requests import Request
 from starlette.responses import Response
@@ -20,11 +21,13 @@ from reference_server.http.dispatch import (
     ACCOUNT,
     OPERATION,
     Operation,
+    check_caller,
     operation_name,
     perform,
 )
 from reference_server.http.pages.page_sessions import PATH as PAGES_PATH
 from reference_server.http.problems import problem_response
+from reference_server.http.tokens.open_requests import OpenRequests, RequestEnded
 from reference_server.process.lifespan import run_lifespan
 from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import AllowedHosts
@@ -51,7 +54,9 @@ class Endpoint:
         tokens: Tokens,
         max_body: int,
         hosts: AllowedHosts,
+        open_requests: OpenRequests,
     ) -> None:
+        self._open_requests = open_requests
         self._operations = operations
         self._names = {
             method: operation_name(operation)
@@ -68,10 +73,31 @@ class Endpoint:
         else:
             scope[OPERATION] = self._names[scope["method"]]
             request = Request(scope, receive)
+            if operation.may_last(scope["method"]):
+                return await self._answer_while_allowed(request, operation, send)
             response = await perform(
                 request, operation, self._tokens, self._max_body, self._hosts
             )
         await response(scope, receive, send)
+        return None
+
+    async def _answer_while_allowed(
+        self, request: Request, operation: Operation, send: Send
+    ) -> None:
+        """A revoked token ends a wait with a refusal, and a stream where it is."""
+        check = partial(check_caller, request, operation, self._tokens)
+        response: Response | None = None
+        try:
+            async with self._open_requests.enter(check) as open_request:
+                response = await perform(
+                    request, operation, self._tokens, self._max_body, self._hosts
+                )
+                open_request.check_content = getattr(response, "check_content", None)
+                await response(request.scope, request.receive, send)
+        except RequestEnded:
+            # A body of a known length stays short, and so its reader sees that.
+            if response is not None and "content-length" not in response.headers:
+                await send({"type": "http.response.body", "body": b""})
 
     def _not_allowed(self, method: str) -> Response:
         detail = f"{method} is not a method of this path."

@@ -22,6 +22,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
+from reference_server.http.bodies.malformed_bodies import explain
 from reference_server.rules.refusal import Refused
 
 JSON = "application/json"
@@ -39,6 +40,9 @@ _DIGITS_AS_ZEROS = bytes.maketrans(b"123456789", b"0" * 9)
 _LONG_INTEGER = b"0" * 309
 _BIN_32 = b"\xc6"  # MessagePack: a length of four bytes and that much follow
 
+# Other values of Content-Encoding are passed over: clients have charsets there.
+_CODINGS = {"gzip", "x-gzip", "deflate", "compress", "br", "zstd"}
+
 Model = TypeVar("Model", bound=BaseModel)
 
 
@@ -47,25 +51,26 @@ def decode(body: bytes, media_type: str) -> Any:
 
     ENC-012: MessagePack in every format that it has.
     """
-    with refuse_malformed():
+    with refuse_malformed(body, media_type):
         if media_type == MSGPACK:
             return msgspec.msgpack.decode(body, ext_hook=_reject_extension)
         return _from_json(body)
 
 
 @contextmanager
-def refuse_malformed() -> Iterator[None]:
-    """Make a refusal of what a decoder raises."""
+def refuse_malformed(body: bytes, media_type: str) -> Iterator[None]:
+    """Make a refusal of what the decoder of a body raises."""
     try:
         yield
     except RecursionError as error:
         raise Refused("malformed_body", "The body is nested too deeply.") from error
     except (msgspec.MsgspecError, UnicodeDecodeError, ValueError) as error:
-        raise Refused("malformed_body", f"The body is malformed: {error}.") from error
+        text = explain(body, error, is_json=media_type != MSGPACK)
+        raise Refused("malformed_body", f"The body is malformed: {text}.") from error
 
 
 def _from_json(body: bytes) -> Any:
-    """ENC-009: of equal members the last one counts. ENC-010: 1e-999 is zero."""
+    """ENC-010: 1e-999 is zero."""
     structure = msgspec.json.decode(body)
     if has_unusual_integers(body):
         return json.loads(body, parse_int=_parse_integer)
@@ -122,6 +127,12 @@ def pointer(loc: Iterable[str | int]) -> str:
 
 def media_type_of(request: Request, readable: Sequence[str]) -> str:
     """The body's media type (ERR-007, ERR-019)."""
+    coding = request.headers.get("content-encoding", "").strip().lower()
+    if coding in _CODINGS:
+        raise Refused(
+            "unsupported_media_type",
+            f"Content-Encoding {coding} is not supported: send the body uncompressed.",
+        )
     declared = request.headers.get("content-type", "")
     media_type = declared.partition(";")[0].strip().lower()
     if media_type not in readable:

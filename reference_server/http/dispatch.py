@@ -88,6 +88,13 @@ class Operation:
     without_token: bool = False
     has_streamed_body: bool = False
 
+    def may_last(self, method: str) -> bool:
+        """Whether a caller can keep it open: a wait, a download or an upload.
+
+        A turn is never cancelled.
+        """
+        return method == "GET" or self.has_streamed_body
+
 
 def operation_name(operation: Operation) -> str:
     """The name of its handler, after that of the profile where it has another API."""
@@ -149,8 +156,20 @@ async def perform(
         _failures.report("a request could not use the database", str(error))
         return refuse(Refused("unavailable", "The database is not available."))
     except asyncio.CancelledError:
-        # Only the server cancels it, when it shuts down and has waited long enough.
-        return refuse(Refused("unavailable", "The server is shutting down."))
+        # Only the server cancels it: when the token was revoked, or when the server
+        # shuts down and has waited long enough.
+        refused = Refused("unavailable", "The server is shutting down.")
+        try:
+            check_caller(request, operation, tokens)
+        except Refused as error:
+            refused = error
+        return refuse(refused)
+
+
+def check_caller(request: Request, operation: Operation, tokens: Tokens) -> None:
+    """Raise Refused unless the caller may still send this request."""
+    if operation.scope is not None:
+        _caller(request, operation, operation.scope, tokens)
 
 
 async def _check_request(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import importlib.metadata
 import time
-from collections.abc import Iterator
+from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial
@@ -326,16 +326,17 @@ class Handlers:
     async def fetch_record(self, call: OperationCall) -> Response:
         run_id = call.path["run_id"]
         record = await self.service.fetch_record(call.account, run_id)
-        return _file_response(
-            record.stream(), record.size, ARCHIVE, f"run-{run_id}.proctor"
+        check = partial(self.service.check_readable, call.account, run_id)
+        return _Download(
+            record.stream(), record.size, ARCHIVE, f"run-{run_id}.proctor", check
         )
 
     async def fetch_recording(self, call: OperationCall) -> Response:
         run_id, episode_id = call.path["run_id"], call.path["episode_id"]
         path, size = await self.service.find_recording(call.account, run_id, episode_id)
-        return _file_response(
-            blocks_of(path), size, BYTES, f"{run_id}-{episode_id}.mcap"
-        )
+        check = partial(self.service.check_readable, call.account, run_id)
+        name = f"{run_id}-{episode_id}.mcap"
+        return _Download(blocks_of(path), size, BYTES, name, check)
 
     # --- records that are handed in ---
 
@@ -378,7 +379,8 @@ class Handlers:
         import_id = call.path["import_id"]
         record = await self._imports().archive(call.reader, import_id)
         name = f"import-{import_id}.proctor"
-        return _file_response(record.stream(), record.size, ARCHIVE, name)
+        check = partial(self._imports().find, call.reader, import_id)
+        return _Download(record.stream(), record.size, ARCHIVE, name, check)
 
     async def _import_view(self, record_import: RecordImport) -> dict[str, Any]:
         imports = self._imports()
@@ -451,15 +453,26 @@ class Handlers:
         return base.rstrip("/")
 
 
-def _file_response(
-    blocks: Iterator[bytes], size: int, media_type: str, name: str
-) -> Response:
-    """A file that is read while it is sent, by a thread."""
-    headers = {
-        "Content-Length": str(size),
-        "Content-Disposition": f'attachment; filename="{name}"',
-    }
-    return StreamingResponse(blocks, media_type=media_type, headers=headers)
+class _Download(StreamingResponse):
+    """A file that is read while it is sent, by a thread.
+
+    check_content: raises Refused once it may not be read any more.
+    """
+
+    def __init__(
+        self,
+        blocks: Iterator[bytes],
+        size: int,
+        media_type: str,
+        name: str,
+        check_content: Callable[[], Awaitable[object]],
+    ) -> None:
+        headers = {
+            "Content-Length": str(size),
+            "Content-Disposition": f'attachment; filename="{name}"',
+        }
+        super().__init__(blocks, media_type=media_type, headers=headers)
+        self.check_content = check_content
 
 
 def _etag(view: bytes) -> str:

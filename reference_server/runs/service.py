@@ -299,6 +299,10 @@ class RunService:
                 run_id, account, lambda run, _episodes: run
             )
 
+    async def check_readable(self, account: str, run_id: str) -> None:
+        """Raise Refused unless the account may read the run, on whichever node."""
+        await self.registry.reader.read_view(run_id, account, lambda run, _: run)
+
     async def get_availability(
         self, account: str, run_id: str
     ) -> tuple[RunHead, Availability]:

@@ -59,6 +59,26 @@ class Settings(
         return self
 
     @model_validator(mode="after")
+    def _check_recordings(self) -> Self:
+        """Refuse what is made of recordings where there are none."""
+        for name in ("record_imports", "public_board"):
+            if self.recordings == "off" and getattr(self, name) == "on":
+                raise ValueError(
+                    f"{name} on needs recordings, which are off: without them this "
+                    "server has no key that signs"
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _check_body_sizes(self) -> Self:
+        if self.max_control_body_bytes > self.max_body_bytes:
+            raise ValueError(
+                f"max_control_body_bytes ({self.max_control_body_bytes}) cannot exceed "
+                f"max_body_bytes ({self.max_body_bytes}), the maximum of every request"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _check_cluster(self) -> Self:
         """Refuse a cluster whose nodes would not share all that they have to share."""
         if self.cluster == "off":

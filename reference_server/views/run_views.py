@@ -48,7 +48,7 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[st
         benchmark_id=run.manifest["benchmark_id"],
         benchmark_version=run.manifest["version"],
         manifest_sha256=run.manifest_sha256,
-        policy=models.PolicyInfo(**run.submission["policy"]),
+        policy=models.RunPolicy(**run.submission["policy"]),
         mode="push" if run.is_push else "pull",
         max_workers=run.max_workers,
         idle_timeout_s=run.idle_timeout_s,

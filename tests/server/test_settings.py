@@ -4,6 +4,7 @@
 """
 
 import os
+import re
 import sys
 import typing
 from pathlib import Path
@@ -19,6 +20,7 @@ from reference_server.__main__ import HelpFormatter
 from reference_server.http.auth import BadTokens, Tokens, new_secret
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
+from reference_server.settings.setting_faults import describe_faults
 from tests.support.paths import ROOT
 
 PAGE = ROOT / "docs" / "host" / "settings.md"
@@ -202,6 +204,40 @@ def test_a_setting_has_bounds(name: str, bad: Any) -> None:
     with pytest.raises(ValidationError) as caught:
         Settings(**{name: bad})
     assert [fault["loc"] for fault in caught.value.errors()] == [(name,)]
+
+
+@pytest.mark.parametrize(
+    ("chosen", "sentence"),
+    [
+        ({"port": "x"}, "port: 'x' must be a valid integer"),
+        ({"port": -1}, "port: -1 must be greater than or equal to 0"),
+        ({"log_level": "x"}, "log_level: 'x' must be 'critical', 'error', "),
+        ({"public_url": "example.org"}, "public_url: 'example.org' does not fit; it "),
+        ({"profiles": "foo"}, "comma-separated: ebench, flageval."),
+        ({"ray_resources": "CPU"}, "ray_resources: 'CPU' is not NAME=AMOUNT"),
+        ({"known_keys": "k" * 999}, "…"),
+        *(
+            ({"recordings": "off", name: "on"}, f"{name} on needs recordings, which")
+            for name in ("record_imports", "public_board")
+        ),
+        ({"max_control_body_bytes": 2**24}, "max_control_body_bytes (16777216) cannot"),
+        ({"cluster": "on", "record_imports": "on"}, "cluster needs record_imports off"),
+        ({"cluster": "on", "database": ":memory:"}, "cluster needs a database that"),
+        (
+            {"flageval_account": "a", "public_url": "http://a"},
+            "flageval_account needs a loopback host and no public_url",
+        ),
+    ],
+)
+def test_settings_that_are_wrong_or_contradict_are_sentences(
+    chosen: dict[str, Any], sentence: str
+) -> None:
+    with pytest.raises(ValidationError) as caught:
+        Settings(**chosen)
+    text = describe_faults(caught.value)
+    assert sentence in text
+    assert not re.search(r"Value error|Input should|\n|^:|\^\(", text), text
+    assert len(text) < 400
 
 
 def test_on_ray_recordings_need_a_folder_that_was_chosen() -> None:

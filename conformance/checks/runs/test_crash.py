@@ -152,7 +152,7 @@ def make_resting_runs(context: CheckContext) -> list[RunClient]:
     images = context.benchmark["image_sizes"][-1] | {"codec": "raw"}
     # Characters at which some programs end a line, and others a text.
     policy = {"name": "kit \u2028\x85\x0c\r\n\x1f end", "version": "7"}
-    policy |= {"submitter": "a", "homepage": "b"}
+    policy |= {"submitter": "a", "homepage": "http://b"}
     body = context.submit_body(
         policy=policy,
         max_workers=1,

@@ -12,7 +12,7 @@ from typing import Any
 import msgspec
 from PIL import Image
 
-from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
+from conformance.checks.support.bodies.msgpack_forms import WIDTHS, Twice, pack
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NO_ACCEPT
 from conformance.client.run_client import WorkerClient
@@ -363,19 +363,25 @@ def next_body(worker: WorkerClient, **values: Any) -> dict[str, Any]:
     return body | {"actions": [worker.run.context.action(**values)]}
 
 
-@requirement("ENC-009")
-def test_enc_009_last_of_equal_members_counts(context: CheckContext) -> None:
-    """A member stands twice, in the body and in an action: a wrong value, then a right.
+@requirement("ENC-013")
+def test_enc_013_cannot_send_a_member_twice(context: CheckContext) -> None:
+    """A name stands twice in a JSON body: at its top, in an action, with another value
+    or the same one, and escaped.
 
-    Expect the last one to be executed.
+    Expect `malformed_body`; without the repetition the body is accepted.
     """
     worker = echo(context)
-    text = json.dumps(next_body(worker, vector=[0.5] * 8))
-    text = text.replace('"seq"', '"seq": 77, "seq"')
-    text = text.replace('"vector"', '"vector": [9, 9, 9, 9, 9, 9, 9, 9], "vector"')
-    turn = expect.ok(send_predict(worker, text.encode(), "application/json"))
+    right = json.dumps(next_body(worker, vector=[0.5] * 8))
+    for name, before in (
+        *(("seq", '"seq": 77, "seq"'), ("seq", '"seq": 1, "seq"')),
+        *(("seq", '"\\u0073eq": 1, "seq"'), ("values", '"values": {}, "values"')),
+        ("vector", '"vector": [9, 9, 9, 9, 9, 9, 9, 9], "vector"'),
+    ):
+        wrong = right.replace(f'"{name}"', before)
+        answer = send_predict(worker, wrong.encode(), "application/json")
+        expect.refused(answer, "malformed_body")
+    turn = expect.ok(send_predict(worker, right.encode(), "application/json"))
     expect.equal(turn["seq"], 1, "seq")
-    expect.equal(turn["observation"]["state"]["vector"], [0.5] * 8, "vector")
 
 
 @requirement("ENC-010")
@@ -414,6 +420,30 @@ def test_enc_011_cannot_send_a_key_that_is_no_string(context: CheckContext) -> N
                 answer, "malformed_body" if is_malformed else "invalid_request"
             )
     packed = msgspec.msgpack.encode(right)
+    expect.ok(send_predict(worker, packed, "application/msgpack"))
+
+
+@requirement("ENC-014")
+def test_enc_014_cannot_send_a_key_twice(context: CheckContext) -> None:
+    """A key stands twice in a MessagePack map: at its top, in an action, in a short and
+    in a long map.
+
+    Expect `malformed_body`; without the repetition the body is accepted.
+    """
+    worker = echo(context)
+    right = next_body(worker)
+    for wrong in (
+        {**right, Twice("seq"): 77},
+        {Twice("seq"): right["seq"], **right},
+        right | {"actions": [{Twice("values"): {}, **right["actions"][0]}]},
+        right | {"actions": [{"values": {**right["actions"][0]["values"],
+                                         Twice("vector"): [9.0] * 8}}]},
+    ):  # fmt: skip
+        for width in WIDTHS:
+            packed = pack(wrong, width, is_signed=False)
+            answer = send_predict(worker, packed, "application/msgpack")
+            expect.refused(answer, "malformed_body")
+    packed = pack(right, WIDTHS[0], is_signed=False)
     expect.ok(send_predict(worker, packed, "application/msgpack"))
 
 

@@ -59,7 +59,7 @@ def whole_submission(context: CheckContext) -> dict[str, Any]:
     """Give a body of submit_run with every member that a pull run may have."""
     benchmark = context.benchmark
     policy = {"name": f"conformance kit {uuid.uuid4()}", "version": "1"}
-    policy |= {"submitter": "kit", "homepage": "none"}
+    policy |= {"submitter": "kit", "homepage": "https://a.example"}
     options = {"tasks": ["score", "count"], "max_steps": 5, "success_rule": "last_step"}
     options |= {"max_attempts": 2, "max_faults": 2, "queue_s": 1}
     images = {"codec": benchmark["image_codecs"][0], **benchmark["image_sizes"][0]}

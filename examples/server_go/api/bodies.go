@@ -10,11 +10,12 @@ import (
 )
 
 var (
-	namePattern = regexp.MustCompile(`^[a-z][a-z0-9_]{0,63}$`)
-	idPattern   = regexp.MustCompile(`^[A-Za-z0-9_-]{1,64}$`)
-	anyNumber   = wire.Number(math.Inf(-1), math.Inf(1))
-	name        = wire.Text(1, 64, namePattern)
-	sessionID   = wire.Text(1, 128, nil)
+	namePattern     = regexp.MustCompile(`^[a-z][a-z0-9_]{0,63}$`)
+	homepagePattern = regexp.MustCompile(`^https?://[!-~]+$`)
+	idPattern       = regexp.MustCompile(`^[A-Za-z0-9_-]{1,64}$`)
+	anyNumber       = wire.Number(math.Inf(-1), math.Inf(1))
+	name            = wire.Text(1, 64, namePattern)
+	sessionID       = wire.Text(1, 128, nil)
 )
 
 const unlimited = math.MaxInt32
@@ -25,7 +26,7 @@ var submitShape = wire.Record([]string{"benchmark_id", "policy"}, map[string]wir
 		"name":      wire.Text(1, 200, nil),
 		"version":   wire.Text(0, 200, nil),
 		"submitter": wire.Text(0, 200, nil),
-		"homepage":  wire.Text(0, 500, nil),
+		"homepage":  wire.Text(0, 500, homepagePattern),
 	}),
 	"max_workers":    wire.Integer(1, 1024),
 	"idle_timeout_s": wire.Number(1, 86400),

@@ -114,7 +114,7 @@ func (r *jsonReader) array(depth int) (any, error) {
 	}
 }
 
-// object keeps the last of two members with one name.
+// object refuses two members with one name (ENC-013).
 func (r *jsonReader) object(depth int) (any, error) {
 	members := map[string]any{}
 	r.at++
@@ -130,7 +130,7 @@ func (r *jsonReader) object(depth int) (any, error) {
 		if err != nil {
 			return nil, err
 		}
-		if r.skip() != ':' {
+		if _, stands := members[name]; stands || r.skip() != ':' {
 			return nil, errMalformed
 		}
 		r.at++

@@ -142,7 +142,7 @@ func (r *msgpackReader) members(count uint64, depth int) (any, error) {
 			return nil, err
 		}
 		name, isText := key.(string)
-		if !isText {
+		if _, stands := members[name]; stands || !isText { // ENC-014
 			return nil, errMalformed
 		}
 		if members[name], err = r.value(depth + 1); err != nil {

@@ -6,9 +6,9 @@
 #include "EntryScore.h"
 #include "EntryFlag.h"
 #include "SelectionView.h"
+#include "RunPolicy.h"
 #include <string>
 #include <map>
-#include "PolicyInfo.h"
 #include <vector>
 #include "../members.h"
 
@@ -25,7 +25,7 @@ struct BoardEntry {
     std::string benchmark_version{};
     std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
     std::optional<SelectionView> select{};
-    PolicyInfo policy{};
+    RunPolicy policy{};
     std::string model_name{};
     bool is_public{};
     std::optional<std::string> model_type{};

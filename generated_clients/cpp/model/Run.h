@@ -4,12 +4,12 @@
 
 #include <cstdint>
 #include "SelectionView.h"
+#include "RunPolicy.h"
 #include <string>
 #include "RunState.h"
 #include "PolicyServerView.h"
 #include "Progress.h"
 #include <map>
-#include "PolicyInfo.h"
 #include <vector>
 #include "ImageChoice.h"
 #include "../members.h"
@@ -27,7 +27,7 @@ struct Run {
     std::string benchmark_id{};
     std::string benchmark_version{};
     std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
-    PolicyInfo policy{};
+    RunPolicy policy{};
     std::optional<std::string> mode{}; // A `RunMode`, or one of a later version; `pull` when absent.
     std::optional<PolicyServerView> policy_server{};
     std::optional<bool> any_policy{}; // Whether workers may play for another policy than `policy`; for the profile `attribution`.

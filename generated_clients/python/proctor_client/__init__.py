@@ -83,6 +83,7 @@ from .models import ResetPolicy as ResetPolicy
 from .models import Run as Run
 from .models import RunList as RunList
 from .models import RunMode as RunMode
+from .models import RunPolicy as RunPolicy
 from .models import RunState as RunState
 from .models import Score as Score
 from .models import SelectionView as SelectionView

@@ -115,7 +115,7 @@ class BoardEntry(Message):
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
     """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
     select: SelectionView | None = None
-    policy: PolicyInfo
+    policy: RunPolicy
     model_name: StrictStr
     is_public: StrictBool
     model_type: StrictStr | None = None
@@ -547,7 +547,12 @@ class PolicyInfo(Message):
     name: Annotated[str, Field(strict=True, min_length=1, max_length=200)]
     version: Annotated[str, Field(strict=True, max_length=200)] | None = None
     submitter: Annotated[str, Field(strict=True, max_length=200)] | None = None
-    homepage: Annotated[str, Field(strict=True, max_length=500)] | None = None
+    homepage: (
+        Annotated[
+            str, Field(strict=True, max_length=500, pattern=r"^https?:\/\/[!-~]+$")
+        ]
+        | None
+    ) = None
 
 
 class PolicyProtocol(StrEnum):
@@ -836,7 +841,7 @@ class Run(Message):
     benchmark_version: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
     """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
-    policy: PolicyInfo
+    policy: RunPolicy
     mode: (
         Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
     ) = None
@@ -874,6 +879,15 @@ class RunMode(StrEnum):
 
     PULL = "pull"
     PUSH = "push"
+
+
+class RunPolicy(Message):
+    """A `PolicyInfo` as it was submitted. A run of an earlier server may have a homepage of another form."""
+
+    name: StrictStr
+    version: StrictStr | None = None
+    submitter: StrictStr | None = None
+    homepage: StrictStr | None = None
 
 
 class RunState(StrEnum):

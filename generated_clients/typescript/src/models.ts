@@ -93,7 +93,7 @@ export interface BoardEntry {
     /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
     manifest_sha256: string;
     select?: SelectionView;
-    policy: PolicyInfo;
+    policy: RunPolicy;
     model_name: string;
     is_public: boolean;
     model_type?: string;
@@ -725,7 +725,7 @@ export interface Run {
     benchmark_version: string;
     /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
     manifest_sha256: string;
-    policy: PolicyInfo;
+    policy: RunPolicy;
     /** A `RunMode`, or one of a later version; `pull` when absent. */
     mode?: string;
     policy_server?: PolicyServerView;
@@ -760,6 +760,14 @@ export const RunMode = {
     Push: 'push',
 } as const;
 export type RunMode = (typeof RunMode)[keyof typeof RunMode];
+
+/** A `PolicyInfo` as it was submitted. A run of an earlier server may have a homepage of another form. */
+export interface RunPolicy {
+    name: string;
+    version?: string;
+    submitter?: string;
+    homepage?: string;
+}
 
 export const RunState = {
     Queued: 'queued',

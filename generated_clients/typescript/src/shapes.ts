@@ -84,7 +84,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         benchmark_version: 'string',
         manifest_sha256: 'string',
         select: optional('SelectionView'),
-        policy: 'PolicyInfo',
+        policy: 'RunPolicy',
         model_name: 'string',
         is_public: 'boolean',
         model_type: optional('string'),
@@ -490,7 +490,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         benchmark_id: 'string',
         benchmark_version: 'string',
         manifest_sha256: 'string',
-        policy: 'PolicyInfo',
+        policy: 'RunPolicy',
         mode: optional('string'),
         policy_server: optional('PolicyServerView'),
         any_policy: optional('boolean'),
@@ -510,6 +510,12 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
     RunList: {
         runs: { list: 'Run' },
         next_cursor: nullable('string'),
+    },
+    RunPolicy: {
+        name: 'string',
+        version: optional('string'),
+        submitter: optional('string'),
+        homepage: optional('string'),
     },
     Score: {
         run_id: 'string',

@@ -12,6 +12,7 @@ from pydantic_core import to_jsonable_python
 
 from reference_client.command.usage_error import UsageError
 from reference_client.protocol.control_client import ControlClient
+from reference_record.pages.spreadsheet_cells import as_cell
 
 # Columns of episodes.csv: members of an episode, then those of its result.
 EPISODE_COLUMNS = ("episode_id", "index", "task", "split", "status", "attempt")
@@ -66,9 +67,8 @@ def _write_episodes(run_id: str, episodes: list[Episode], path: Path) -> None:
             members = to_jsonable_python(episode.to_dict())
             result = members.get("result") or {}
             player = result.get("player") or {}
-            writer.writerow(
-                [run_id]
-                + [members.get(name, "") for name in EPISODE_COLUMNS]
-                + [result.get(name, "") for name in RESULT_COLUMNS]
-                + [player.get(name, "") for name in PLAYER_COLUMNS]
-            )
+            values = [run_id]
+            values += [members.get(name, "") for name in EPISODE_COLUMNS]
+            values += [result.get(name, "") for name in RESULT_COLUMNS]
+            values += [player.get(name, "") for name in PLAYER_COLUMNS]
+            writer.writerow([as_cell(value) for value in values])

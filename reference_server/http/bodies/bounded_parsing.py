@@ -27,6 +27,7 @@ from pydantic.fields import FieldInfo
 from typing_extensions import TypeAliasType
 
 from reference_server.http import codec
+from reference_server.http.bodies import repeated_members
 from reference_server.http.codec import MSGPACK, Model, pointer
 from reference_server.rules.refusal import Refused
 
@@ -37,7 +38,7 @@ INLINE_BYTES_MAX = 2**18
 # Where a schema allows more; no setting allows a longer chunk of actions.
 ENTRIES_MAX = 4096
 # Numbers and texts of one body; an action of a robot has dozens.
-VALUES_MAX = 2**19
+VALUES_MAX = 300_000
 # JSON does not say how many entries follow. Before a list or map is read, each entry
 # is credited with as many marks of its kind, which its own members may have, too.
 MARKS_PER_ENTRY = 16
@@ -79,11 +80,15 @@ def read_structure(
     body are left out.
     """
     if len(body) <= WHOLE_BYTES_MAX:
-        return codec.decode(body, media_type)
-    with codec.refuse_malformed():
-        reader = _Reader(media_type)
+        structure = codec.decode(body, media_type)
+        if closed:
+            _refuse_repeated(body, media_type, structure)
+        return structure
+    with codec.refuse_malformed(body, media_type):
+        reader = _Reader(media_type, closed=closed)
         try:
             structure = _shape_of(model, closed).read(body, reader, ())
+            reader.check_members_of_all(body, structure)
         except Refused:
             reader.decode(body, type=msgspec.Raw)  # ERR-006: a malformed body is that
             raise
@@ -92,13 +97,26 @@ def read_structure(
     return structure
 
 
-class _Reader:
-    """Reads parts of one body, and counts its values."""
+def _refuse_repeated(body: bytes, media_type: str, structure: Any) -> None:
+    with codec.refuse_malformed(body, media_type):
+        if media_type == MSGPACK:
+            repeated_members.refuse_repeated_msgpack(body)
+        else:
+            repeated_members.refuse_repeated_json(body, structure)
 
-    def __init__(self, media_type: str) -> None:
-        self._is_json = media_type != MSGPACK
-        self._null = b"null" if self._is_json else b"\xc0"
-        self.decode = msgspec.json.decode if self._is_json else msgspec.msgpack.decode
+
+class _Reader:
+    """Reads parts of one body, and counts its values.
+
+    closed: whether members that stand twice are refused.
+    """
+
+    def __init__(self, media_type: str, *, closed: bool) -> None:
+        self.is_json = media_type != MSGPACK
+        self._closed = closed
+        self.is_read_whole = True  # so that the members of the structure are all
+        self._null = b"null" if self.is_json else b"\xc0"
+        self.decode = msgspec.json.decode if self.is_json else msgspec.msgpack.decode
         self._values_left = VALUES_MAX
 
     def read(self, raw: Any, kind: Any, at: Path) -> Any:
@@ -120,9 +138,21 @@ class _Reader:
             return None
         return shape.read(raw, self, at)
 
+    def check_members(self, raw: Any, count: int) -> None:
+        """ENC-014: a map has no more members than were read; raises ValueError."""
+        if self._closed and not self.is_json:
+            repeated_members.check_length(raw, count)
+
+    def check_members_of_all(self, body: bytes, structure: Any) -> None:
+        """ENC-013: each member has a colon outside of texts; raises ValueError."""
+        if self._closed and self.is_json and self.is_read_whole:
+            members = repeated_members.count_members(structure)
+            if _has_more_outside_strings(body, b":", members):
+                raise ValueError("a member stands twice in an object")
+
     def check_marks(self, raw: Any, mark: bytes, most: int, at: Path) -> None:
         """MessagePack says how many entries follow: msgspec compares that itself."""
-        if not self._is_json:
+        if not self.is_json:
             return
         text = bytes(raw)
         if text.count(mark) > most and _has_more_outside_strings(text, mark, most):
@@ -169,6 +199,7 @@ class _Text:
         try:
             return reader.read(raw, str, at)
         except Refused:
+            reader.is_read_whole = False
             return None
 
 
@@ -187,16 +218,24 @@ class _ScalarList:
 
 @dataclass(frozen=True, slots=True)
 class _Object:
-    """kind: a structure whose members are not read yet."""
+    """kind: a structure whose members are not read yet.
+
+    is_closed: whether it is refused for a member that it does not know.
+    """
 
     kind: Any
     members: Mapping[str, _Shape]
+    is_closed: bool
 
     def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
-        return self.read_members(reader.read(raw, self.kind, at), reader, at)
+        members = self.read_members(reader.read(raw, self.kind, at), reader, at)
+        if self.is_closed:
+            reader.check_members(raw, len(members))
+        return members
 
     def read_members(self, structure: Any, reader: _Reader, at: Path) -> Any:
         reader.spend(1)
+        reader.is_read_whole &= self.is_closed
         return {
             name: reader.read_member(shape, getattr(structure, name), (*at, name))
             for name, shape in self.members.items()
@@ -211,6 +250,12 @@ class _ObjectList:
 
     def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
         reader.check_marks(raw, b"{", MARKS_PER_ENTRY * self.most, at)
+        if not reader.is_json:  # each map is looked at
+            raws = Annotated[list[msgspec.Raw], msgspec.Meta(max_length=self.most)]
+            return [
+                self.items.read(item, reader, (*at, index))
+                for index, item in enumerate(reader.read(raw, raws, at))
+            ]
         kind = Annotated[list[self.items.kind], msgspec.Meta(max_length=self.most)]  # type: ignore[name-defined]
         return [
             self.items.read_members(item, reader, (*at, index))
@@ -228,9 +273,11 @@ class _Map:
     def read(self, raw: Any, reader: _Reader, at: Path) -> Any:
         reader.check_marks(raw, b":", MARKS_PER_ENTRY * self.most, at)
         kind = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=self.most)]
+        members = reader.read(raw, kind, at)
+        reader.check_members(raw, len(members))
         return {
             name: self.values.read(value, reader, (*at, name))
-            for name, value in reader.read(raw, kind, at).items()
+            for name, value in members.items()
         }
 
 
@@ -269,13 +316,14 @@ def _plain(annotation: Any, most: int) -> tuple[Any, int]:
 def _object(model: type[BaseModel], closed: bool) -> _Object:
     model.model_rebuild()  # resolves names of models that follow it in their module
     fields = model.model_fields
+    is_closed = closed and model.model_config.get("extra") == "forbid"
     kind = msgspec.defstruct(
         model.__name__,
         [
             (name, Union[msgspec.Raw, msgspec.UnsetType], msgspec.UNSET)  # noqa: UP007
             for name in fields
         ],
-        forbid_unknown_fields=closed and model.model_config.get("extra") == "forbid",
+        forbid_unknown_fields=is_closed,
     )
     members: dict[str, _Shape] = {}
     for name, field in fields.items():
@@ -283,7 +331,7 @@ def _object(model: type[BaseModel], closed: bool) -> _Object:
         members[name] = _shape_of(
             annotation, closed, _most(field.metadata, ENTRIES_MAX)
         )
-    return _Object(kind, members)
+    return _Object(kind, members, is_closed)
 
 
 def _is_model(kind: Any) -> bool:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import asyncio
 from functools import partial
+from http import HTTPStatus
 from math import inf
 from typing import Any
 
@@ -84,6 +85,7 @@ class BoundedConnection(HttpToolsProtocol):
         self._body_began_at = 0.0
         self._held = b""
         self._is_feeding_chunks = False
+        self._passed_over_left = 0  # bytes that extend the deadline
         self._answer: JoinedAnswer
 
     # --- what the event loop calls ---
@@ -121,7 +123,7 @@ class BoundedConnection(HttpToolsProtocol):
             elif phase == _NOT_ADMITTED:
                 return self._refuse(503)
             else:
-                return None
+                return self._pass_over(len(data) - position)
         return None
 
     def pause_writing(self) -> None:
@@ -217,11 +219,14 @@ class BoundedConnection(HttpToolsProtocol):
 
     def on_body(self, body: bytes) -> None:
         if self._phase != _BODY:
-            return
+            return None
         super().on_body(body)
+        if self.cycle.response_complete:
+            return self._pass_over(len(body))
         self._body_size += len(body)
         if self._body_size > self._limits.small_body_bytes:
             self._hold_body()
+        return None
 
     def on_message_complete(self) -> None:
         if self._phase != _BODY:
@@ -241,8 +246,7 @@ class BoundedConnection(HttpToolsProtocol):
         if self.transport.is_closing():
             return
         if self._phase == _BODY:
-            # The rest is read so that the client sees the answer.
-            self._deadline = self.loop.time() + self._limits.body_grace_s
+            self._begin_to_pass_over()
             self.flow.resume_reading()
         elif self._phase == _COMPLETE and not self.flow.write_paused:
             self._read_next()
@@ -339,6 +343,20 @@ class BoundedConnection(HttpToolsProtocol):
         elif self.cycle.keep_alive:
             self._held += data
 
+    def _begin_to_pass_over(self) -> None:
+        """Read on after an answer: most clients look at it when they have sent all.
+
+        A connection that closed before would be a reset for them, not an answer.
+        """
+        self._passed_over_left = self._limits.passed_over_bytes
+        self._deadline = self.loop.time() + self._limits.body_grace_s
+
+    def _pass_over(self, size: int) -> None:
+        """Bytes of a body that is answered; a client that sends on has time for it."""
+        if self._passed_over_left > 0:
+            self._passed_over_left -= size
+            self._deadline += size / self._limits.passed_over_rate_min
+
     def _end_after_answer(self) -> None:
         """No other request is read from this connection."""
         self._held = b""
@@ -407,6 +425,8 @@ class BoundedConnection(HttpToolsProtocol):
         in_work = self._phase == _BODY and not cycle.response_complete
         self._phase = _REFUSED
         self._deadline = self.loop.time() + self._limits.close_s
+        if status == HTTPStatus.SERVICE_UNAVAILABLE:  # no fault of the client
+            self._begin_to_pass_over()
         self._held = b""
         self._limiter.bodies.hold(self, 0)
         if in_work:

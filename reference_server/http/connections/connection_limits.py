@@ -31,9 +31,11 @@ class ConnectionLimits:
     header_bytes: of a request line and headers; request_line_bytes, header_count: of
     these. header_timeout_s: from the first byte of a request, or from the connection,
     to the end of its headers. body_grace_s, rate_min: a body, and an answer that is not
-    read, may take that long and in addition 1 s per `rate_min` bytes. close_s: for a
-    client to read a refusal and to hang up. held_bytes: read ahead of a request that
-    has no answer yet. body_bytes: of a body that operations read.
+    read, may take that long and in addition 1 s per `rate_min` bytes.
+    passed_over_bytes, passed_over_rate_min: the same for the rest of a body that was
+    answered before its end. close_s: for a client to read a refusal and to hang up.
+    held_bytes: read ahead of a request that has no answer yet. body_bytes: of a body
+    that operations read.
 
     connections, per_address: how many at once. bodies_bytes, answers_bytes: held at
     once in bodies larger than `small_body_bytes`, and in answers that are not read.
@@ -48,6 +50,8 @@ class ConnectionLimits:
     keep_alive_s: float = 75.0
     body_grace_s: float = 10.0
     rate_min: int = 2**14
+    passed_over_bytes: int = 2**28
+    passed_over_rate_min: int = 2**18
     close_s: float = 2.0
     held_bytes: int = 2**15
     body_bytes: int = 2**23

@@ -16,6 +16,7 @@ import msgspec
 from starlette.responses import RedirectResponse, Response
 
 from reference_record.pages.page_templates import render_page
+from reference_record.pages.spreadsheet_cells import as_cell
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import LINKS, PageCall
 from reference_server.storage.store import StoreFailed
@@ -39,9 +40,6 @@ _SORTS: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
 }
 # Parts of a score, and what a column of a spreadsheet calls one of them.
 _GROUPS = {"by_task": "task", "by_split": "split"}
-# A cell that begins with one of these would be executed as a formula by a spreadsheet
-# program (CSV injection).
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 def _reversed(text: str) -> list[int]:
@@ -133,7 +131,7 @@ def _csv(ranking: Mapping[str, Any]) -> str:
     more = ("attempts", "published_at", "homepage", "code_url")
     writer.writerow(
         ["rank_low", "rank_high", "letters", "score", "success_rate", "success_low",
-         "success_high", "episodes", *names, *more, "flag", *map(_as_text, columns)]
+         "success_high", "episodes", *names, *more, "flag", *map(as_cell, columns)]
     )  # fmt: skip
     for row in rows:
         entry, rank = row["entry"], row.get("rank") or {}
@@ -149,14 +147,8 @@ def _csv(ranking: Mapping[str, Any]) -> str:
                 for kind, name in groups
             ),
         ]  # fmt: skip
-        writer.writerow([_as_text(value) for value in values])
+        writer.writerow([as_cell(value) for value in values])
     return out.getvalue()
-
-
-def _as_text(value: object) -> object:
-    """A text that a spreadsheet shows, whatever it begins with."""
-    is_formula = isinstance(value, str) and value.startswith(_FORMULA)
-    return f"'{value}" if is_formula else value
 
 
 async def has_leaderboard(api: ApiDocuments, benchmark_id: str) -> bool:

@@ -116,6 +116,8 @@ class _LiveRun:
             stream = api.stream("runs", self._run_id, "events")
             async with aclosing(_events(stream)) as events:
                 await self._render_changes(api, events)
+            # A stream ends early, too, when its token is revoked or its run deleted.
+            await api.get("runs", self._run_id)
             self._is_over = True
         except Problem as problem:
             log.debug("pages of %s end: %s", self._run_id, problem)

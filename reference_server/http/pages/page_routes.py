@@ -270,7 +270,8 @@ class Pages:
         return response
 
     def _login_page(self, request: Request, target: str, problem: str = "") -> Response:
-        secret = login_secret(request) or new_login_secret()
+        # A cookie that came with the request may be one that another site has set.
+        secret = new_login_secret()
         text = render_page(
             "login", LINKS, form_csrf=secret, next=safe_next(target), problem=problem
         )

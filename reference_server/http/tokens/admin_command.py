@@ -34,6 +34,7 @@ from reference_server.http.tokens.token_file import (
 from reference_server.records import admin_seeds
 from reference_server.records.admin_areas import AdminFiles, CannotDo, add_areas
 from reference_server.settings import Settings
+from reference_server.settings.setting_faults import describe_faults
 from reference_server.storage import database_commands
 from reference_server.storage.store import StoreFailed
 
@@ -91,11 +92,7 @@ def _settings() -> Settings:
     try:
         return Settings()
     except ValidationError as error:
-        faults = error.errors(include_url=False)
-        texts = [
-            f"{'.'.join(map(str, fault['loc']))}: {fault['msg']}" for fault in faults
-        ]
-        raise AdminError(f"bad settings: {'; '.join(texts)}") from error
+        raise AdminError(f"bad settings: {describe_faults(error)}") from error
     except SettingsError as error:
         raise AdminError(f"bad settings: {error}") from error
 

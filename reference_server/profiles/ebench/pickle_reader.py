@@ -49,6 +49,10 @@ class BadPickle(ValueError):
     """The body is not a pickle of plain values and arrays; the message says why."""
 
 
+class TooManyValues(BadPickle):
+    """It stands for more values than its reader takes."""
+
+
 class _Name(str):
     """A global of numpy's pattern: a marker only, no object is behind it."""
 
@@ -96,7 +100,7 @@ class _Array:
         self.filled: NDArray[Any] | None = None
 
 
-def read(body: bytes) -> Any:
+def read(body: bytes, values_max: int = VALUES_MAX) -> Any:
     """The value in a pickle of any protocol, tuples as lists.
 
     Dicts, lists, strings, numbers, booleans, None and numpy arrays (boolean, integer or
@@ -104,7 +108,7 @@ def read(body: bytes) -> Any:
     """
     machine = _Machine(len(body))
     try:
-        return _Tree(len(body)).of(machine.run(body))
+        return _Tree(len(body), values_max).of(machine.run(body))
     except BadPickle:
         raise
     except (LookupError, TypeError, ValueError, OverflowError) as error:
@@ -394,15 +398,16 @@ _OPCODES = dict(_opcodes())
 class _Tree:
     """The result, copied: a part that is referenced many times counts many times."""
 
-    def __init__(self, size: int) -> None:
-        self._most = min(VALUES_MAX, VALUES_OF_ANY + VALUES_PER_BYTE * size)
+    def __init__(self, size: int, values_max: int) -> None:
+        self._most = min(values_max, VALUES_OF_ANY + VALUES_PER_BYTE * size)
         self._left = self._most
         self._text_left = TEXT_MAX
 
     def of(self, value: Any, depth: int = 0) -> Any:
         array = value.filled if isinstance(value, _Array) else None
         self._left -= 1 if array is None else max(array.size, 1)
-        _require(self._left >= 0, f"more than {self._most} values")
+        if self._left < 0:
+            raise TooManyValues(f"more than {self._most} values")
         _require(depth <= DEPTH_MAX, "it is nested too deeply, or contains itself")
         if array is not None:
             return array

@@ -34,6 +34,8 @@ from reference_server.profiles.ebench.long_chunks import LongChunk, LongChunks
 from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_requests import (
+    INLINE_BYTES_MAX,
+    INLINE_VALUES_MAX,
     Chunk,
     CreateTask,
     Ready,
@@ -75,7 +77,6 @@ PAGE_HEADERS = {
     "X-Content-Type-Options": "nosniff",
 }
 NO_LIMIT = 2**31 - 1  # of attempts: the largest that `attempt` can show
-PICKLE_INLINE_BYTES = 2**13  # larger ones are read in a thread
 
 Turn: TypeAlias = Mapping[str, Any]
 Work: TypeAlias = Callable[[], Awaitable[Turn]]
@@ -231,7 +232,7 @@ class EbenchHandlers:
     async def reset(self, call: OperationCall) -> Response:
         """EBE-006, EBE-007: each worker's observation; live sessions are taken over."""
         run = await self._run(call)
-        requested = await self._pickle(call)
+        requested = await self._pickle(call, lambda value: value)
         if not isinstance(requested, dict) or not isinstance(
             requested.get("worker_ids"), list
         ):
@@ -271,10 +272,12 @@ class EbenchHandlers:
         Returns also what to call when the answer was sent, or lost.
         """
         run = await self._run(call)
-        body = await self._pickle(call)
+        read = partial(read_chunks, run=run)
+        chunks: dict[str, Chunk] = await self._pickle(call, read)
         run = await self._run(call)  # leases may have ended while the body came
-        chunks = read_chunks(body, run)
-        steps = {i: self._prepare_step(run, i, chunk) for i, chunk in chunks.items()}
+        steps = {
+            i: await self._prepare_step(run, i, chunk) for i, chunk in chunks.items()
+        }
         commands = [s.command for s in steps.values() if s.command is not None]
         refused = await self.service.find_refused(call.account, run.run_id, commands)
         if refused is not None:
@@ -312,15 +315,18 @@ class EbenchHandlers:
 
     # --- what a worker does ---
 
-    def _prepare_step(self, run: Run, worker_id: str, chunk: Chunk) -> _Step:
-        """Decide what a step does for one worker; nothing is executed yet."""
+    async def _prepare_step(self, run: Run, worker_id: str, chunk: Chunk) -> _Step:
+        """Decide what a step does for one worker; nothing is executed yet.
+
+        What changes while a large chunk is converted is noticed by its predict.
+        """
         session = run.workers.get(worker_id)
         if session is None:  # EBE-017: the actions were chosen in an ended session
             return _Step(partial(self._open, run, worker_id))
         if not session.done:  # EBE-010: else the actions are not executed, nor checked
             limit = self.handlers.settings.ebench_max_chunk
             message_conversion.check_length(chunk.actions, limit, chunk.at)
-        digest = chunk.digest()
+        digest = chunk.digest
         long = self.long_chunks.find_repeated(session, digest)
         if long is not None:
             return _Step(partial(self._repeat_long, run, session, long))
@@ -333,10 +339,13 @@ class EbenchHandlers:
         if command is None and session.done and not session.busy:  # EBE-010
             return _Step(partial(self._last_turn, session))
         if command is None:
-            made = message_conversion.read_actions(
-                chunk.actions, run.manifest, partial(_last_command, session), chunk.at
+            seq, last = session.seq + 1, partial(_last_command, session)
+            read = partial(
+                message_conversion.read_actions,
+                *(chunk.actions, run.manifest, last, chunk.at),
             )
-            command = Predict(worker_id, session.session_id, session.seq + 1, made)
+            made = await asyncio.to_thread(read) if chunk.is_large else read()
+            command = Predict(worker_id, session.session_id, seq, made)
             if len(made) > run.manifest["max_chunk"]:
                 return self._prepare_long(run, session, command, chunk, digest)
         return _Step(partial(self._play, run, session, command, digest), command)
@@ -386,7 +395,7 @@ class EbenchHandlers:
     def _is_answered_again(self, chunk: Chunk) -> bool:
         """EBE-029: whether a step that equals the last one repeats it by setting."""
         chosen = self.handlers.settings.ebench_equal_steps
-        return chosen == "answer" or (chosen == "answer_chunks" and chunk.is_varied())
+        return chosen == "answer" or (chosen == "answer_chunks" and chunk.is_varied)
 
     async def _play(
         self, run: Run, session: Session, command: Predict, digest: str
@@ -427,15 +436,17 @@ class EbenchHandlers:
             self.owed_results.notice(run)
         return run
 
-    async def _pickle(self, call: OperationCall) -> Any:
-        """The value in the pickle of the body (EBE-015)."""
+    async def _pickle(self, call: OperationCall, read: Callable[[Any], Any]) -> Any:
+        """`read`, applied to the value in the pickle of the body (EBE-015)."""
         codec.media_type_of(call.request, (PICKLE,))
         limit = self.handlers.settings.max_body_bytes
         body = await request_bodies.read_body(call.request, limit)
         try:
-            if len(body) <= PICKLE_INLINE_BYTES:
-                return pickle_reader.read(body)
-            return await asyncio.to_thread(pickle_reader.read, body)
+            # A few bytes can stand for thousands of values.
+            if len(body) <= INLINE_BYTES_MAX:
+                with contextlib.suppress(pickle_reader.TooManyValues):
+                    return read(pickle_reader.read(body, INLINE_VALUES_MAX))
+            return await asyncio.to_thread(lambda: read(pickle_reader.read(body)))
         except pickle_reader.BadPickle as error:
             raise Refused("malformed_body", f"The pickle: {error}.") from error
 

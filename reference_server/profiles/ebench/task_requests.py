@@ -20,6 +20,9 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 
+_HOMEPAGE = re.compile(r"https?://[!-~]{1,490}")  # as `submit_run` takes it
+# Larger pickles and chunks are worked on in a thread.
+INLINE_BYTES_MAX, INLINE_VALUES_MAX = 2**13, 2**12
 STEPS_MAX = 4096  # of all workers; no setting allows a longer chunk
 
 
@@ -40,7 +43,7 @@ class CreateTask(BaseModel):
         policy = {"name": f"{name} ({self.model_type})" if self.model_type else name}
         if self.submitter_name:
             policy["submitter"] = self.submitter_name
-        if self.submitter_homepage:
+        if _HOMEPAGE.fullmatch(self.submitter_homepage):
             policy["homepage"] = self.submitter_homepage
         return policy
 
@@ -67,18 +70,29 @@ class Workers(BaseModel):
 
 @dataclass(frozen=True, slots=True)
 class Chunk:
-    """A worker's actions as they were sent, and the JSON pointer to each."""
+    """A worker's actions as they were sent, and the JSON pointer to each.
+
+    digest: of the actions, by which a repeated step is recognised (EBE-013). is_varied:
+    whether it has several actions that are not all equal (EBE-029). is_large: whether
+    it takes so long to convert that this is done beside the event loop.
+    """
 
     actions: Sequence[Any]
     at: Sequence[str]
+    digest: str
+    is_varied: bool
+    is_large: bool
 
-    def digest(self) -> str:
-        """Digest of the actions, by which a repeated step is recognised (EBE-013)."""
-        return hashlib.sha256(pickle_writer.write(_plain(self.actions))).hexdigest()
-
-    def is_varied(self) -> bool:
-        """Whether it has several actions that are not all equal (EBE-029)."""
-        return len({pickle_writer.write(_plain(a)) for a in self.actions}) > 1
+    @classmethod
+    def of(cls, actions: Sequence[Any], at: Sequence[str]) -> Chunk:
+        written = [pickle_writer.write(_plain(action)) for action in actions]
+        digest = hashlib.sha256()
+        for text in written:  # a pickle says where it ends
+            digest.update(text)
+        is_large = sum(map(len, written)) > INLINE_BYTES_MAX
+        return cls(
+            actions, at, digest.hexdigest(), len(set(written)) > 1, is_large=is_large
+        )
 
     def translate_refusal(self, verdict: Refuse) -> Refused:
         """The refusal of the converted actions, with pointers into the request."""
@@ -104,7 +118,10 @@ def _plain(value: Any) -> Any:
 
 
 def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
-    """EBE-008: each worker's actions in order, from one step or a list of steps."""
+    """EBE-008: each worker's actions in order, from one step or a list of steps.
+
+    For a large body it takes a second, and so it is called in a thread.
+    """
     steps = body if isinstance(body, list) else [body]
     if len(steps) > STEPS_MAX:
         raise schema_error("", f"must have at most {STEPS_MAX} steps")
@@ -120,7 +137,7 @@ def read_chunks(body: Any, run: Run) -> dict[str, Chunk]:
             at.setdefault(worker_id, []).append(f"{place}/{worker_id}")
     if not actions:
         raise schema_error("", "must name at least one worker")
-    return {i: Chunk(chunk, at[i]) for i, chunk in actions.items()}
+    return {i: Chunk.of(chunk, at[i]) for i, chunk in actions.items()}
 
 
 def read_worker_ids(named: Sequence[Any], run: Run) -> list[str]:

@@ -144,12 +144,12 @@ def abandons_an_episode_whose_worker_is_killed() -> None:
 
 
 @mutant("EBE-017", through=instead_of(EbenchHandlers, "_prepare_step"))
-def executes_actions_of_a_lost_episode(
+async def executes_actions_of_a_lost_episode(
     right: Any, self: EbenchHandlers, run: Run, worker_id: str, chunk: Any
 ) -> Any:
     """A new episode starts with an action chosen in another one."""
     if worker_id in run.workers:
-        return right(self, run, worker_id, chunk)
+        return await right(self, run, worker_id, chunk)
 
     async def work() -> Any:
         turn = await self._open(run, worker_id)
@@ -259,9 +259,9 @@ def executes_part_of_a_refused_step() -> None:
     """A refused step was executed by half of the workers."""
     right = EbenchHandlers._prepare_step
 
-    def wrong(self: EbenchHandlers, *arguments: Any) -> Any:
+    async def wrong(self: EbenchHandlers, *arguments: Any) -> Any:
         try:
-            return right(self, *arguments)
+            return await right(self, *arguments)
         except Refused as refused:
             error = refused
 
@@ -305,10 +305,10 @@ def shares_scores_among_the_workers_of_a_step(right: Any, body: Any, run: Run) -
 
 
 @mutant("EBE-015", through=instead_of(pickle_reader, "read"))
-def accepts_pickles_that_call_functions(right: Any, body: bytes) -> Any:
+def accepts_pickles_that_call_functions(right: Any, body: bytes, *most: int) -> Any:
     """An attack is reported as malformed data."""
     try:
-        return right(body)
+        return right(body, *most)
     except pickle_reader.BadPickle:
         return None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -12,7 +12,11 @@ from pydantic import ValidationError
 from starlette.requests import Request
 
 from reference_server.http import codec
-from reference_server.http.bodies import bounded_parsing, request_bodies
+from reference_server.http.bodies import (
+    bounded_parsing,
+    repeated_members,
+    request_bodies,
+)
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import RunService
 from tests.mutants import Json, instead_of, mutant, put
@@ -24,9 +28,9 @@ def calls_a_malformed_body_an_invalid_request() -> None:
     right = codec.refuse_malformed
 
     @contextmanager
-    def wrong() -> Iterator[None]:
+    def wrong(body: bytes, media_type: str) -> Iterator[None]:
         try:
-            with right():
+            with right(body, media_type):
                 yield
         except Refused as refused:
             if refused.code != "malformed_body":
@@ -104,24 +108,14 @@ def ignores_unknown_members(right: Any, model: Any, data: Any) -> Any:
         raise
 
 
-@mutant("ENC-009")
-def lets_the_first_of_equal_members_count() -> None:
+@mutant("ENC-013", through=instead_of(repeated_members, "refuse_repeated_json"))
+def lets_the_last_of_equal_members_count(_right: Any, body: bytes, _: Any) -> None:
     """A proxy checks other values than the server executes."""
-    right = codec._from_json
 
-    def first(pairs: Iterable[tuple[str, Any]]) -> Json:
-        members: Json = {}
-        for name, value in pairs:
-            members.setdefault(name, value)
-        return members
 
-    def wrong(body: bytes) -> Any:
-        structure = right(body)
-        if any(body.count(name) > 1 for name in (b'"seq"', b'"vector"')):
-            return json.loads(body, object_pairs_hook=first)
-        return structure
-
-    put(codec, "_from_json", wrong)
+@mutant("ENC-014", through=instead_of(repeated_members, "refuse_repeated_msgpack"))
+def lets_the_last_of_equal_keys_count(_right: Any, body: bytes) -> None:
+    """A proxy that reads MessagePack checks other values than the server executes."""
 
 
 @mutant("ENC-010", through=instead_of(codec, "_from_json"))

@@ -201,7 +201,7 @@ def test_every_value_is_converted_or_refused(robot: str, member: Any) -> None:
     for value in PLAIN:
         for relative in (False, True):
             action = good | {"is_rel": relative, member: value}
-            assert Chunk([action], ["/0"]).digest()
+            assert Chunk.of([action], ["/0"]).digest
             try:
                 [found] = convert_actions(action, manifest=manifest, last=last)
             except Refused as error:

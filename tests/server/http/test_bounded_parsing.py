@@ -253,7 +253,7 @@ def test_a_large_right_body_is_read_as_it_is(media_type: str, numbers: int) -> N
 
 
 def test_integers_of_a_large_body_are_read_as_those_of_a_small_one() -> None:
-    text = b'{"session_id":"s","seq":1.0,"seq":2e0,"actions":[{"values":{"a":[-0]}}]}'
+    text = b'{"session_id":"s","seq":2e0,"actions":[{"values":{"a":[-0]}}]}'
     message = asyncio.run(
         read_message(models.Predict, text + b" " * WHOLE_BYTES_MAX, JSON)
     )

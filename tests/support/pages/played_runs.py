@@ -26,7 +26,7 @@ def submit_and_play(
                 "name": EVIL,
                 "version": EVIL,
                 "submitter": EVIL,
-                "homepage": f"javascript:alert(1)//{EVIL}",
+                "homepage": "https://a.example/\"onmouseover='x'<b>",
             },
             "options": {"tasks": tasks},
         }

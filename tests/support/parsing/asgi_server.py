@@ -7,7 +7,8 @@ can be measured.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator, Sequence
+import json
+from collections.abc import Coroutine, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -45,6 +46,22 @@ class AsgiServer:
         body: bytes = b"",
     ) -> int:
         """The status of the answer."""
+        return self._ask(method, path, headers, query, body)[0]
+
+    def json(self, method: str, path: str, headers: Headers) -> Any:
+        return json.loads(self._ask(method, path, headers, b"", b"")[1])
+
+    def run(self, work: Coroutine[Any, Any, Any]) -> None:
+        """Run the loop of the server until the work is done."""
+        self._runner.run(work)
+
+    def start(self, work: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
+        """Begin work that goes on while the loop of the server runs."""
+        return self._runner.get_loop().create_task(work)
+
+    def _ask(
+        self, method: str, path: str, headers: Headers, query: bytes, body: bytes
+    ) -> tuple[int, bytes]:
         scope: Scope = {
             "type": "http",
             "asgi": {"version": "3.0"},
@@ -61,7 +78,7 @@ class AsgiServer:
         }
         return self._runner.run(self._answer(scope, body))
 
-    async def _answer(self, scope: Scope, body: bytes) -> int:
+    async def _answer(self, scope: Scope, body: bytes) -> tuple[int, bytes]:
         sent: list[Message] = []
         left = [{"type": "http.request", "body": body, "more_body": False}]
 
@@ -74,8 +91,7 @@ class AsgiServer:
             sent.append(message)
 
         await self._app(scope, receive, send)
-        status: int = sent[0]["status"]
-        return status
+        return sent[0]["status"], b"".join(part.get("body", b"") for part in sent)
 
 
 @contextmanager

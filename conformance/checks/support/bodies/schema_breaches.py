@@ -45,7 +45,8 @@ def at_bounds(schema: Mapping[str, Any], body: Any, end: Literal["min", "max"]) 
     """Move every free text, number and length to one end of its range."""
     if schema.get("type") in ("integer", "number"):
         return schema.get(f"{end}imum", body)
-    if schema.get("type") == "string" and "maxLength" in schema:
+    is_free = "maxLength" in schema and "pattern" not in schema
+    if schema.get("type") == "string" and is_free:
         return (
             "x" * schema.get("minLength", 0)
             if end == "min"

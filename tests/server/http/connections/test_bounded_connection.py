@@ -306,6 +306,38 @@ def test_large_bodies_together_have_a_bound() -> None:
         assert read_answer(small) == (200, b"900")
 
 
+@pytest.mark.parametrize("path", [b"/body", b"/now"])
+def test_who_sends_on_after_an_answer_reads_it_and_meets_no_reset(path: bytes) -> None:
+    """Uploads side by side, of which some are refused and others answered at once.
+
+    Each looks for its answer when it has sent all. Expect one for each.
+    """
+    limits = {"small_body_bytes": 1000, "bodies_bytes": 2**18, "body_bytes": 2**17}
+    limits |= {"body_grace_s": 0.2, "close_s": 0.05, "passed_over_rate_min": 2**10}
+    size, part = 2**21, b"a" * 2**16
+    with contextlib.ExitStack() as stack:
+        server = stack.enter_context(bounded_server(**limits))
+        uploads = [stack.enter_context(server.connect()) for _ in range(8)]
+        for upload in uploads:
+            upload.sendall(POST.replace(b"/body", path) % size)
+        for number in range(size // len(part)):
+            for upload in uploads:
+                upload.sendall(part)
+            if number < 8:
+                time.sleep(0.05)  # some checks of all deadlines
+        statuses = [status for status, _ in map(read_answer, uploads)]
+    assert set(statuses) <= {200, 503}
+    assert 503 in statuses or path == b"/now"
+
+
+def test_who_sends_nothing_after_a_refusal_is_hung_up_on() -> None:
+    limits = {"small_body_bytes": 1000, "bodies_bytes": 1000, "body_grace_s": 0.05}
+    with bounded_server(**limits) as server, server.connect() as connection:
+        connection.sendall(POST % 5000 + b"a" * 1500)
+        assert read_answer(connection)[0] == 503
+        wait_until(lambda: not server.connections, "it is closed")
+
+
 # --- how many ---
 
 

@@ -12,6 +12,7 @@ import pytest
 from tests.support.pages.page_reader import (
     PageReader,
     elements_of,
+    fields_of,
     inline_code_of,
     links_of,
 )
@@ -173,6 +174,20 @@ def test_forms_of_other_sites_are_refused(server: ReferenceServer) -> None:
     answer = reader.sign_out()
     assert (answer.status_code, answer.headers["location"]) == (303, "/pages/login")
     assert reader.get("/pages").status_code == 303
+
+
+def test_planted_cookies_do_not_outlive_a_sign_in(server: ReferenceServer) -> None:
+    """Cookies of the right form, set by another site. Expect others after each page."""
+    reader = PageReader(server.url)
+    planted = dict.fromkeys(("proctor_login", "proctor_session"), "a" * 43)
+    for name, value in planted.items():
+        reader.client.cookies.set(name, value, "127.0.0.1", "/pages")
+    page = reader.client.get("/pages/login")
+    assert fields_of(page.text)["csrf"] not in planted.values()
+    assert reader.client.cookies["proctor_login"] not in planted.values()
+    assert reader.sign_in(TOKENS["alice"]).status_code == 303
+    assert reader.client.cookies["proctor_session"] not in planted.values()
+    assert "proctor_login" not in reader.client.cookies
 
 
 def test_only_forms_are_read(server: ReferenceServer) -> None:

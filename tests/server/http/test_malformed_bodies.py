@@ -1,0 +1,137 @@
+"""Bodies that cannot be read: the refusal says what they are, and where they break."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import pickle
+import zlib
+from typing import Any
+
+import pytest
+from starlette.requests import Request
+
+from conformance.checks.support.bodies.msgpack_forms import WIDTHS, Twice, pack
+from reference_server.generated import models
+from reference_server.http.bodies.bounded_parsing import WHOLE_BYTES_MAX, read_structure
+from reference_server.http.codec import JSON, MSGPACK, decode, media_type_of
+from reference_server.rules.refusal import Refused
+
+TEXT = b'{"a": 1}'
+
+
+@pytest.mark.parametrize(
+    ("body", "what"),
+    [
+        (b"", "it is empty"),
+        (gzip.compress(TEXT), "compressed with gzip; send it uncompressed"),
+        *((zlib.compress(TEXT, level), "with deflate") for level in (1, 6, 9)),
+        (b"\x28\xb5\x2f\xfd" + TEXT, "compressed with zstd"),
+        (b"\xef\xbb\xbf" + TEXT, "it begins with a byte order mark"),
+        *((TEXT.decode().encode(code), "UTF-16") for code in ("utf-16", "utf-32")),
+        *((pickle.dumps({"a": 1}, protocol), "a pickle") for protocol in (2, 3, 4, 5)),
+        (b"\x81\xa1a\x01", "it is MessagePack, not JSON"),
+        (b"a=1&b=2", "it is a form, not JSON"),
+        (b" <html>", "it is HTML or XML, not JSON"),
+        (
+            b'{"a": "\\ud800"}',
+            r"a text has \\ud800, half of a surrogate pair, at byte 7",
+        ),
+        (b'{"a": "\\udc00x"}', r"has \\udc00, half of a surrogate pair"),
+        (b'{"a": "\\ud83d\\ude00 \\uD800"}', r"has \\uD800, half .* at byte 20"),
+        (b'{"a": "\\\\\\ud800"}', r"has \\ud800, half of a surrogate pair, at byte 9"),
+        (b'{"a": "\xff"}', "not UTF-8 .*0xff"),
+        (b'{"a": NaN}', r"NaN is not a number of JSON \(byte 6\)"),
+        (b"[Infinity]", "Infinity is not a number of JSON"),
+        (b'{"a": 1', "it ends too early"),
+        (b'{"a": "[NaN", x', r"\(byte 14\)"),
+        (b'{"a": "\\\\ud800', "it ends too early"),
+        (b"{'a': 1}", "object keys must be strings"),
+        (b'{"a": 1,}', "trailing comma in object"),
+    ],
+)
+def test_json_that_is_something_else_is_called_that(body: bytes, what: str) -> None:
+    with pytest.raises(Refused, match=f"^The body is malformed: .*{what}") as caught:
+        decode(body, JSON)
+    assert caught.value.code == "malformed_body"
+
+
+@pytest.mark.parametrize(
+    ("body", "what"),
+    [
+        (b"", "it is empty"),
+        (TEXT, "it is JSON, not MessagePack"),
+        (gzip.compress(TEXT), "compressed with gzip"),
+        (pickle.dumps({"a": 1}), "it is a pickle"),
+        (b"\x81\xa1a", "it ends too early"),
+        (b"\xa1\xff", "not UTF-8"),
+    ],
+)
+def test_messagepack_that_is_something_else_is_called_that(
+    body: bytes, what: str
+) -> None:
+    with pytest.raises(Refused, match=f"^The body is malformed: .*{what}"):
+        decode(body, MSGPACK)
+
+
+@pytest.mark.parametrize("coding", ["gzip", "x-gzip", "br", "deflate", "zstd", "GZIP"])
+def test_a_coding_of_the_body_is_refused_by_name(coding: str) -> None:
+    def request_with(coding: str) -> Request:
+        headers = [(b"content-type", JSON.encode())]
+        headers.append((b"content-encoding", coding.encode()))
+        return Request({"type": "http", "headers": headers})
+
+    with pytest.raises(Refused, match=f"{coding.lower()} is not supported: send the"):
+        media_type_of(request_with(coding), (JSON,))
+    for passed_over in ("identity", "utf-8", ""):
+        assert media_type_of(request_with(passed_over), (JSON,)) == JSON
+
+
+def action_with(values: dict[str, Any], **more: Any) -> dict[str, Any]:
+    return {"values": values, **more}
+
+
+SESSION = {"session_id": "a:b", "seq": 1}
+# Where a name stands twice, and a body in which it does.
+REPEATED: dict[str, Any] = {
+    "at the top": {**SESSION, "actions": [action_with({})], Twice("seq"): 1},
+    "a list": {Twice("actions"): [], **SESSION, "actions": [action_with({})]},
+    "in an action": {
+        **SESSION,
+        "actions": [action_with({}), {Twice("values"): {}, **action_with({})}],
+    },
+    "in a map": {**SESSION, "actions": [action_with({"a": [0.5], Twice("a"): [0.5]})]},
+}
+
+
+@pytest.mark.parametrize("size", [1, WHOLE_BYTES_MAX])
+@pytest.mark.parametrize("where", REPEATED)
+def test_a_member_that_stands_twice_is_refused(where: str, size: int) -> None:
+    """ENC-013, ENC-014: in a small body, and in a large one, which is read by parts.
+
+    The control is the same body with another name in the place of one.
+    """
+    wrong = dict(REPEATED[where])
+    large = action_with({"large": [0.5] * min(size, 4000), "b": [0.5] * (size % 4000)})
+    wrong["actions"] = [*wrong["actions"], large]
+    right = {name: value for name, value in wrong.items() if type(name) is str}
+    right["actions"] = [action_with({"a": [0.5]}), large]
+    bodies = [(JSON, json.dumps(wrong).encode(), json.dumps(right).encode())]
+    for width in WIDTHS:
+        packed = [pack(body, width, is_signed=False) for body in (wrong, right)]
+        bodies.append((MSGPACK, packed[0], packed[1]))
+    for media_type, body, control in bodies:
+        assert (len(control) > WHOLE_BYTES_MAX) is (size > 1)
+        assert read_structure(models.Predict, control, media_type) == right
+        with pytest.raises(Refused, match="stands twice") as caught:
+            read_structure(models.Predict, body, media_type)
+        assert caught.value.code == "malformed_body"
+
+
+def test_a_short_json_body_names_the_member() -> None:
+    for body in (
+        b'{"seq": 1, "\\u0073eq": 1}',
+        b'{"a:": "::", "b": [{"seq":1,"seq":2}]}',
+    ):
+        with pytest.raises(Refused, match="the member 'seq' stands twice in an object"):
+            read_structure(models.Predict, body, JSON)
