@@ -147,8 +147,24 @@ def how_to_resume(run_id: str, *, takeover: bool = False) -> str:
     return f'evaluate(..., run_id="{run_id}"{more}) continues it'
 
 
-def from_failure(error: Exception, url: str) -> ProctorError:
-    """The ProctorError for the error of a request to the server at `url`."""
+def from_failure(
+    error: Exception, url: str, control_url: str | None = None
+) -> ProctorError:
+    """The ProctorError for the error of a request to the server at `url`.
+
+    control_url: that of the server that named `url` as the endpoint of a run.
+    """
+    failure = _from_failure(error, url)
+    misled = failure.code in (UNREACHABLE, BAD_ANSWER, NOT_TRUSTED, "not_found")
+    if misled and control_url not in (None, url):
+        return failure.explained(
+            f"{url} is the endpoint of the run, which {control_url} has named. If "
+            "clients reach the server elsewhere, its operator sets --public-url."
+        )
+    return failure
+
+
+def _from_failure(error: Exception, url: str) -> ProctorError:
     route = _route_to(url)
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url, route)

@@ -364,20 +364,12 @@ def _url(host: str, port: int) -> str:
 
 def _startup_message(settings: Settings, port: int, secret: str | None) -> str:
     url = _url(settings.host, port)
-    lines = [f"Proctor is listening at {url}"]
+    lines = [f"Proctor listens at {url}"]
     if secret is not None:
-        path = settings.token_path
-        kept = "" if path is None else f"  (kept in {path.absolute()})"
-        lines += [
-            f"token: {secret}{kept}",
-            "try:",
-            f"  curl -H 'Authorization: Bearer {secret}' {url}/v1/benchmarks",
-            "certify:",
-            f"  make conformance URL={url} TOKEN={secret}",
-        ]
+        lines += made_token.startup_lines(secret, settings.token_path, url)
     if settings.pages == "on":
         lines.append(f"pages: {url}/pages")
-    lines.append(f"benchmarks: {', '.join(benchmark_registry.benchmark_ids())}")
+    lines += ["benchmarks:", *map("  {}".format, benchmark_registry.benchmark_ids())]
     if settings.enabled_profiles:
         lines.append(f"profiles: {', '.join(settings.enabled_profiles)}")
     if "://" not in settings.database:  # a URL may have a password

@@ -12,6 +12,7 @@ from typing import Any
 
 from conformance.client.calibration_actions import ACTION_SIZES
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.proxy_answers import find_dropping_proxy
 from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
@@ -100,6 +101,17 @@ class EBenchRun:
                 f"`status`: unexpected response: {describe_answer(answer)}"
             )
         return SetUpBody(answer.json["data"])
+
+
+def require_header_passed_on(answer: Answer) -> None:
+    """Raise if the header `run_id` of a request may not have reached the server."""
+    proxy = find_dropping_proxy(answer.headers)
+    if proxy is not None and answer.code != "not_found":
+        raise SetUpFailed(
+            f"{proxy}, in front of the server, drops headers with an underscore, such "
+            "as run_id; set underscores_in_headers on there",
+            allowed=True,
+        )
 
 
 def name_run(ebench_run: EBenchRun) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from conformance.client.connections.failure_texts import (
     describe_failure,
     describe_other_answer,
 )
-from conformance.client.http_client import HttpClient
+from conformance.client.http_client import AnsweredByProxy, HttpClient
 from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedContext
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
@@ -213,5 +213,29 @@ def _require_submit_allowed(context: CheckContext) -> None:
     if answer.status == 201 and isinstance(answer.json, dict):
         run_id = str(answer.json.get("run_id", ""))
         if run_id:
+            _require_endpoint(context.http_client, answer.json.get("endpoint"), run_id)
             path = f"/v1/runs/{run_id}/stop"
             _request(context.http_client, "POST", path, json={"mode": "abort"})
+
+
+def _require_endpoint(http_client: HttpClient, endpoint: object, run_id: str) -> None:
+    """Raise if a proxy answers at the endpoint of runs: no rule could be judged there.
+
+    Any other wrong endpoint is a violation of RUN-016, which its own check judges.
+    """
+    if not str(endpoint).startswith(("http://", "https://")):
+        return
+    path = f"/v1/runs/{run_id}/workers/preflight/heartbeat"
+    url = str(endpoint).rstrip("/") + path
+    body = {"session_id": "preflight"}
+    try:
+        http_client.request("POST", url, json=body, timeout_s=_TIMEOUT_S)
+    except AnsweredByProxy as error:
+        raise CannotJudge(
+            f"runs have the endpoint {endpoint}, which does not lead to the server at "
+            f"{http_client.base_url}: {error.reason}. Start the server with that URL "
+            "as its public URL (--public-url of the reference server), or let the "
+            "proxy send the path as X-Forwarded-Prefix"
+        ) from error
+    except Violation:  # no answer
+        return

@@ -120,7 +120,8 @@ class EvaluationRounds:
             for thread in threads:
                 thread.start()
             while any(thread.is_alive() for thread in threads):
-                if self.board.wait(POLL_INTERVAL_S):
+                has_changed = self.board.wait(POLL_INTERVAL_S)
+                if has_changed or self.board.waiting() != self._so_far.waiting:
                     self._report(scored=self.board.pop_scored())
                 self._say_notes()
         finally:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import shutil
 import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import TextIO
@@ -55,6 +56,9 @@ class TurnSnapshot:
     actions: Sequence[WireAction] = ()
 
 
+SLOW_S = 5  # a turn is waited for so long before somebody says so
+
+
 class StatusBoard:
     """Collects the reports of worker threads for the thread that watches them."""
 
@@ -62,6 +66,7 @@ class StatusBoard:
         self._lock = threading.Lock()
         self._changed = threading.Event()
         self._waiting: dict[str, str] = {}
+        self._begun: dict[str, tuple[str, float]] = {}
         self._scored = False
         self._notes: list[str] = []
         self._is_warned = False
@@ -82,6 +87,10 @@ class StatusBoard:
             self._changed.set()
 
         return report_waiting
+
+    def begin(self, source: str, what: str) -> None:
+        """`source` waits for `what` from now on; shown only if that takes long."""
+        self._begun[source] = what, time.monotonic()
 
     def on_scored(self) -> None:
         """An episode has a score."""
@@ -124,6 +133,10 @@ class StatusBoard:
     def on_turn(self, snapshot: TurnSnapshot) -> None:
         """A turn was answered. A hook for subclasses."""
 
+    def end(self, source: str) -> None:
+        """`source` waits for nothing any more."""
+        self._begun.pop(source, None)
+
     def wake(self) -> None:
         """Make `wait` return."""
         self._changed.set()
@@ -143,9 +156,18 @@ class StatusBoard:
     def waiting(self) -> str | None:
         """A source that waits, with the thing that it waits for; None if none waits."""
         with self._lock:
-            return next(
-                (f"{source}: {what}" for source, what in self._waiting.items()), None
-            )
+            reported = [*self._waiting.items()]
+        for source, what in [*reported, *self._long_waits()]:
+            return f"{source}: {what}"
+        return None
+
+    def _long_waits(self) -> Iterator[tuple[str, str]]:
+        """Those of SLOW_S and more, by their doublings: a text that seldom changes."""
+        now = time.monotonic()
+        for source, (what, since) in [*self._begun.items()]:
+            if (waited_s := now - since) >= SLOW_S:
+                doublings = int(math.log2(waited_s / SLOW_S))
+                yield source, f"waits for {what} ({SLOW_S * 2**doublings} s so far)"
 
 
 def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:

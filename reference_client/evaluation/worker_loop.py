@@ -92,6 +92,7 @@ class WorkerLoop:
             else:
                 return
             finally:
+                self._board.end(self.worker_id)
                 self.leave_session()
             self._retry_policy.pause(0.05 * (2**empty_sessions - 1))
 
@@ -114,6 +115,7 @@ class WorkerLoop:
             self._board.on_left(left)
 
     def _attach(self) -> Session:
+        self._board.begin(self.worker_id, "the server, which begins an episode")
         self._session = Session.attach(
             self._slot,
             self._retry_policy,
@@ -134,6 +136,7 @@ class WorkerLoop:
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:
             while not turn.done and self._is_wanted(turn):
+                self._board.begin(self.worker_id, "the policy, which computes actions")
                 began_at = time.perf_counter()
                 with heartbeat.keep_alive():
                     observation = observation_of(turn)
@@ -142,6 +145,9 @@ class WorkerLoop:
                     is_new = False
                     actions = chunk_of(self._policy.act(observation), self._layout)
                 thought_at = time.perf_counter()
+                self._board.begin(
+                    self.worker_id, f"the server, which executes turn {turn.seq + 1}"
+                )
                 turn = self._predict(session, actions)
                 self._board.on_turn(
                     TurnSnapshot(

@@ -13,6 +13,7 @@ import queue
 import signal
 import sys
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, TextIO
@@ -35,6 +36,7 @@ from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
 
 # Time for a request or `act` in progress, after the end of the orders.
 STOP_TIMEOUT_S = 4.0
+WATCH_S = 1.0
 
 
 class ReportingBoard(StatusBoard):
@@ -43,7 +45,8 @@ class ReportingBoard(StatusBoard):
     def __init__(self, stream: TextIO) -> None:
         super().__init__()
         self._stream = stream
-        self._writing = threading.Lock()
+        self._writing, self._reporting = threading.Lock(), threading.Lock()
+        self._reported: str | None = None
         self.latest = LatestTurn()
 
     def report(self, kind: str, **members: Any) -> None:
@@ -52,7 +55,29 @@ class ReportingBoard(StatusBoard):
             self._stream.flush()
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
-        return lambda what: self.report("waiting", what=what)
+        report_waiting = super().waiting_reporter(source)
+
+        def report(what: str | None) -> None:
+            report_waiting(what)
+            self.report_waiting()
+
+        return report
+
+    def report_waiting(self) -> None:
+        """Report what the worker waits for, if that has changed."""
+        with self._reporting:
+            waiting = self.waiting()
+            if waiting != self._reported:
+                self._reported = waiting
+                # The parent knows by the process which worker it is.
+                what = None if waiting is None else waiting.partition(": ")[2]
+                self.report("waiting", what=what)
+
+    def watch(self) -> None:
+        """Report long waits, in a thread of its own, to the end of the process."""
+        while True:
+            time.sleep(WATCH_S)
+            self.report_waiting()
 
     def on_scored(self) -> None:
         self.report("scored")
@@ -140,6 +165,7 @@ def main() -> int:
         reporter.failed(error)
         return 1
     reporter.report("ready")
+    threading.Thread(target=reporter.watch, daemon=True).start()
     order_receiver = OrderReceiver(sys.stdin, reporter)
     while (order := order_receiver.next_order()) is not None:
         try:

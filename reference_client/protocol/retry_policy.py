@@ -14,7 +14,7 @@ import random
 import threading
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import msgspec
@@ -47,12 +47,18 @@ class RetryPolicy:
 
     total_s: limit for failures with the same code. stop: ends every wait immediately.
     report_waiting: called with the reason of a wait, and with None when it is over.
+    control_url: where `url` is the endpoint of a run, the server that named it.
     """
 
     url: str
     total_s: float
     stop: threading.Event
     report_waiting: Callable[[str | None], None]
+    control_url: str | None = None
+
+    def at_endpoint(self, endpoint: str) -> RetryPolicy:
+        """The same for requests to the data plane of a run."""
+        return replace(self, url=endpoint.rstrip("/"), control_url=self.url)
 
     def call(
         self, send: Callable[[], Answer], *, limits_s: Mapping[str, float] = _NO_LIMITS
@@ -70,7 +76,7 @@ class RetryPolicy:
             try:
                 answer = send()
             except FAILURES as failure:
-                error = from_failure(failure, self.url)
+                error = from_failure(failure, self.url, self.control_url)
                 if last_error is None or last_error.code != error.code:
                     since, pause_s = time.monotonic(), FIRST_PAUSE_S
                 wait_s = _wait_s(error, pause_s)

@@ -90,6 +90,7 @@ class Session:
             player=slot.player,
         )
         run = slot.run
+        retry_policy = retry_policy.at_endpoint(run.endpoint)
         turn = retry_policy.call(
             lambda: slot.data.attach_worker(run.run_id, slot.worker_id, request),
             limits_s={"worker_busy": run.idle_timeout_s + MARGIN_S},

@@ -23,8 +23,8 @@ from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.bodies import request_bodies
 from reference_server.http.codec import JSON, MSGPACK
 from reference_server.http.connections.connection_limits import HEADER_BYTES
+from reference_server.http.connections.forwarded_urls import base_url_of
 from reference_server.http.dispatch import (
-    ANY_HOST,
     VERSION_MAX,
     VERSION_MIN,
     Operation,
@@ -445,12 +445,10 @@ class Handlers:
 
         CLU-002: of several nodes, the one address that clients are given.
         """
-        base = self.settings.public_url
-        if not base:
-            if host := call.request.headers.get("host"):
-                ANY_HOST.check(host)
-            base = str(call.request.base_url)
-        return base.rstrip("/")
+        settings = self.settings
+        if settings.public_url:
+            return settings.public_url.rstrip("/")
+        return base_url_of(call.request, settings.trusted_proxies)
 
 
 class _Download(StreamingResponse):

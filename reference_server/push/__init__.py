@@ -1,4 +1,4 @@
-"""Push runs: this server calls the policy (profile `push`, docs/evaluate/policies/push.md).
+"""Push runs: the server calls the policy (`push`, docs/evaluate/policies/push.md).
 
 `driver` plays each run as workers would. `policy_calls` is the protocol of
 spec/policy.yaml, `chat_calls` that of chat completions; both send their calls through

@@ -11,7 +11,7 @@ import asyncio
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 from reference_record.formats.opened_seeds import (
     OpenedEpisode,
@@ -20,10 +20,11 @@ from reference_record.formats.opened_seeds import (
 )
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.admin_areas import AdminFiles, CannotDo, opened_store
-from reference_server.rules.manifest import Manifest, is_sealed, salt_of, seal
+from reference_server.rules.manifest import is_sealed
 from reference_server.rules.run import RunHead
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
+from reference_sim.sealed_seeds import salt_of, seal
 
 
 def add_area(areas: Any) -> None:
@@ -110,8 +111,7 @@ def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
             f"run {head.run_id}: {benchmark_id} is not offered here, or not with its "
             "options (setting benchmarks)"
         ) from error
-    manifest = cast("Manifest", resolved.manifest)
-    whole = seal(manifest, secret, resolved.seed_block, resolved.seed_max)
+    whole = seal(resolved.manifest, secret, resolved.seed_block, resolved.seed_max)
     opened = OpenedSeeds(
         commitment,
         salt_of(secret, benchmark_id).hex(),

@@ -1,23 +1,17 @@
-"""The members of a manifest and of a submission that the server reads; sealed seeds.
+"""The members of a manifest and of a submission that the server reads.
 
 Both are the spec's schemas Benchmark and SubmitRun as plain data. A manifest is hashed
 as it is, so members that are not named here stay in it. A submission is validated by
 the generated models before it gets this type.
 
-A benchmark declares `sealed_splits`, with seeds that are public. A host plays other
-ones in these splits: they follow from its secret, are the same in every run and after a
-restart, and cannot be computed from anything that is shown. The hashed manifest
-contains a commitment to them and not the seeds.
+A benchmark declares `sealed_splits`. A host plays secret seeds in them, which
+`reference_sim/sealed_seeds.py` draws, and shows a commitment to them instead.
 """
 
 from __future__ import annotations
 
-import hashlib
-import hmac
-import json
 from collections.abc import Mapping, Sequence
-from functools import cache
-from typing import Any, Literal, NotRequired, TypedDict, cast
+from typing import Any, Literal, NotRequired, TypedDict
 
 
 class VectorSpace(TypedDict):
@@ -84,46 +78,6 @@ def is_sealed(manifest: Mapping[str, Any], split: str) -> bool:
     return split in manifest.get("sealed_splits", ())
 
 
-def seal(manifest: Manifest, secret: bytes, block: int, seed_max: int) -> Manifest:
-    """SEAL-003, SEAL-004: the manifest with secret seeds in its sealed splits.
-
-    block: seeds stay together in blocks of so many, each at its place; 1 if they are
-    independent. seed_max: the largest seed of the simulator. Equal seeds of a split
-    stay equal, so that tasks stay paired.
-    """
-    if not manifest.get("sealed_splits"):
-        return manifest
-    benchmark_id = manifest["benchmark_id"]
-    blocks = (seed_max + 1) // block
-
-    @cache  # tasks are paired: most blocks are of several episodes
-    def draw_block(split: str, number: int) -> int:
-        drawn = _derive(secret, "seed", benchmark_id, split, number)
-        return int.from_bytes(drawn) % blocks * block
-
-    def draw(split: str, seed: int) -> int:
-        number, place = divmod(seed, block)
-        return draw_block(split, number) + place
-
-    episodes: list[Mapping[str, Any]] = []
-    seeds: list[int] = []
-    for episode in manifest["episodes"]:
-        if is_sealed(manifest, episode["split"]):
-            seeds.append(draw(episode["split"], episode["seed"]))
-            episodes.append({**episode, "seed": seeds[-1]})
-        else:
-            episodes.append(episode)
-    salt = salt_of(secret, benchmark_id)
-    commitment = hashlib.sha256(salt + json.dumps(seeds).encode()).hexdigest()
-    sealed = {**manifest, "episodes": episodes, "seeds_sha256": commitment}
-    return cast("Manifest", sealed)
-
-
-def salt_of(secret: bytes, benchmark_id: str) -> bytes:
-    """The salt of the commitment to a benchmark's seeds; a host opens both together."""
-    return _derive(secret, "salt", benchmark_id)
-
-
 def without_sealed_seeds(manifest: Mapping[str, Any]) -> Mapping[str, Any]:
     """The manifest as it may be shown: episodes of sealed splits have no seed."""
     if not manifest.get("sealed_splits"):
@@ -135,8 +89,3 @@ def without_sealed_seeds(manifest: Mapping[str, Any]) -> Mapping[str, Any]:
         for episode in manifest["episodes"]
     ]
     return {**manifest, "episodes": episodes}
-
-
-def _derive(secret: bytes, *purpose: str | int) -> bytes:
-    """Bytes that only the secret gives for this purpose."""
-    return hmac.digest(secret, json.dumps(purpose).encode(), "sha256")

@@ -21,13 +21,13 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import (
     Manifest,
     Submission,
-    seal,
     without_sealed_seeds,
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
+from reference_sim.sealed_seeds import seal
 
 CACHED_CONFIGS_MAX = 256
 
@@ -195,8 +195,10 @@ class SimulatorConfigs:
 def _sealed_manifest(
     resolved: benchmark_registry.ResolvedBenchmark, seed_secret: SeedSecret
 ) -> Manifest:
-    manifest = cast("Manifest", resolved.manifest)  # schema Benchmark
-    return seal(manifest, seed_secret.value, resolved.seed_block, resolved.seed_max)
+    sealed = seal(
+        resolved.manifest, seed_secret.value, resolved.seed_block, resolved.seed_max
+    )
+    return cast("Manifest", sealed)  # schema Benchmark
 
 
 def _simulator_config(

@@ -57,6 +57,10 @@ from reference_sim.process.pool import (
 
 log = logging.getLogger("proctor.sessions")
 
+# How long a session waits after each beginning in a row that failed, the last one from
+# then on: what broke may be away for seconds, in which all would fail without pauses.
+BEGIN_PAUSES_S = (0.5, 1.5, 4.0, 10.0)
+LOOK_S = 0.25
 # Errors that end an attempt through no fault of the policy; the episode begins again.
 _FAULTS = (SimulatorFault, TaskUnplayable, RecordingFailed)
 
@@ -228,6 +232,7 @@ class SessionExecutor(RunFollower):
             return await self._begin_turn(resources, started)
         try:
             with span("simulator observes") as observed:
+                resources.wait.begin("the simulator, which observes")
                 _name_session(observed, resources)
                 observation = await resources.handle.observe()
         except SimulatorFault as error:  # it died between two turns
@@ -249,6 +254,7 @@ class SessionExecutor(RunFollower):
         actions = action_space.clip_actions(command.actions, run.manifest)
         try:
             with span("simulator plays") as playing:
+                resources.wait.begin(f"the simulator, which plays turn {seq}")
                 _name_session(playing, resources)
                 played = await resources.handle.play(
                     actions,
@@ -258,6 +264,7 @@ class SessionExecutor(RunFollower):
                 )
                 _add_times(playing, played.timing, played.executed)
             now_wall, executed = time.time(), played.executed
+            resources.wait.end()
             COUNTERS.steps += executed
             COUNTERS.simulate_s += played.timing.simulate_s
             clipped = action_space.count_clipped(command.actions, actions, executed)
@@ -275,6 +282,7 @@ class SessionExecutor(RunFollower):
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
         if ended is not None:
             # The result is on disk before any response shows it (CRASH-001).
+            resources.wait.begin("the database, which stores a result")
             await self._writer.commit(run)
             self._ensure_live(resources)
             observation = None
@@ -321,8 +329,10 @@ class SessionExecutor(RunFollower):
 
         Returns the beginning and the seconds spent waiting for a simulator.
         """
-        run, queue_s = resources.run, 0.0
+        run, queue_s, failed = resources.run, 0.0, 0
         while True:
+            if failed:
+                queue_s += await self._pause(resources, failed)
             episode = resources.session.episode
             assert episode is not None
             try:
@@ -331,6 +341,9 @@ class SessionExecutor(RunFollower):
                 assert resources.handle is not None
                 plan = await self._plan_recording(resources)
                 with span("simulator begins") as starting:
+                    resources.wait.begin(
+                        f"the simulator, which begins {episode.episode_id}"
+                    )
                     _name_session(starting, resources)
                     beginning = await resources.handle.begin(
                         episode.task,
@@ -344,10 +357,24 @@ class SessionExecutor(RunFollower):
                     _add_times(starting, beginning.timing)
             except _FAULTS as error:
                 await self._fault(resources, error)
+                failed += 1
                 continue
             self._ensure_live(resources)
             resources.session.instruction = beginning.instruction
             return beginning, queue_s
+
+    async def _pause(self, resources: SessionResources, failed: int) -> float:
+        """Give a simulator that cannot begin time to come back; returns the seconds.
+
+        failed: beginnings in a row. Refused as soon as the session has ended.
+        """
+        pause_s = BEGIN_PAUSES_S[min(failed, len(BEGIN_PAUSES_S)) - 1]
+        resources.wait.begin(f"another beginning, after {failed} that failed")
+        until = time.monotonic() + pause_s
+        while (left_s := until - time.monotonic()) > 0:
+            await asyncio.sleep(min(left_s, LOOK_S))
+            self._ensure_live(resources)
+        return pause_s
 
     async def _plan_recording(
         self, resources: SessionResources
@@ -376,6 +403,7 @@ class SessionExecutor(RunFollower):
         if self._recordings is None or episode is None:
             return
         result = effects.result_of(session, played, now_wall, clipped)
+        resources.wait.begin("the recording, which is written")
         try:
             with span("finish recording"):
                 recording = await self._recordings.finish(
@@ -456,6 +484,8 @@ class SessionExecutor(RunFollower):
             raise Refused(
                 "internal_error", "The turn could not be carried out."
             ) from error
+        finally:
+            resources.wait.end()
 
     def _abort(self, resources: SessionResources) -> None:
         """End a session whose work failed by no fault of its policy."""

@@ -12,7 +12,7 @@ import contextvars
 import time
 import weakref
 from collections.abc import Awaitable, Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import msgspec
@@ -25,6 +25,7 @@ from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.run_log import log_left
+from reference_server.runs.slow_waits import Wait, WaitLog
 from reference_server.telemetry.spans import span
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
@@ -42,8 +43,9 @@ class SessionResources:
     held_run: the run, until then. handle: its simulator, while it plays an episode.
     acquiring: it is about to get one. task: the work in execution, or the last one.
     fault: what broke in the turn in execution, schema Fault. think_s: of the policy,
-    before the turn in execution. recorded: index and attempt of what it plays, if that
-    is recorded. packed: the last turn and its request, while the run is not in memory.
+    before the turn in execution. wait: what the work in execution waits for.
+    recorded: index and attempt of what it plays, if that is recorded. packed: the last
+    turn and its request, while the run is not in memory.
     """
 
     run_id: str
@@ -56,8 +58,12 @@ class SessionResources:
     timer: asyncio.TimerHandle | None = None
     fault: dict[str, Any] | None = None
     think_s: float = 0.0
+    wait: Wait = field(init=False)
     recorded: tuple[int, int] | None = None
     packed: bytes | None = None
+
+    def __post_init__(self) -> None:
+        self.wait = Wait(self.run_id, self.session.worker_id)
 
     @property
     def run(self) -> Run:
@@ -134,6 +140,10 @@ class ResourceManager:
         self._done: dict[str, list[SessionResources]] = {}
         self._done_timer: asyncio.TimerHandle | None = None
         self._configs = SimulatorConfigs(seed_secret)
+        self._wait_log = WaitLog(self._waits)
+
+    def _waits(self) -> list[Wait]:
+        return [resources.wait for resources in self._by_session.values()]
 
     def __len__(self) -> int:
         return len(self._by_session)
@@ -155,6 +165,7 @@ class ResourceManager:
             resources.handle, resources.recorded = left.handle, left.recorded
         self._by_session[session] = resources
         self._schedule_lease_check(resources)
+        self._wait_log.start()
         return resources
 
     def let_run_go(self, session: Session) -> None:
@@ -233,6 +244,8 @@ class ResourceManager:
             if of_run is not None:
                 of_run.record_end(session, "unknown")
         self.release_sessions(sessions)
+        if not self._by_session:
+            self._wait_log.stop()
 
     async def acquire_simulator(self, resources: SessionResources) -> float:
         """Lend the session a simulator for its run, unless it has one.
@@ -247,6 +260,7 @@ class ResourceManager:
         if self._pool.is_full_for(config):
             self._take_from_others(resources, config)
         resources.acquiring = True
+        resources.wait.begin("a simulator, which is started")
         try:
             with span("wait for simulator"):
                 resources.handle = await self._pool.acquire(config)

@@ -1,4 +1,4 @@
-"""The list of networks that an operator allows, parsed: setting and egress share it.
+"""A list of networks that an operator allows or trusts, parsed.
 
 Pure: the standard library's address types and nothing else, so that the settings can
 validate a list without importing what opens connections.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import BaseModel, Field, field_validator
 
 from reference_server.settings.allowed_hosts import AllowedHosts
+from reference_server.settings.allowed_networks import AllowedNetworks
 
 
 class NetworkSettings(BaseModel):
@@ -19,6 +20,12 @@ class NetworkSettings(BaseModel):
         pattern=r"^(https?://\S+)?$",
         description="Base URL at which clients reach this server, used in "
         "run.endpoint. If empty, it is taken from each request.",
+    )
+    trusted_proxies: str = Field(
+        "127.0.0.1,::1",
+        description="Networks of the proxies whose headers X-Forwarded-Prefix and "
+        "X-Forwarded-Proto are used in run.endpoint, comma-separated; all trusts every "
+        "client. Of no effect with public_url.",
     )
     allowed_hosts: str = Field(
         "",
@@ -69,6 +76,12 @@ class NetworkSettings(BaseModel):
     @classmethod
     def _check_hosts(cls, text: str) -> str:
         AllowedHosts.parse(text)  # raises ValueError
+        return text
+
+    @field_validator("trusted_proxies")
+    @classmethod
+    def _check_proxies(cls, text: str) -> str:
+        AllowedNetworks.parse(text)  # raises ValueError
         return text
 
     @property

@@ -112,7 +112,14 @@ def _problems(connection: sa.Connection) -> list[str]:
 
 def back_up(url: str, args: argparse.Namespace) -> None:
     """Write a copy of one moment to a file that only its owner may read."""
-    database, path = Database(url), Path(args.file)
+    path = Path(args.file)
+    copy_database(url, path)
+    print(f"{path}: {path.stat().st_size} bytes")
+
+
+def copy_database(url: str, path: Path) -> None:
+    """The same without a word. Raises StoreFailed; then there is no file."""
+    database = Database(url)
     try:
         if database.is_postgresql:
             _make(path, lambda: _dump_postgresql(database.url, path))
@@ -123,7 +130,6 @@ def back_up(url: str, args: argparse.Namespace) -> None:
             _make(path, lambda: _copy_sqlite(source, path))
     finally:
         asyncio.run(database.close())
-    print(f"{path}: {path.stat().st_size} bytes")
 
 
 def _make(path: Path, write: Callable[[], None]) -> None:

@@ -54,7 +54,8 @@ class Wanted:
 def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
     """A file for each episode and camera. Raises UnusableRecord, OSError.
 
-    The answer has `files`, and in `refused` the episodes that left the record.
+    The answer has `files`, in `refused` the episodes that left the record, and in
+    `left_out` those that cannot be simulated here.
     """
     files: list[dict[str, Any]] = []
     refused: list[dict[str, Any]] = []
@@ -62,9 +63,9 @@ def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
         ProgressBar("drawing") as bar,
         simulation(source, job, bar.say, draws=True) as replayed,
     ):
+        left_out = replayed.left_out(job)
+        replayed.say_left_out(left_out, job)
         lines = replayed.lines(job)
-        if job.failures and (sealed := replayed.sealed_failures()):
-            bar.say(f"{sealed} episodes that failed have the secret seeds of the host")
         if not lines:
             bar.say("no failed episode can be simulated: there is nothing to draw")
         plan = [(line, _wanted(replayed, line, job)) for line in lines]
@@ -80,7 +81,7 @@ def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
             files += [_finish(source, video, line, replay, drawn) for video in wanted]
         if refused:
             bar.say("no video is kept of what left the record; --anyway keeps it")
-    return {"files": files, "refused": refused}
+    return {"files": files, "refused": refused, "left_out": left_out}
 
 
 def _wanted(replayed: Simulation, line: EpisodeLine, job: Job) -> list[Wanted]:

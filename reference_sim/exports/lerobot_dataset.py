@@ -11,6 +11,7 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,7 @@ from reference_sim.exports.simulated_episodes import (
     SimulatedStep,
     Simulation,
     difference_text,
+    left_out_facts,
     replay_facts,
     simulation,
 )
@@ -47,7 +49,14 @@ def write_dataset(source: Source, folder: Path, job: Job) -> Mapping[str, Any]:
     """Raises UnusableRecord, OSError. An episode that diverges is left out."""
     refused: list[Json] = []
     with ProgressBar("simulating") as bar, simulation(source, job, bar.say) as replayed:
-        lines = [line for line in replayed.lines(job) if line.outcome and line.steps]
+        left_out = replayed.left_out(job)
+        replayed.say_left_out(left_out, job)
+        lines = []
+        for line in replayed.lines(job):
+            if line.outcome and line.steps:
+                lines.append(line)
+            else:
+                left_out.append(left_out_facts(line, "no_action"))
         if not lines:
             raise UnusableRecord("none of these episodes has an executed action")
         dataset = _Dataset(source, folder, _Spaces.of(replayed, lines, job), bar)
@@ -69,9 +78,13 @@ def write_dataset(source: Source, folder: Path, job: Job) -> Mapping[str, Any]:
             bar.say("what left the record is left out; --anyway keeps it")
         if not dataset.episodes:
             raise UnusableRecord("no episode is left")
-        dataset.close(refused)
+        left_out = [
+            *left_out,
+            *({**facts, "reason": "left_record"} for facts in refused),
+        ]
+        dataset.close(sorted(left_out, key=itemgetter("episode")))
     counts = {"episodes": len(dataset.episodes), "frames": dataset.frames}
-    return {**counts, "refused": refused}
+    return {**counts, "refused": refused, "left_out": left_out}
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,7 +240,7 @@ class _Dataset:
         )
         self.frames += frames.count
 
-    def close(self, refused: Sequence[Json]) -> None:
+    def close(self, left_out: Sequence[Json]) -> None:
         assert self._data is not None
         self._data.close()
         info = {
@@ -244,7 +257,7 @@ class _Dataset:
             episodes=self.episodes,
             statistics=self._statistics,
         )
-        said = {**self._source.provenance, "left_out": list(refused)}
+        said = {**self._source.provenance, "left_out": list(left_out)}
         (self._folder / PROVENANCE_PATH).write_text(json.dumps(said, indent=4) + "\n")
 
     def _describe(self, frames: _EpisodeFrames) -> dict[str, Json]:

@@ -7,7 +7,8 @@ the result.
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.replay.episode_replay import EpisodeReplay, replay_episode
 from reference_sim.replay.record_replay import (
+    WHO_HAS_SEEDS,
     replayable_lines,
     resolve,
 )
@@ -66,7 +68,7 @@ class Simulation:
         self._images: Mapping[str, Any] = benchmark.manifest["observation_space"][
             "images"
         ]
-        self._source, self._benchmark = source, benchmark
+        self._source, self._benchmark, self._say = source, benchmark, say
         config = benchmark.config
         if draws and not self._images:
             config = self._with_cameras() or config
@@ -91,13 +93,33 @@ class Simulation:
             lines = [line for line in lines if line.outcome in FAILED]
         return lines
 
-    def sealed_failures(self) -> int:
-        """How many failed episodes cannot be simulated: their seeds are secret."""
-        planned = self.manifest["episodes"]
-        return sum(
-            line.outcome in FAILED and "seed" not in planned[line.index]
-            for line in self._source.lines()
-        )
+    def left_out(self, job: Job) -> list[dict[str, Any]]:
+        """The wanted episodes that cannot be simulated, each with the reason."""
+        planned, facts = self.manifest["episodes"], []
+        for line in self._source.lines():
+            if job.episodes is not None and line.index not in job.episodes:
+                continue
+            if job.failures and line.outcome not in FAILED:
+                continue
+            reason = "seed_sealed" if "seed" not in planned[line.index] else None
+            if line.recording is None:
+                reason = "not_recorded"
+            if reason is not None:
+                facts.append(left_out_facts(line, reason))
+        return facts
+
+    def say_left_out(self, left_out: Sequence[Mapping[str, Any]], job: Job) -> None:
+        """Say how many, and how to see those that are sealed."""
+        if self._benchmark.secret_file is not None:
+            self._say(f"sealed seeds: drawn with {self._benchmark.secret_file}")
+        counts = Counter(facts["reason"] for facts in left_out)
+        if sealed := counts["seed_sealed"]:
+            self._say(f"{sealed} episodes left out, as their seeds are sealed")
+            self._say(WHO_HAS_SEEDS)
+            program = "video" if job.kind == "video" else f"export --to {job.kind}"
+            self._say(f"then: proctor {program} {job.record} --seeds FILE")
+        if unrecorded := counts["not_recorded"]:
+            self._say(f"{unrecorded} episodes left out, as nothing of them is recorded")
 
     def cameras(self, task: str) -> list[str]:
         """Names of the pictures that there are in a task."""
@@ -189,6 +211,10 @@ def difference_text(line: EpisodeLine, replay: EpisodeReplay) -> str | None:
     return (
         f"{text}, and its result is another{f': {replay.error}' * bool(replay.error)}"
     )
+
+
+def left_out_facts(line: EpisodeLine, reason: str) -> dict[str, Any]:
+    return {"episode": line.index, "outcome": line.outcome, "reason": reason}
 
 
 def replay_facts(line: EpisodeLine, replay: EpisodeReplay) -> dict[str, Any]:

@@ -33,6 +33,7 @@ _DEFAULT_EPISODES = 10
 BenchmarkId = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
 Reference = Annotated[str, Field(pattern=r"^.+:[A-Za-z_][A-Za-z0-9_]*$")]
+FAULTS_MAX = 1000
 SEED_MAX = 2**32 - 1  # some environments take no larger one
 Seed = Annotated[int, Field(ge=0, le=SEED_MAX)]
 Rotation = Literal[
@@ -44,6 +45,7 @@ Rotation = Literal[
     "rot6d_columns",
 ]
 RayResources = Annotated[dict[str, float], BeforeValidator(check_resources)]
+MaxFaults = Annotated[int, Field(ge=1, le=FAULTS_MAX)]
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
 
@@ -185,6 +187,7 @@ class Benchmark(_Strict):
     tasks: list[Task] = []
     splits: list[Split] = [Split(name="test", episodes=_DEFAULT_EPISODES)]
     max_steps: Annotated[int, Field(ge=1)] | None = None
+    max_faults: MaxFaults | None = None
     control_rate_hz: Annotated[float, Field(gt=0, allow_inf_nan=False)] | None = None
     success: Success | None = None
     success_rule: Literal["any_step", "last_step"] | None = None

@@ -16,13 +16,19 @@ from typing import Any
 
 from reference_sim.definition import Json, image_sizes, installed_version
 from reference_sim.gymnasium import entries, environments
-from reference_sim.gymnasium.benchmark_file import Benchmark, Camera, Convention
+from reference_sim.gymnasium.benchmark_file import (
+    FAULTS_MAX,
+    Benchmark,
+    Camera,
+    Convention,
+)
 from reference_sim.gymnasium.entries import Entry
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.ray_resources import check_resources
 
 _SUCCESS_KEYS = ("is_success", "success")
 _MAX_STEPS = 1000
+_MAX_FAULTS = 3
 _NO_IMAGE_SIZE = (64, 64)  # there is none, but every run records a choice
 # Physics engines: results differ between their versions.
 _ENGINES = (
@@ -85,22 +91,37 @@ class PlanDraft:
         if not self.tasks:
             self.tasks.append(self._only_task())
         self._ray_resources = self._declared_resources()
+        self._max_faults = self._declared_max_faults()
 
     def _declared_resources(self) -> Mapping[str, float]:
         """The resources that the file, or its class or function, declares."""
-        benchmark = self.benchmark
-        if benchmark.ray_resources is not None:
-            return benchmark.ray_resources
-        if benchmark.made_by is None:
-            return {}
-        maker = environments.find(benchmark.made_by, self.plan["made_of"]["folder"])
-        declared = getattr(maker, "ray_resources", None)
+        if self.benchmark.ray_resources is not None:
+            return self.benchmark.ray_resources
+        declared = self._declared_by_maker("ray_resources")
         if declared is None:
             return {}
         try:
             return check_resources(declared)
         except ValueError as error:
             raise Unsettled(f"ray_resources: {error}") from error
+
+    def _declared_max_faults(self) -> int:
+        """How often one episode may fault before its run fails."""
+        declared = self.benchmark.max_faults or self._declared_by_maker("max_faults")
+        if declared is None:
+            return _MAX_FAULTS
+        if type(declared) is not int or not 1 <= declared <= FAULTS_MAX:
+            raise Unsettled(
+                f"max_faults: must be a whole number from 1 to {FAULTS_MAX}"
+            )
+        return declared
+
+    def _declared_by_maker(self, name: str) -> Any:
+        """The attribute of the class or function that makes the environment."""
+        if self.benchmark.made_by is None:
+            return None
+        folder = self.plan["made_of"]["folder"]
+        return getattr(environments.find(self.benchmark.made_by, folder), name, None)
 
     def _only_task(self) -> Json:
         benchmark = self.benchmark
@@ -249,7 +270,7 @@ class PlanDraft:
             "control_rate_hz": float(self.rate_hz or 1.0),
             "max_steps": self.plan["max_steps"],
             "max_attempts": 3,
-            "max_faults": 3,
+            "max_faults": self._max_faults,
             "success_rule": self.success_rule,
         }
 

@@ -158,11 +158,13 @@ def _name_seeds(
     args: argparse.Namespace, report: Report, benchmark: ReplayedBenchmark
 ) -> str | None:
     """A sentence on the treatment of episodes of sealed splits, if there are any."""
-    if not (args.seeds or benchmark.secret):
+    if not (args.seeds or benchmark.secret or benchmark.secret_file):
         return None
     count = f"{report.sealed} of {report.episodes} episodes are of sealed splits: "
     if benchmark.secret:
         return f"{count}left out, for their seeds are the secret of the host (--seeds)"
+    if benchmark.secret_file is not None:
+        return f"{count}their seeds are drawn with {benchmark.secret_file}"
     return f"{count}their seeds are those opened in {args.seeds}"
 
 

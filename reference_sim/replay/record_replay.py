@@ -5,7 +5,7 @@ from __future__ import annotations
 import multiprocessing
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, Final
@@ -33,19 +33,32 @@ from reference_sim.replay.foreign_manifest import (
     selected,
     without_sealed_seeds,
 )
+from reference_sim.replay.host_secrets import local_secrets
+from reference_sim.sealed_seeds import seal
 
 NONE_SIMULATED: Final = (
     "no episode can be simulated: their seeds are the secret of the host"
 )
-NO_SEEDS: Final = f"{NONE_SIMULATED}; if it has opened them, name its file with --seeds"
+# REC-015: who can simulate episodes whose seeds are sealed.
+WHO_HAS_SEEDS: Final = (
+    "the machine of their host has the seeds, for the user who runs the server there; "
+    "any other needs --seeds with the file in which the host has opened them"
+)
+NO_SEEDS: Final = (
+    f"no episode can be simulated, as their seeds are sealed: {WHO_HAS_SEEDS}"
+)
 
 
 @dataclass(frozen=True, slots=True)
 class ReplayedBenchmark:
-    """The benchmark of a record, as this machine has it."""
+    """The benchmark of a record, as this machine has it.
+
+    secret_file: that of the host, if the seeds of sealed splits come from it.
+    """
 
     manifest: dict[str, Any]
     config: benchmark_registry.SimulatorConfig
+    secret_file: Path | None = None
 
     def plan_of(self, index: int) -> ReplayPlan:
         """The plan of an episode, by its index; its seed must not be secret."""
@@ -75,7 +88,7 @@ class ReplayedBenchmark:
             {**episode, "seed": seeds[index]} if index in seeds else episode
             for index, episode in enumerate(self.manifest["episodes"])
         ]
-        return ReplayedBenchmark({**self.manifest, "episodes": episodes}, self.config)
+        return replace(self, manifest={**self.manifest, "episodes": episodes})
 
 
 def resolve(
@@ -86,10 +99,33 @@ def resolve(
     Raises UnusableRecord where this machine has another benchmark, or none, and where
     these are not the seeds to which the record commits its host.
     """
-    benchmark = resolve_choice(read_choice(evaluation, manifest))
-    if opened is None:
+    choice = read_choice(evaluation, manifest)
+    benchmark = resolve_choice(choice)
+    if opened is not None:
+        return benchmark.with_seeds(seeds_for(opened, msgspec.json.decode(manifest)))
+    return _add_seeds_of_this_machine(benchmark, choice)
+
+
+def _add_seeds_of_this_machine(
+    benchmark: ReplayedBenchmark, choice: BenchmarkChoice
+) -> ReplayedBenchmark:
+    """Add sealed seeds where a server of this user is the host of the record."""
+    if not benchmark.secret or choice.seeds_sha256 is None:
         return benchmark
-    return benchmark.with_seeds(seeds_for(opened, msgspec.json.decode(manifest)))
+    resolved = _resolved(choice)
+    for path, secret in local_secrets():
+        drawn = seal(resolved.manifest, secret, resolved.seed_block, resolved.seed_max)
+        if drawn["seeds_sha256"] == choice.seeds_sha256:
+            episodes = selected(dict(drawn), choice.select)["episodes"]
+            seeds = {index: episode["seed"] for index, episode in enumerate(episodes)}
+            return replace(benchmark.with_seeds(seeds), secret_file=path)
+    return benchmark
+
+
+def _resolved(choice: BenchmarkChoice) -> benchmark_registry.ResolvedBenchmark:
+    return benchmark_registry.resolve(
+        choice.benchmark_id, choice.options, choice.images, max_chunk=choice.max_chunk
+    )
 
 
 def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
@@ -97,9 +133,7 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
     benchmark_id = choice.benchmark_id
     try:
         reason = benchmark_registry.unavailable_reason(benchmark_id)
-        resolved = benchmark_registry.resolve(
-            benchmark_id, choice.options, choice.images, max_chunk=choice.max_chunk
-        )
+        resolved = _resolved(choice)
     except benchmark_registry.UnknownBenchmark as error:
         raise UnusableRecord(
             f"this machine has no benchmark {benchmark_id}; --benchmarks adds yours"

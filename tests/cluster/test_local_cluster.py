@@ -27,10 +27,10 @@ WITH_RAY = str(ROOT / ".venv-cluster" / "bin" / "python")
 START_S = 150.0  # 20 s for the whole on a machine with nothing else to do
 SAID = re.compile(
     r"A cluster of (?P<nodes>\d) nodes is listening at (?P<url>\S+)\n"
-    r"token: (?P<token>\S+)  \(kept in \S+\)\n"
     r"nodes: (?P<addresses>.+)\n"
     r"(?P<services>(?:Ray: .+, logs in (?P<temporary>\S+)\n)?(?:PostgreSQL: .+\n)?)"
-    r"certify:\n  make conformance URL=(?P=url) TOKEN=(?P=token)\n"
+    r"token, kept in \S+:\n(?P<token>\S+)\ntry:\n(?s:.+)"
+    r"certify:\nmake conformance \\\n URL=(?P=url) \\\n TOKEN=\"\$\(cat \S+\)\"\n"
 )
 
 

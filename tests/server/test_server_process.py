@@ -163,44 +163,47 @@ def test_an_invalid_setting_prints_one_line(
     assert is_one_line(code, capsys.readouterr().err, about=about)
 
 
-def test_the_printed_command_works(tmp_path: Path) -> None:
-    with subprocess.Popen(
-        [sys.executable, "-m", "reference_server", "--port", "0"],
-        cwd=ROOT,
-        env=environment(
-            PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite"),
-            XDG_STATE_HOME=str(tmp_path),
-        ),
-        stdout=subprocess.PIPE,
-        text=True,
-    ) as server:
+def test_the_printed_commands_work(tmp_path: Path) -> None:
+    """Copied from a terminal of 40 columns, in which no line is broken."""
+    command = [sys.executable, "-m", "reference_server", "--port", "0"]
+    given = environment(
+        PROCTOR_DATABASE="p.sqlite",
+        XDG_STATE_HOME=str(tmp_path),
+        PYTHONPATH=str(ROOT),
+    )
+    how: dict[str, Any] = {"cwd": tmp_path, "env": given, "text": True}
+    with subprocess.Popen(command, stdout=subprocess.PIPE, **how) as server:
         assert server.stdout is not None
-        serves, token, tries, line = (server.stdout.readline() for _ in range(4))
+        lines = list(iter(server.stdout.readline, "database: p.sqlite\n"))
         try:
-            pasted = subprocess.run(
-                ["sh", "-c", line.strip()],
-                env=environment(),
-                capture_output=True,
-                text=True,
-                timeout=TIMEOUT_S,
-                check=True,
-            )
+            text = "".join(lines).partition("try:\n")[2].partition("certify:\n")
+            certify = text[2].partition("pages: ")[0].replace("make", "echo")
+            pasted = [
+                subprocess.run(
+                    ["sh", "-c", pasted], capture_output=True, check=True, **how
+                ).stdout
+                for pasted in (text[0], certify)
+            ]
         finally:
             server.terminate()
-    assert serves.startswith("Proctor is listening at http://127.0.0.1:")
-    assert token.split()[0] == "token:"
-    assert token.split()[1] in line
-    assert serves.split()[-1] in line
-    assert tries == "try:\n"
-    named = [one["benchmark_id"] for one in json.loads(pasted.stdout)["benchmarks"]]
-    assert "calibration" in named
+    url, token = lines[0].split()[-1], lines[2].strip()
+    assert lines[:2] == [
+        f"Proctor listens at {url}\n",
+        "token, kept in p.sqlite.token:\n",
+    ]
+    # A port that is chosen has one digit more than the default.
+    assert all(len(line.rstrip()) <= 41 for line in lines)
+    assert (tmp_path / "p.sqlite.token").read_text().strip() == token
+    named = [one["benchmark_id"] for one in json.loads(pasted[0])["benchmarks"]]
+    assert lines[-len(named) - 1 :] == ["benchmarks:\n", *(f"  {n}\n" for n in named)]
+    assert pasted[1] == f"conformance URL={url} TOKEN={token}\n"
 
 
 @contextmanager
 def server_with_its_own_token(
     folder: Path, port: str = "0"
 ) -> Iterator[tuple[str, str, dict[str, str]]]:
-    """A started server's URL, its line about the token, and its environment."""
+    """A started server's URL, its two lines with the token, and its environment."""
     given = environment(
         PROCTOR_DATABASE=str(folder / "proctor.sqlite"),
         XDG_STATE_HOME=str(folder / "state"),
@@ -213,7 +216,8 @@ def server_with_its_own_token(
         text=True,
     ) as server:
         assert server.stdout is not None
-        url, line = server.stdout.readline().split()[-1], server.stdout.readline()
+        url = server.stdout.readline().split()[-1]
+        line = server.stdout.readline() + server.stdout.readline()
         try:
             yield url, line, given
         finally:
@@ -224,8 +228,7 @@ def test_the_made_token_survives_a_restart(tmp_path: Path) -> None:
     """Kept beside the database, for its owner alone, and printed with its place."""
     path = tmp_path / "proctor.sqlite.token"
     with server_with_its_own_token(tmp_path) as (url, first, _):
-        assert first.strip().endswith(f"(kept in {path})")
-        assert first.split()[1] == path.read_text().strip()
+        assert first == f"token, kept in {path}:\n{path.read_text().strip()}\n"
         assert path.stat().st_mode & 0o777 == 0o600
     with server_with_its_own_token(tmp_path, url.rpartition(":")[2]) as (_, line, _):
         assert line == first

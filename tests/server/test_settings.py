@@ -116,6 +116,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
     examples: dict[str, tuple[str, str]] = {
         "public_url": ("http://a", "https://b"),
         "allowed_hosts": ("a.example", "*.b.example,c.example"),
+        "trusted_proxies": ("10.0.0.1", "10.0.0.0/8,::1"),
         "log_level": ("info", "debug"),
         "log_format": ("json", "text"),
         "access_log": ("on", "off"),

@@ -100,11 +100,13 @@ async def start_cluster(ends: contextlib.AsyncExitStack, plan: Plan) -> Parts:
     url = f"http://{plan.host}:{plan.port}"
     parts.lines = [
         f"A cluster of {plan.nodes} nodes is listening at {url}",
-        *([f"token: {secret}  (kept in {path})"] if secret else []),
         f"nodes: {addresses}",
         *parts.lines,
-        "certify:",
-        f"  make conformance URL={url} TOKEN={secret or '…'}",
+        *(
+            made_token.startup_lines(secret, path, url)
+            if secret
+            else made_token.certify_lines(url, "…")
+        ),
     ]
     return parts
 

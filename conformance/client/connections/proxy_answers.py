@@ -30,3 +30,16 @@ def find_proxy(status: int, headers: Mapping[str, str], body: bytes) -> str | No
         if page.match(body):
             return name
     return None
+
+
+# These drop a header whose name has an underscore, unless they are told otherwise.
+_DROPS_UNDERSCORES = re.compile(r"\b(nginx|openresty|tengine)\b", re.IGNORECASE)
+
+
+def find_dropping_proxy(headers: Mapping[str, str]) -> str | None:
+    """Give the proxy that passed an answer on and drops headers with an underscore.
+
+    It writes its name into the header Server of what it passes on.
+    """
+    match = _DROPS_UNDERSCORES.search(headers.get("server", ""))
+    return None if match is None else match[1]

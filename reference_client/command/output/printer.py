@@ -97,7 +97,8 @@ class ProgressDisplay:
         fields: dict[str, Any] = {
             "done": episodes_text(progress),
             "mean": mean_of(progress),
-            "left": left,
+            # While something is waited for, an estimate by the pace is too short.
+            "left": "waiting" if progress.waiting else left,
         }
         if self._task is None:
             self._bars.start()

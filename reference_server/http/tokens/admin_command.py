@@ -1,4 +1,4 @@
-"""`proctor admin`: tokens, keys, recordings, seeds, the database of a server here.
+"""`proctor admin`: tokens, keys, recordings, seeds, database, backup of a server here.
 
 `token add|list|revoke` edits the file of tokens, which the server reads again within
 seconds: no restart.
@@ -35,7 +35,8 @@ from reference_server.records import admin_seeds
 from reference_server.records.admin_areas import AdminFiles, CannotDo, add_areas
 from reference_server.settings import Settings
 from reference_server.settings.setting_faults import describe_faults
-from reference_server.storage import database_commands
+from reference_server.storage import backup_command, database_commands
+from reference_server.storage.backup_command import KeptFiles
 from reference_server.storage.store import StoreFailed
 
 _SCOPES = ("read", "run", READ_ALL, HOST)
@@ -54,7 +55,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     args = _parser().parse_args(arguments)
     try:
-        if hasattr(args, "do_with_files"):
+        if hasattr(args, "do_with_kept"):
+            args.do_with_kept(_kept_files(), args)
+        elif hasattr(args, "do_with_files"):
             args.do_with_files(_record_files(), args)
         elif hasattr(args, "do_with_database"):
             args.do_with_database(_settings().database_url, args)
@@ -85,6 +88,23 @@ def _record_files() -> AdminFiles:
         settings.records_keep_days,
         settings.seed_secret_path,
         settings.benchmarks,
+    )
+
+
+def _kept_files() -> KeptFiles:
+    settings = _settings()
+    name = settings.database
+    return KeptFiles(
+        settings.database_url,
+        "postgresql" if "://" in name else Path(name).name,
+        {
+            "key": settings.sealing_key_path,
+            "seeds": settings.seed_secret_path,
+            "tokens": settings.tokens_file_path,
+            "token": settings.token_path,
+            "signing-key": settings.signing_key_path,
+        },
+        {"records": settings.records_path, "records.imported": settings.imports_path},
     )
 
 
@@ -122,6 +142,7 @@ def _parser() -> argparse.ArgumentParser:
     add_areas(areas)
     admin_seeds.add_area(areas)
     database_commands.add_area(areas)
+    backup_command.add_command(areas)
     for command in (add, listed, revoke):
         command.add_argument(
             "--file",

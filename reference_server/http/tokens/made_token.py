@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import re
+import shlex
 import tempfile
 from pathlib import Path
 
@@ -34,6 +35,36 @@ def read_or_make(path: Path | None) -> str:
         raise BadTokenFile(text)
     restrict(path)
     return secret
+
+
+def startup_lines(secret: str, path: Path | None, url: str) -> list[str]:
+    """The lines that show the token and how to use it, each to be copied as it is.
+
+    They fit a terminal of 40 columns where the path is short.
+    """
+    shown = None if path is None else _relative(path)
+    argument = secret if shown is None else f"$(cat {shlex.quote(str(shown))})"
+    return [
+        "token:" if shown is None else f"token, kept in {shown}:",
+        secret,
+        "try:",
+        'curl -H "Authorization: Bearer \\',
+        f'{argument}" \\',
+        f"{url}/v1/benchmarks",
+        *certify_lines(url, argument),
+    ]
+
+
+def certify_lines(url: str, argument: str) -> list[str]:
+    """The command that judges the server; argument: the token as the shell reads it."""
+    return ["certify:", "make conformance \\", f" URL={url} \\", f' TOKEN="{argument}"']
+
+
+def _relative(path: Path) -> Path:
+    """The path from the folder of the server, which is that of its user mostly."""
+    path = path.absolute()
+    here = Path.cwd()
+    return path.relative_to(here) if path.is_relative_to(here) else path
 
 
 def publish(port: int, path: Path | None) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import time
 
 import pytest
 
@@ -21,6 +22,29 @@ def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None
     assert second.startswith("run_1  7/20 episodes  mean 0.500  0:0")
     assert "worker-0: no" in second
     assert len(second) == 60  # 59 and the line's end
+
+
+@pytest.mark.parametrize(
+    ("seconds", "shown"),
+    [(4.9, None), (5.1, 5), (9.9, 5), (10.1, 10), (39.0, 20), (41.0, 40), (700.0, 640)],
+)
+def test_who_waits_long_says_so_at_each_doubling(
+    monkeypatch: pytest.MonkeyPatch, seconds: float, shown: int | None
+) -> None:
+    now = 100.0
+    monkeypatch.setattr(time, "monotonic", lambda: now)
+    board = StatusBoard()
+    board.begin("worker-0", "the policy, which computes actions")
+    now += 1000.0
+    board.begin("worker-0", "the server, which executes turn 4")
+    now += seconds
+    waiting = "worker-0: waits for the server, which executes turn 4"
+    assert board.waiting() == (shown and f"{waiting} ({shown} s so far)")
+    board.waiting_reporter("worker-1")("the server is unreachable")
+    assert board.waiting() == "worker-1: the server is unreachable"
+    board.waiting_reporter("worker-1")(None)
+    board.end("worker-0")
+    assert board.waiting() is None
 
 
 def test_the_status_board_shows_one_waiting_worker() -> None:

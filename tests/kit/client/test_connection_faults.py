@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from conformance.client.check_context import CheckContext
-from conformance.client.connections.proxy_answers import find_proxy
+from conformance.client.connections.proxy_answers import find_dropping_proxy, find_proxy
 from conformance.client.http_client import AnsweredByProxy, NoAnswer
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
@@ -246,3 +246,21 @@ def test_a_proxy_in_a_set_up_leaves_the_rule_unverified() -> None:
         with pytest.raises(SetUpFailed) as caught:
             context.require(send, 200, "describe_service")
         assert caught.value.allowed
+
+
+@pytest.mark.parametrize(
+    ("server", "proxy"),
+    [
+        ("nginx", "nginx"),
+        ("nginx/1.22.1", "nginx"),
+        ("openresty/1.21.4", "openresty"),
+        ("Tengine", "Tengine"),
+        ("uvicorn", None),
+        ("my-nginxless-server", None),
+        ("", None),
+    ],
+)
+def test_a_proxy_that_drops_headers_names_itself(
+    server: str, proxy: str | None
+) -> None:
+    assert find_dropping_proxy({"server": server}) == proxy

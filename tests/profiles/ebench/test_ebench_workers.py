@@ -85,6 +85,31 @@ def test_one_client_steps_sixteen_workers_at_once(http: httpx.Client) -> None:
     assert http.get(f"/v1/runs/{client.task_id}/score").json()["score"] == 0.5
 
 
+def test_a_loop_that_follows_its_first_worker_is_started_again(
+    http: httpx.Client,
+) -> None:
+    """`gmp eval` ends when the first of its workers sees nothing, and kills them all.
+
+    Each start completes at least the episode of that worker, so a few are enough.
+    """
+    workers = ("0", "1", "2")
+    task_id = submit(http, *["score"] * 5)
+    starts = 0
+    while http.get(f"/v1/runs/{task_id}").json()["state"] != "completed":
+        starts += 1
+        client = EbenchClient(http, task_id, worker_ids=workers)
+        client.find()
+        seen, done = client.reset(), False
+        while not done and seen["0"]["obs"] is not None:
+            # The first worker is the fastest one.
+            ends = {worker: action(end=worker == "0") for worker in workers}
+            seen, done = client.step(ends)
+        client.workers("kill")
+    assert starts == 3  # the worker 0 plays three episodes, then one, then the last
+    played = episodes_of(EbenchClient(http, task_id))
+    assert [episode["result"]["outcome"] for episode in played] == ["failure"] * 5
+
+
 def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:
     client = open_client(http, *["count"] * 3, workers=("0", "1"), max_workers=2)
     client.worker_ids = ("2",)

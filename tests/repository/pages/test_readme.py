@@ -16,6 +16,8 @@ from reference_sim import benchmark_registry
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
 
+Done = subprocess.CompletedProcess[str]
+
 pytestmark = pytest.mark.slow("starts servers")
 
 README = (ROOT / "README.md").read_text()
@@ -28,30 +30,33 @@ def test_commands_stand_in_the_first_25_lines() -> None:
         assert f"make {target}" in beginning
 
 
-def test_program_says_what_it_needs(tmp_path: Path) -> None:
-    (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
-    file = tmp_path / "evaluate.py"
-    file.write_text(program)
-    done = subprocess.run(
-        [sys.executable, file], capture_output=True, text=True, check=False
-    )
-    assert (done.returncode, done.stderr) == (1, "usage: evaluate.py URL TOKEN\n")
-
-
-def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> None:
-    """The program, copied, against a server. Expect the expert's score: 1 of 1."""
+def run_program(folder: Path, *arguments: str, **environment: str) -> Done:
     (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     assert len([line for line in program.splitlines() if line.strip()]) <= 20
-    file = tmp_path / "evaluate.py"
+    file = folder / "evaluate.py"
     file.write_text(program)
-    done = subprocess.run(
-        [sys.executable, file, server.url, TOKENS["alice"]],
-        cwd=tmp_path,
+    return subprocess.run(
+        [sys.executable, file, *arguments],
+        cwd=folder,
+        env=os.environ | {"XDG_STATE_HOME": str(folder)} | environment,
         capture_output=True,
         text=True,
         timeout=120,
         check=False,
     )
+
+
+def test_program_says_what_it_needs(server: ReferenceServer, tmp_path: Path) -> None:
+    """Neither the environment nor this machine has a token. Expect one line."""
+    done = run_program(tmp_path, server.url)
+    assert done.returncode == 1
+    assert "Traceback" not in done.stderr
+    assert "PROCTOR_TOKEN" in done.stderr
+
+
+def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> None:
+    """The program, copied, against a server. Expect the expert's score: 1 of 1."""
+    done = run_program(tmp_path, server.url, PROCTOR_TOKEN=TOKENS["alice"])
     assert done.returncode == 0, done.stderr
     count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
     assert f"score 1.0 of {count} episodes" in done.stdout

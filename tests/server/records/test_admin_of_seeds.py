@@ -51,7 +51,7 @@ def test_sealed_records_are_replayed_when_their_seeds_are_opened(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Also the record of a run of a part; both are verified before."""
-    monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
+    monkeypatch.chdir(tmp_path)  # another machine, which does not have the secret
     with ReferenceServer(tmp_path) as server, server.client() as client:
         whole = save_record(client, tmp_path)
         part = save_record(client, tmp_path, select={"splits": ["odd"]})
@@ -66,6 +66,10 @@ def test_sealed_records_are_replayed_when_their_seeds_are_opened(
     assert "2 of 4 episodes are of sealed splits: left out" in said
     assert replay([str(part), *words]) == 2
     assert "--seeds" in capsys.readouterr().err
+    # From here on, as on the machine of the host.
+    monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
+    assert replay([str(part), *words]) == 0
+    assert "their seeds are drawn with" in capsys.readouterr().out
     assert admin.main(opened) == 0
     assert "2 seeds, of 1 choices of options" in capsys.readouterr().out
     assert admin.main(opened) == 2

@@ -7,11 +7,11 @@ from typing import Any
 from reference_record.formats.strict_json import canonical_json
 from reference_server.rules.manifest import (
     is_sealed,
-    seal,
     without_sealed_seeds,
 )
 from reference_server.rules.run import Episode
 from reference_server.runs.benchmarks import digest
+from reference_sim.sealed_seeds import seal
 
 SECRET, OTHER = b"s" * 32, b"o" * 32
 SEED_MAX = 2**32 - 1

@@ -242,6 +242,7 @@ async def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
         return await right(self, task, *how, **named)
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
+    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (0.0,))
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score", "count")
         run = await parts.registry.add(run, None, "")
@@ -268,6 +269,7 @@ async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
         raise SimulatorFault(f"ValueError: seed {seed}, {seed:#x} of 11903886417")
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
+    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (0.0,))
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score")
         run.episodes[0].seed, run.episodes[0].is_sealed = seed, True

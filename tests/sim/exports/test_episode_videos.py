@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,8 @@ from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main
 from reference_sim.interface import Simulator
+from reference_sim.replay.foreign_manifest import without_sealed_seeds
+from reference_sim.sealed_seeds import seal
 from tests.support.record.played_records import Chunk, play_chunks, save_played_record
 from tests.support.sim.echo_records import other_action, other_digest, save_echo
 
@@ -156,23 +159,79 @@ def test_a_folder_that_is_a_file_is_said(
     assert "v: File exists" in capsys.readouterr().err
 
 
-def test_a_sealed_seed_stays_a_secret(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+SECRET = b"s" * 32
+
+
+@pytest.fixture
+def sealed_record(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The first episode of it is open and the second sealed; no secret is found."""
+    monkeypatch.chdir(folder)
+    monkeypatch.setenv("XDG_STATE_HOME", str(folder / "state"))
+    for name in ("PROCTOR_SEED_SECRET", "PROCTOR_DATABASE"):
+        monkeypatch.delenv(name, raising=False)
     options = {"tasks": ["echo", "echo"], "sealed": True}
     found = benchmark_registry.resolve("calibration", options)
-    seedless = [
-        one if one["split"] == "even" else {k: one[k] for k in ("task", "split")}
-        for one in found.manifest["episodes"]
-    ]
-    found.manifest["episodes"] = seedless
+    drawn = seal(found.manifest, SECRET, found.seed_block, found.seed_max)
+    shown = without_sealed_seeds(dict(drawn)) | {"seeds_sha256": drawn["seeds_sha256"]}
     record = folder / "run-1.proctor"
-    save_played_record(
-        record, folder / "recordings", found, play_chunks, options=options
-    )
-    assert video(record, episodes=[1]) == 2
-    assert "no episode 1 that can be simulated" in capsys.readouterr().err
-    assert video(record, episodes=[0]) == 0
+    plans = tuple(benchmark_registry.EpisodePlan(**e) for e in drawn["episodes"])
+    sealed = replace(found, manifest=shown, episodes=plans)
+    recordings = folder / "recordings"
+    save_played_record(record, recordings, sealed, play_chunks, options=options)
+    return record
+
+
+def test_a_sealed_seed_stays_a_secret(
+    sealed_record: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert video(sealed_record, episodes=[1]) == 2
+    said = capsys.readouterr().err
+    assert "no episode 1 that can be simulated" in said
+    assert "1 episodes left out, as their seeds are sealed" in said
+    assert "--seeds" in said
+    assert video(sealed_record, episodes=[0]) == 0
+    assert json.loads(capsys.readouterr().out)["left_out"] == []
+    assert video(sealed_record, force=True) == 0
+    assert json.loads(capsys.readouterr().out)["left_out"] == [
+        {"episode": 1, "outcome": "success", "reason": "seed_sealed"}
+    ]
+
+
+@pytest.mark.parametrize(
+    ("place", "file", "is_used"),
+    [
+        ("var/proctor.sqlite.seeds", (0o600, SECRET.hex()), True),
+        ("state/server/db.seeds", (0o600, SECRET.hex()), True),
+        ("elsewhere/db.seeds", (0o600, SECRET.hex()), False),
+        ("var/proctor.sqlite.seeds", (0o640, SECRET.hex()), False),
+        ("var/proctor.sqlite.seeds", (0o600, (b"o" * 32).hex()), False),
+        ("var/proctor.sqlite.seeds", (0o600, "no secret"), False),
+        ("var/proctor.sqlite.seeds", (0o600, ""), False),
+    ],
+)
+def test_the_host_sees_what_it_has_sealed(
+    sealed_record: Path,
+    place: str,
+    file: tuple[int, str],
+    is_used: bool,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """With the secret beside its database, or beside the token of its server."""
+    folder = sealed_record.parent
+    path = folder / place
+    path.parent.mkdir(parents=True)
+    mode, content = file
+    path.write_text(content)
+    path.chmod(mode)
+    tokens = folder / "state" / "proctor" / "tokens"
+    tokens.mkdir(parents=True)
+    (tokens / "8460").symlink_to(folder / "state" / "server" / "db.token")
+    assert video(sealed_record, episodes=[1]) == (0 if is_used else 2)
+    said = capsys.readouterr()
+    assert ("sealed seeds: drawn with " in said.err) is is_used
+    if is_used:
+        (drawn,) = json.loads(said.out)["files"]
+        assert drawn["replay"] == "exact"
 
 
 @pytest.mark.slow("draws with MuJoCo")

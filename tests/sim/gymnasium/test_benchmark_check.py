@@ -146,6 +146,29 @@ def test_bad_resources_of_a_class_are_a_fault() -> None:
     )
 
 
+# --- faults ---
+
+
+@pytest.mark.parametrize(
+    ("world", "members", "declared"),
+    [
+        ("ValidEnv", {}, 3),
+        ("ValidEnv", {"max_faults": 20}, 20),
+        ("TakesAGpu", {}, 10),
+        ("TakesAGpu", {"max_faults": 1}, 1),
+    ],
+)
+def test_a_file_or_its_class_says_how_often_an_episode_may_fault(
+    world: str, members: Json, declared: int
+) -> None:
+    assert look(world, **members)["manifest"]["max_faults"] == declared
+
+
+def test_a_bad_number_of_a_class_is_a_fault() -> None:
+    (line,) = look("FaultsForEver")["faults"]
+    assert line == "max_faults: must be a whole number from 1 to 1000"
+
+
 # --- success and score ---
 
 

@@ -109,6 +109,7 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "environment = 'X'\nscore = { return_from = 1, return_to = 1 }",
             "return_from must be less than return_to",
         ),
+        ("environment = 'X'\nmax_faults = 0", "max_faults: Input should be greater"),
         ("environment = 'X'\ncamera = true", "camera"),
         ("environment = 'X'\nimage_codecs = []", "image_codecs: List should have at"),
         (

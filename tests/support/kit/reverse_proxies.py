@@ -17,6 +17,7 @@ import pytest
 
 PROVIDED = Path(sys.prefix, "proxies", "root")
 CONFIGURATIONS = {"nginx": "nginx.conf", "haproxy": "haproxy.cfg"}
+BASE_PATHS = "base_paths.conf"
 START_TIMEOUT_S = 30.0
 
 
@@ -29,10 +30,13 @@ def find_program(name: str) -> str:
 
 
 @contextlib.contextmanager
-def run_proxy(name: str, directory: Path, port: int, upstream: str) -> Iterator[None]:
+def run_proxy(
+    name: str, directory: Path, port: int, upstream: str, configuration: str = ""
+) -> Iterator[None]:
     """Run a proxy on a port, in front of the server at the URL `upstream`."""
     directory.mkdir()
-    path = Path(__file__).with_name("proxies").joinpath(CONFIGURATIONS[name])
+    file = configuration or CONFIGURATIONS[name]
+    path = Path(__file__).with_name("proxies").joinpath(file)
     text = (
         path.read_text()
         .replace("DIRECTORY", str(directory))

@@ -70,15 +70,22 @@ class ValidEnv(gymnasium.Env[Any, Any]):
 
 
 class TakesAGpu(ValidEnv):
-    """Declares what one simulator takes of a machine of a Ray cluster."""
+    """Declares what a simulator takes of a Ray cluster, and how often it may fault."""
 
     ray_resources: ClassVar = {"CPU": 0.5, "GPU": 0.25}
+    max_faults = 10
 
 
 class TakesNothing(ValidEnv):
     """Declares an amount that Ray cannot place."""
 
     ray_resources: ClassVar = {"CPU": 0}
+
+
+class FaultsForEver(ValidEnv):
+    """Declares a number of faults that is not finite."""
+
+    max_faults = float("inf")
 
 
 class IgnoresSeed(ValidEnv):

@@ -1,0 +1,53 @@
+"""The base URL at which a client reached the server, for `run.endpoint`.
+
+A proxy that serves the server under a path of its own, or over TLS, says so in headers.
+Only those of a trusted proxy count: any other client could name another server.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from ipaddress import ip_address
+
+from starlette.requests import Request
+
+from reference_server.settings.allowed_hosts import AllowedHosts
+from reference_server.settings.allowed_networks import AllowedNetworks
+
+_ANY_HOST = AllowedHosts()
+# The path under which a proxy serves this server, without characters that would have
+# to be quoted in a URL.
+_PREFIX = re.compile(r"(/(?!\.\.?(/|$))[A-Za-z0-9._~-]{1,64}){1,16}")
+
+
+def base_url_of(request: Request, trusted_proxies: str) -> str:
+    """The URL without a slash at its end. Refuses a malformed header Host."""
+    if host := request.headers.get("host"):
+        _ANY_HOST.check(host)
+    url = str(request.base_url).rstrip("/")
+    if not _is_from(request, _networks(trusted_proxies)):
+        return url
+    prefix = request.headers.get("x-forwarded-prefix", "").rstrip("/")
+    if _PREFIX.fullmatch(prefix):
+        url += prefix
+    # A chain of proxies lists the scheme of the client first.
+    scheme = request.headers.get("x-forwarded-proto", "").partition(",")[0].strip()
+    if scheme in ("http", "https"):
+        url = f"{scheme}://{url.partition('://')[2]}"
+    return url
+
+
+def _is_from(request: Request, networks: AllowedNetworks) -> bool:
+    if networks.all_addresses:
+        return True
+    try:
+        peer = ip_address(request.client.host if request.client else "")
+    except ValueError:  # no address, as of a socket in a file
+        return False
+    return networks.contains_any({getattr(peer, "ipv4_mapped", None) or peer})
+
+
+@lru_cache(maxsize=4)
+def _networks(text: str) -> AllowedNetworks:
+    return AllowedNetworks.parse(text)

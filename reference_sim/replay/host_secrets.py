@@ -1,0 +1,48 @@
+"""The secrets of sealed seeds that servers of this user keep on this machine.
+
+A host may look at all that was played on its own server: with the secret, which only it
+can read, episodes of sealed splits are simulated as any others. The commitment in a
+record proves that a secret is the one that they were drawn with.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+
+from reference_sim.sealed_seeds import parse_secret
+
+_BYTES_MAX = 4096
+
+
+def local_secrets() -> Iterator[tuple[Path, bytes]]:
+    """Each file with its secret; files of other users or kinds are left out."""
+    for path in dict.fromkeys(_candidates()):
+        with suppress(OSError, ValueError):
+            yield path, parse_secret(_read_private(path))
+
+
+def _candidates() -> Iterator[Path]:
+    """Where the settings of a server name one, and beside the tokens of servers."""
+    if named := os.environ.get("PROCTOR_SEED_SECRET"):
+        yield Path(named)
+    yield Path(f"{os.environ.get('PROCTOR_DATABASE') or 'var/proctor.sqlite'}.seeds")
+    with suppress(OSError, RuntimeError):  # no such folder, or no home
+        state = os.environ.get("XDG_STATE_HOME")
+        folder = Path(state) if state else Path.home() / ".local" / "state"
+        for link in sorted((folder / "proctor" / "tokens").iterdir()):
+            token = link.resolve()  # DATABASE.token
+            yield token.with_suffix(".seeds")
+
+
+def _read_private(path: Path) -> str:
+    """Raises OSError; PermissionError for a file that another user could have read."""
+    with path.open("rb") as file:
+        status = os.fstat(file.fileno())
+        is_own = status.st_uid == os.getuid() and stat.S_ISREG(status.st_mode)
+        if not is_own or status.st_mode & 0o077:
+            raise PermissionError(f"{path} is not this user's alone")
+        return file.read(_BYTES_MAX).decode("ascii")
