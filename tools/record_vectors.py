@@ -75,7 +75,7 @@ def other_callers(raised: Broken) -> list[dict[str, Any]]:
     none = {"file": None, "rule": None}
     wrong = {"file": "statement.dsse.json", "rule": "REC-031", "levels": []}
     score = {"file": raised.file, "rule": raised.rule, "levels": []}
-    cases = (
+    cases: tuple[tuple[str, dict[str, str], dict[str, Any], str], ...] = (
         ("good", {}, none | {"levels": ["reported"]}, "No key is named."),
         ("good", lab, wrong, "The key of another host is named."),
         ("good_replayed", host, none | {"levels": signed}, "The replayer is unknown."),
