@@ -50,6 +50,7 @@ class Proxy:
     crash_at: the number of the predict (from 1) whose answer is lost in a crash.
     crash: called then; it returns when the server is back, with its URL.
     alter: makes another answer of each parsed one.
+    host: the address of this machine at which it listens.
     """
 
     def __init__(
@@ -61,6 +62,7 @@ class Proxy:
         crash_at: int = 0,
         crash: Callable[[], str] | None = None,
         alter: Callable[[object], object] | None = None,
+        host: str = "127.0.0.1",
     ) -> None:
         self.upstream, self._alter = upstream, alter
         self.recorded: list[RecordedRequest] = []
@@ -83,9 +85,13 @@ class Proxy:
             def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
                 """The record is `passed`."""
 
-        self._server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        self._server.daemon_threads = True
-        self.url = f"http://127.0.0.1:{self._server.server_address[1]}"
+        class Gateway(ThreadingHTTPServer):
+            address_family = socket.AF_INET6 if ":" in host else socket.AF_INET
+            daemon_threads = True
+
+        self._server = Gateway((host, 0), Handler)
+        place = f"[{host}]" if ":" in host else host
+        self.url = f"http://{place}:{self._server.server_address[1]}"
         self._thread = threading.Thread(
             target=self._server.serve_forever, args=(0.02,), daemon=True
         )

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import itertools
 import json
+import socket
 import struct
 import subprocess
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,6 +22,7 @@ import httpx
 
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
+from tests.interop.moved_server import closed_port, moved_server
 from tests.interop.proxy import Proxy
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
@@ -40,6 +43,8 @@ TAKEN = {"go": {"empty", "missing"}}
 # Of the generated clients alone, and of what is written on top of them alone.
 MESSAGES_ONLY = {"vectors"}
 EVALUATION_ONLY = {"heartbeat"}
+# Python's is reference_client, which has tests of its own.
+SETTINGS_ONLY = {"settings"}
 
 
 class UnexpectedResult(Exception):
@@ -121,6 +126,21 @@ class Program:
     def play_example(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         """Its exit code and what it printed, as a user of the example sees them."""
         return self._run([*self.example, *arguments])
+
+    @contextmanager
+    def start_example(self, port: int) -> Iterator[subprocess.Popen[str]]:
+        """The example, which runs at a port of this machine until the context ends."""
+        with subprocess.Popen(
+            [*self.example, f"http://127.0.0.1:{port}", "token"],
+            env=dict(self.env),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as process:
+            try:
+                yield process
+            finally:
+                process.kill()
 
     def _run(self, command: list[str]) -> subprocess.CompletedProcess[str]:
         try:
@@ -363,6 +383,63 @@ def expect_example(
         )
 
 
+def settings(server: Server, program: Program) -> None:
+    """What copying adds to a URL and a token; a server that is elsewhere."""
+    with closed_port() as port, program.start_example(port) as waiting:
+        settings_that_work(server, program)
+        settings_that_do_not(server, program)
+        expect_wait(waiting, port)
+
+
+def settings_that_work(server: Server, program: Program) -> None:
+    token = f"\ufeff\u201cBearer {server.token}\u201d\r\n"
+    played = program.play_example(f" {server.url}/", token)
+    expect_example(played, 0, "score 0.40625")
+    if has_ipv6():
+        with Proxy(server.url, host="::1") as proxy:
+            played = program.play_example(proxy.url, f"'{server.token}'")
+        expect_example(played, 0, "score 0.40625")
+
+
+def settings_that_do_not(server: Server, program: Program) -> None:
+    secret = "hunter2"
+    new = "https://new.example/base"
+    with moved_server(new) as old:
+        for url, token, reason in (
+            (server.url, f"{secret}\u200b{secret}", "the token has an invisible"),
+            (server.url, f"{secret} {secret}", "the token has a space at"),
+            (server.url, f"{secret}é", "the token has a character that is not ASCII"),
+            (f"http://me:{secret}@127.0.0.1", "t", "has a user or a password"),
+            (f"http://127.0.0.1/?key={secret}", "t", "ends with a query"),
+            ("http://[fe80::1%25eth0]:8460", "t", "a zone id"),
+            ("http://::1:8460", "t", "an IPv6 address without brackets"),
+            ("127.0.0.1:8460", "t", "the base URL must be like http://"),
+            (f"{server.url}/v1", server.token, "The base URL ends with /v1"),
+            (old, secret, f"The server has moved to {new}: give that as the base URL"),
+        ):
+            played = program.play_example(url, token)
+            output = played.stdout + played.stderr
+            if played.returncode != 1 or reason not in played.stderr:
+                raise UnexpectedResult(f"no {reason!r} of {url!r}: {output[-1500:]}")
+            expect("that a secret was printed", secret in output, False)
+
+
+def expect_wait(waiting: subprocess.Popen[str], port: int) -> None:
+    """The example says within seconds what it waits for, before it ends."""
+    assert waiting.stderr is not None
+    line = waiting.stderr.readline()
+    # A package ends its first contact after 3 s.
+    is_said = line.startswith("waiting: ") or line.endswith("[unreachable]\n")
+    if not is_said or str(port) not in line:
+        raise UnexpectedResult(f"at a closed port the example says {line!r}")
+
+
+def has_ipv6() -> bool:
+    with suppress(OSError), socket.create_server(("::1", 0), family=socket.AF_INET6):
+        return True
+    return False
+
+
 def vectors(_server: Server, program: Program) -> None:
     """The golden vectors need no server."""
     observed = program.play("vectors", str(VECTORS), "-")
@@ -385,7 +462,7 @@ def wrong_answers(server: Server, program: Program) -> None:
     """Successes that are no message; the client's own error says so for each."""
     server.submit()
     page = server.read("/v1/runs?limit=1")
-    with wrong_server(page) as url:
+    with wrong_server(page, redirects=program.language != "python") as url:
         errors = program.play("wrong_answers", url, server.token)["errors"]
     taken = TAKEN.get(program.language, set())
     wanted = {
@@ -428,6 +505,7 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "wrong_answers": wrong_answers,
     "later_version": later_version,
     "vectors": vectors,
+    "settings": settings,
     "example": example,
 }
 DESCRIPTIONS = {
@@ -446,5 +524,6 @@ DESCRIPTIONS = {
     "wrong_answers": "successes that are no message are errors of the client's own",
     "later_version": "values and members of a later version are no error",
     "vectors": "golden vectors of spec/vectors/wire",
+    "settings": "URLs and tokens as people copy them; a server that moved or is away",
     "example": "the first program of a user: a run, a stopped run, two mistakes",
 }
