@@ -22,10 +22,10 @@ import httpx
 
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
-from tests.interop.moved_server import closed_port, moved_server
 from tests.interop.proxy import Proxy
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
+from tests.support.client.moved_server import closed_port, moved_server
 from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
@@ -384,7 +384,7 @@ def expect_example(
 
 
 def settings(server: Server, program: Program) -> None:
-    """What copying adds to a URL and a token; a server that is elsewhere."""
+    """The example cleans a URL and a token or refuses them, and says what it waits for."""
     with closed_port() as port, program.start_example(port) as waiting:
         settings_that_work(server, program)
         settings_that_do_not(server, program)

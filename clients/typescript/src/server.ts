@@ -137,11 +137,11 @@ export class Server {
     throw new Error("changes never end");
   }
 
-  private at(basePath: string, code = "invalid_request", blame = ""): Configuration {
+  private at(basePath: string, code = "invalid_request", prefix = ""): Configuration {
     try {
       return new Configuration({ basePath, accessToken: this.token });
     } catch (error) {
-      throw error instanceof BadSetting ? new ProctorError(code, `${blame}${error.message}.`, { cause: error }) : error;
+      throw error instanceof BadSetting ? new ProctorError(code, `${prefix}${error.message}.`, { cause: error }) : error;
     }
   }
 

@@ -155,7 +155,7 @@ function innermost(error: Error): string {
 
 type Program = { env: Record<string, string | undefined>; versions: { node?: string } };
 
-/* Of the variables that name a proxy: Node's fetch leaves them aside, unless it is told to use them. */
+/* Of the variables that name a proxy: Node's fetch leaves them aside, unless NODE_USE_ENV_PROXY is set. */
 function proxyNote(url: string): string {
     const { process } = globalThis as { process?: Program }; // a browser has none
     const scheme = new URL(url).protocol.slice(0, -1);
