@@ -22,10 +22,11 @@ import httpx
 
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
-from tests.interop.proxy import Proxy
+from tests.interop.proxy import Proxy, WriteAnswer
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
 from tests.support.client.moved_server import closed_port, moved_server
+from tests.support.client.spelled_answers import spell
 from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
@@ -36,6 +37,8 @@ LOST_SIGN = "JSON.stringify writes −0 as `0`: its sign is lost"
 LIMITS = {
     ("typescript", "echo"): LOST_SIGN,
     ("typescript-evaluate", "echo"): LOST_SIGN,
+    ("typescript", "spelling"): LOST_SIGN,
+    ("typescript-evaluate", "spelling"): LOST_SIGN,
     ("go", "wrong_answers"): "a member that is missing reads as its zero value",
 }
 # Wrong answers that a language takes for right.
@@ -214,8 +217,9 @@ def chunks(server: Server, program: Program) -> None:
     expect("the turns", observed, wanted)
 
 
-def echo(server: Server, program: Program) -> None:
-    observed = program.play("echo", server.url, server.token)
+def echo(server: Server, program: Program, write: WriteAnswer | None = None) -> None:
+    with Proxy(server.url, write=write) as proxy:
+        observed = program.play("echo", proxy.url, server.token)
     expect("codec", observed["codec"], "raw")
     expect("size", observed["size"], [48, 64, 3])
     expect("image", observed["image"], expected_values.pattern(48, 64, count=1).hex())
@@ -324,8 +328,11 @@ def stop_resume(server: Server, program: Program) -> None:
     expect("scores", scores, [0.5, 0.25, 1.0])
 
 
-def problems(server: Server, program: Program) -> None:
-    observed = program.play("problems", server.url, server.token)["problems"]
+def problems(
+    server: Server, program: Program, write: WriteAnswer | None = None
+) -> None:
+    with Proxy(server.url, write=write) as proxy:
+        observed = program.play("problems", proxy.url, server.token)["problems"]
     unknown, missing, unauthenticated, vector, order = observed
     never = {"retryable": False}
     expect_refusal(unknown, 422, "invalid_request", pointers=["/benchmark_id"], **never)
@@ -336,8 +343,8 @@ def problems(server: Server, program: Program) -> None:
     expect_refusal(order, 409, "seq_out_of_order", expected_seq=1, **never)
 
 
-def score(server: Server, program: Program) -> None:
-    with Proxy(server.url) as proxy:
+def score(server: Server, program: Program, write: WriteAnswer | None = None) -> None:
+    with Proxy(server.url, write=write) as proxy:
         observed = program.play("score", proxy.url, server.token)
     reported = server.read(f"/v1/runs/{observed['run_id']}/score")
     expect("score", observed["score"], 0.4)
@@ -383,8 +390,14 @@ def expect_example(
         )
 
 
+def spelling(server: Server, program: Program) -> None:
+    """Answers in spellings that the specification allows are read alike."""
+    for play in (echo, problems, score):
+        play(server, program, spell)
+
+
 def settings(server: Server, program: Program) -> None:
-    """The example cleans a URL and a token or refuses them, and says what it waits for."""
+    """The example cleans or refuses a URL and a token, and says what it waits for."""
     with closed_port() as port, program.start_example(port) as waiting:
         settings_that_work(server, program)
         settings_that_do_not(server, program)
@@ -505,6 +518,7 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "wrong_answers": wrong_answers,
     "later_version": later_version,
     "vectors": vectors,
+    "spelling": spelling,
     "settings": settings,
     "example": example,
 }
@@ -524,6 +538,7 @@ DESCRIPTIONS = {
     "wrong_answers": "successes that are no message are errors of the client's own",
     "later_version": "values and members of a later version are no error",
     "vectors": "golden vectors of spec/vectors/wire",
+    "spelling": "numbers, times, media types, chunks in all spellings that are allowed",
     "settings": "URLs and tokens as people copy them; a server that moved or is away",
     "example": "the first program of a user: a run, a stopped run, two mistakes",
 }
