@@ -113,6 +113,18 @@ def verify(bundle: Bundle, trusted: Mapping[str, str] | None = None) -> Report:
     )
 
 
+def verify_signer(bundle: Bundle, named: Mapping[str, str]) -> Report:
+    """As `verify`, for a caller who names keys: the host's must be one of them.
+
+    named: as `trusted` of `verify`; with none, a record of any host is accepted.
+    """
+    report = verify(bundle, named)
+    if named and report.signer is None:
+        detail = f"it is signed by {report.keyid}, which is none of the keys named"
+        raise BrokenRecord(STATEMENT, "REC-031", detail)
+    return report
+
+
 def read_statement(data: bytes) -> tuple[Statement[Evaluation], str]:
     """The statement, whose signature fits, and the keyid; raises BrokenRecord."""
     envelope = read_envelope(STATEMENT, data)

@@ -31,6 +31,7 @@ from tests.interop.scenarios import (
     LIMITS,
     MESSAGES_ONLY,
     SCENARIOS,
+    SETTINGS_ONLY,
     Program,
     ScenarioNotRunnable,
     Server,
@@ -79,6 +80,7 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
     row = matrix.cells.setdefault(language.name, {})
     row |= {name: Cell(NO_PART) for name in SCENARIOS if name not in parts}
     names = [name for name in names if name in parts]
+    language.provide()
     if missing := language.missing():
         row |= {name: Cell(NOT_RUN, missing) for name in names}
         print(f"{language.name}: not run: {missing}", flush=True)
@@ -100,6 +102,8 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
 def scenarios_of(language: Language) -> list[str]:
     """The scenarios that its programs have a part in."""
     absent = MESSAGES_ONLY if language.evaluates else EVALUATION_ONLY
+    if language.language == "python":
+        absent = absent | SETTINGS_ONLY
     return [name for name in SCENARIOS if name not in absent]
 
 
@@ -147,13 +151,18 @@ def table(matrix: Matrix) -> list[str]:
     return lines
 
 
-def page(matrix: Matrix) -> str:
-    whys = {
-        f"{language}: {cell.why.splitlines()[0]}"
+def reasons(matrix: Matrix, *outcomes: str) -> set[tuple[str, str]]:
+    """Languages with the first line of why something of theirs has this outcome."""
+    return {
+        (language, cell.why.splitlines()[0])
         for language, row in matrix.cells.items()
         for cell in row.values()
-        if cell.outcome != PASSED and cell.why
+        if cell.outcome in outcomes and cell.why
     }
+
+
+def page(matrix: Matrix) -> str:
+    whys = sorted(reasons(matrix, FAILED, NOT_RUN))
     built = [f"{name} ({version})" for name, version in matrix.toolchains.items()]
     parts = [
         "# Every client, every scenario",
@@ -163,7 +172,7 @@ def page(matrix: Matrix) -> str:
         "",
         *table(matrix),
         "",
-        *(f"- {why}" for why in sorted(whys)),
+        *(f"- {language}: {why}" for language, why in whys),
         *([""] if whys else []),
         f"Toolchains: {'; '.join(built)}.",
     ]
@@ -264,6 +273,8 @@ def main() -> int:
         for name in rows:
             play(languages[name], server, names, matrix)
     print("\n".join(["", *table(matrix)]))
+    for language, why in sorted(reasons(matrix, NOT_RUN)):
+        print(f"{language}: not run: {why}")
     if not matrix.outcomes():
         print("interop: nothing was played; no language has a part in what was chosen")
     JUNIT.parent.mkdir(exist_ok=True)

@@ -7,13 +7,16 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 from tests.support.record.broken_records import (
+    Broken,
     broken_records,
     good_archive_with_verdict,
 )
 from tests.support.record.sample_records import HOST_KEY, OTHER_KEY, make_archive
 
+KEYS = {HOST_KEY.keyid: "example host", OTHER_KEY.keyid: "another lab"}
 FOLDER = Path(__file__).resolve().parents[1] / "spec" / "vectors" / "record"
 
 
@@ -22,8 +25,9 @@ def files() -> dict[str, bytes]:
     broken = broken_records()
     listed = {
         "description": "Records; `file` and `rule` are what a verifier names, null in "
-        "good ones. `keys`: keyid → whose key it is.",
-        "keys": {HOST_KEY.keyid: "example host", OTHER_KEY.keyid: "another lab"},
+        "good ones. `keys`: keyid → whose key it is, as the caller of the verifier "
+        "names them. `with_other_keys`: the same for callers who name other keys.",
+        "keys": KEYS,
         "records": [
             {
                 "record": "good.proctor",
@@ -53,6 +57,7 @@ def files() -> dict[str, bytes]:
                 for name, one in broken.items()
             ),
         ],
+        "with_other_keys": other_callers(broken["score_raised"]),
     }
     text = json.dumps(listed, indent=2, ensure_ascii=False) + "\n"
     return {
@@ -61,6 +66,27 @@ def files() -> dict[str, bytes]:
         "good_replayed.proctor": good_archive_with_verdict(),
         **{f"{name}.proctor": one.archive for name, one in broken.items()},
     }
+
+
+def other_callers(raised: Broken) -> list[dict[str, Any]]:
+    """The answers of a verifier to callers who name other keys than `KEYS`."""
+    host, lab = ({keyid: name} for keyid, name in KEYS.items())
+    signed = ["signed by example host"]
+    none = {"file": None, "rule": None}
+    wrong = {"file": "statement.dsse.json", "rule": "REC-031", "levels": []}
+    score = {"file": raised.file, "rule": raised.rule, "levels": []}
+    cases: tuple[tuple[str, dict[str, str], dict[str, Any], str], ...] = (
+        ("good", {}, none | {"levels": ["reported"]}, "No key is named."),
+        ("good", lab, wrong, "The key of another host is named."),
+        ("good_replayed", host, none | {"levels": signed}, "The replayer is unknown."),
+        ("good_replayed", lab, wrong, "The replayer is named and the host is not."),
+        ("good_replayed", {}, none | {"levels": ["reported"]}, "No key is named."),
+        ("score_raised", lab, score, "What is wrong in the file is named first."),
+    )
+    return [
+        {"record": f"{name}.proctor", "keys": keys, **answer, "description": why}
+        for name, keys, answer, why in cases
+    ]
 
 
 def main() -> None:

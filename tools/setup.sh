@@ -34,16 +34,7 @@ install_uv() {
 provide_rendering() {
     probe="$environment/bin/python -m reference_sim.mujoco.rendering"
     if $probe > /dev/null 2>&1; then return; fi
-    if [ "$(id -u)" = 0 ] && command -v apt-get > /dev/null; then
-        apt="apt-get -qq -y -o Dpkg::Use-Pty=0 install --no-install-recommends"
-        packages="libegl1 libopengl0 libgl1-mesa-dri"
-        echo "set-up: installing $packages for camera images"
-        export DEBIAN_FRONTEND=noninteractive
-        log=$environment/apt.log
-        # The package lists may be missing or old.
-        $apt $packages > "$log" 2>&1 ||
-            { apt-get -qq update && $apt $packages; } >> "$log" 2>&1 || true
-    fi
+    sh tools/debian_packages.sh "for camera images" libegl1 libopengl0 libgl1-mesa-dri || true
     problem=$($probe 2>&1) ||
         echo "set-up: only camera images are missing: $(echo "$problem" | tail -n 1)"
 }

@@ -4,12 +4,14 @@ Loaded once per process from `spec/openapi.yaml`; an installed kit carries the
 documents with it. Knows nothing of servers or checks.
 """
 
+import base64
 import copy
 import functools
 import hashlib
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,7 @@ import jsonschema_rs
 import yaml
 
 from conformance.specification.rule_documents import rule_documents
+from conformance.specification.whole_numbers import whole_number_faults
 
 _HERE = Path(__file__).resolve().parent
 _PACKAGED = _HERE / "files"
@@ -28,10 +31,10 @@ PROBLEM_JSON = "application/problem+json"
 EVENT_STREAM = "text/event-stream"
 ZIP = "application/zip"
 _METHODS = ("get", "put", "post", "delete")
-# RFC 3339, section 5.6, with the letters that it allows in lower case as well.
+# RFC 3339, section 5.6, in the form that http.md allows in answers.
 _DATE_TIME = re.compile(
-    r"\d{4}-(0[1-9]|1[0-2])-(0[1-9]|[12]\d|3[01])[Tt]"
-    r"([01]\d|2[0-3]):[0-5]\d:([0-5]\d|60)(\.\d+)?([Zz]|[+-]([01]\d|2[0-3]):[0-5]\d)"
+    r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{1,9})?(Z|[+-]([01]\d|2[0-3]):[0-5]\d)",
+    re.ASCII,
 )
 _INTEGER_BITS = {"int32": 32, "int64": 64}
 _FORMATS = jsonschema.FormatChecker(formats=())
@@ -39,7 +42,24 @@ _FORMATS = jsonschema.FormatChecker(formats=())
 
 @_FORMATS.checks("date-time")
 def _is_date_time(value: object) -> bool:
-    return not isinstance(value, str) or _DATE_TIME.fullmatch(value) is not None
+    if not isinstance(value, str):
+        return True
+    try:
+        datetime.fromisoformat(value)  # a day and an hour that there is
+    except ValueError:
+        return False
+    return _DATE_TIME.fullmatch(value) is not None
+
+
+@_FORMATS.checks("base64")
+def _is_base64(value: object) -> bool:
+    if not isinstance(value, str):
+        return True
+    try:
+        base64.b64decode(value, validate=True)
+    except ValueError:
+        return False
+    return True
 
 
 def _with_bytes() -> Any:
@@ -163,8 +183,8 @@ class Spec:
         schema = response["content"][media_type]["schema"]
         key = ("response", operation.operation_id, status, media_type)
         if media_type == MSGPACK:
-            schema = _blobs_as_bytes(schema)
-        return self._faults(key, schema, body)
+            return self._faults(key, _blobs_as_bytes(schema), body)
+        return self._faults(key, schema, body) or whole_number_faults(schema, body)
 
     def _faults(self, key: tuple[Any, ...], schema: Any, body: Any) -> list[str]:
         if key not in self._validators:
@@ -194,9 +214,11 @@ def _explain(validator: Any, body: Any) -> list[str]:
 
 
 def _with_ranges(schema: Any) -> Any:
-    """Express the formats int32 and int64 in JSON Schema."""
+    """Express the formats int32 and int64, and the encoding base64, in JSON Schema."""
     if isinstance(schema, dict):
         widened = {key: _with_ranges(value) for key, value in schema.items()}
+        if schema.get("contentEncoding") == "base64":
+            widened["format"] = "base64"
         bits = _INTEGER_BITS.get(str(schema.get("format")))
         if bits is not None:
             bound = 2 ** (bits - 1)
@@ -213,7 +235,9 @@ def _fast_validator(schema: Any) -> Callable[[Any], bool]:
     The detailed validator decides on all others.
     """
     validator = jsonschema_rs.Draft202012Validator(
-        schema, validate_formats=True, formats={"date-time": _is_date_time}
+        schema,
+        validate_formats=True,
+        formats={"base64": _is_base64, "date-time": _is_date_time},
     )
 
     def is_valid(body: Any) -> bool:

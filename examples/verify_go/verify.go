@@ -15,7 +15,7 @@ const (
 )
 
 // verify gives the levels of a record in which nothing is wrong (REC-031), or *broken.
-// keys: keyid → whose key it is.
+// keys: keyid → whose key it is; where there are any, the host's must be one of them.
 func verify(path string, keys map[string]string) (levels []string, err error) {
 	defer func() {
 		if found := recover(); found != nil {
@@ -40,6 +40,9 @@ func verify(path string, keys map[string]string) (levels []string, err error) {
 	keyid, episodes := checkRecord(records, data)
 	replays := checkVerdicts(records, hexDigest(data), episodes, keys)
 	name, known := keys[keyid]
+	if !known && len(keys) > 0 {
+		refuse(statementName, "REC-031", "it is signed by %s, which is none of the keys named", keyid)
+	}
 	if !known {
 		return []string{"reported"}, nil
 	}

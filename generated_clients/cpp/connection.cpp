@@ -3,6 +3,7 @@
 #include "connection.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstdlib>
 
@@ -10,6 +11,8 @@
 
 namespace proctor {
 namespace {
+
+constexpr int redirects_max = 5;
 
 std::string escaped(std::string const& text) {
     std::unique_ptr<char, decltype(&curl_free)> const made(curl_easy_escape(nullptr, text.data(), static_cast<int>(text.size())), curl_free);
@@ -42,6 +45,30 @@ Problem problem_of(long status, std::string const& answer) try {
     return unknown;
 }
 
+/// The part of a URL that names the server.
+std::string origin_of(std::string const& url) { return url.substr(0, url.find('/', url.find("//") + 2)); }
+
+/// Which variable names the proxy that libcurl used, if there is one.
+std::string proxy_note(std::string const& url) {
+    auto const names = url.rfind("https:", 0) == 0 ? std::array{"https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"}
+                                                   : std::array{"http_proxy", "http_proxy", "all_proxy", "ALL_PROXY"};
+    for (auto const name : names)
+        if (auto const value = std::getenv(name); !is_this_machine(url) && value && *value)
+            return std::string("; ") + name + " names a proxy, and hosts in NO_PROXY are reached without it";
+    return "";
+}
+
+/// What to change in the base URL, if that is wrong.
+std::string hint_of(long status, std::string const& base, std::string const& target, std::string const& place) {
+    if (!place.empty()) {
+        auto const rest = place.size() - std::min(place.size(), target.size());
+        return " The server has moved to " + (place.substr(rest) == target ? place.substr(0, rest) : place) + ": give that as the base URL.";
+    }
+    std::string const version = "/v1";
+    if (status != 404 || base.size() < version.size() || base.substr(base.size() - version.size()) != version) return "";
+    return " The base URL ends with /v1, which every request adds: give " + base.substr(0, base.size() - version.size()) + ".";
+}
+
 } // namespace
 
 void Request::path_parameter(std::string const& name, std::string const& value) {
@@ -70,18 +97,37 @@ void Request::header(std::string const& name, std::optional<std::string> const& 
 }
 
 Connection::Connection(std::string url, std::string token, double timeout_s)
-    : m_url(std::move(url)), m_token(std::move(token)), m_curl(curl_easy_init(), curl_easy_cleanup) {
+    : m_url(clean_base_url(url)), m_token(clean_token(token)), m_curl(curl_easy_init(), curl_easy_cleanup) {
     if (!m_curl) throw ConnectionError("libcurl cannot be used");
-    while (!m_url.empty() && m_url.back() == '/') m_url.pop_back();
+    if (is_this_machine(m_url)) curl_easy_setopt(m_curl.get(), CURLOPT_PROXY, ""); // whatever the environment names
     curl_easy_setopt(m_curl.get(), CURLOPT_NOSIGNAL, 1L);
     curl_easy_setopt(m_curl.get(), CURLOPT_TIMEOUT_MS, static_cast<long>(timeout_s * 1000));
 }
 
 std::string Connection::send(Request const& request) {
+    std::string const target = request.path + request.query;
+    std::string url = m_url + target;
+    for (int left = redirects_max;; --left) {
+        long status = 0;
+        std::string place;
+        double retry_after_s = 0;
+        auto const answer = perform(url, request, status, place, retry_after_s);
+        if (status >= 200 && status <= 299) return answer;
+        if (request.method == "GET" && left > 0 && !place.empty() && origin_of(place) == origin_of(url)) {
+            url = place;
+            continue;
+        }
+        auto why = problem_of(status, answer);
+        why.detail += hint_of(status, m_url, target, place);
+        throw Refused(status, why, retry_after_s);
+    }
+}
+
+/// Send a request once. place: where the answer redirects to, or empty.
+std::string Connection::perform(std::string const& url, Request const& request, long& status, std::string& place, double& retry_after_s) {
     CURL* const curl = m_curl.get();
-    std::string const url = m_url + request.path + request.query;
     std::string answer;
-    double retry_after_s = 0;
+    char reason[CURL_ERROR_SIZE] = "";
     curl_slist* lines = curl_slist_append(nullptr, "Accept: application/json, application/problem+json");
     lines = curl_slist_append(lines, ("Authorization: Bearer " + m_token).c_str());
     lines = curl_slist_append(lines, "Expect:"); // long bodies are sent at once
@@ -94,6 +140,7 @@ std::string Connection::send(Request const& request) {
     curl_easy_setopt(curl, CURLOPT_WRITEDATA, &answer);
     curl_easy_setopt(curl, CURLOPT_HEADERFUNCTION, read_header);
     curl_easy_setopt(curl, CURLOPT_HEADERDATA, &retry_after_s);
+    curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, reason);
     std::string const sent = request.body.value_or("");
     if (request.body || request.method == "POST") {
         curl_easy_setopt(curl, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(sent.size()));
@@ -103,10 +150,12 @@ std::string Connection::send(Request const& request) {
     }
     curl_easy_setopt(curl, CURLOPT_CUSTOMREQUEST, request.method.c_str()); // after what else sets a method
     CURLcode const result = curl_easy_perform(curl);
-    if (result != CURLE_OK) throw ConnectionError(curl_easy_strerror(result));
-    long status = 0;
+    curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, nullptr);
+    if (result != CURLE_OK) throw ConnectionError((*reason ? reason : curl_easy_strerror(result)) + proxy_note(url));
     curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &status);
-    if (status < 200 || status > 299) throw Refused(status, problem_of(status, answer), retry_after_s);
+    char* moved = nullptr;
+    curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &moved);
+    if (moved) place = moved;
     return answer;
 }
 

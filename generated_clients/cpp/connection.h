@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/Problem.h"
+#include "settings.h"
 
 namespace proctor {
 
@@ -55,6 +56,7 @@ struct Request {
 /// Kept open between requests; one request at a time, so each thread has its own.
 class Connection {
 public:
+    /// Throws BadSetting for a base URL or a token that cannot be used.
     Connection(std::string url, std::string token, double timeout_s = 60);
 
     /// The text of a success. Throws Refused and ConnectionError.
@@ -75,6 +77,8 @@ public:
     }
 
 private:
+    std::string perform(std::string const& url, Request const& request, long& status, std::string& place, double& retry_after_s);
+
     std::string m_url, m_token;
     std::shared_ptr<void> m_curl;
 };

@@ -1009,8 +1009,8 @@ class Progress(BaseModel):
 
 class ProtocolRange(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    min: Annotated[str, Field(pattern="^[0-9]+\\.[0-9]+$")]
-    max: Annotated[str, Field(pattern="^[0-9]+\\.[0-9]+$")]
+    min: Annotated[str, Field(pattern="^[0-9]{1,4}\\.[0-9]{1,4}$")]
+    max: Annotated[str, Field(pattern="^[0-9]{1,4}\\.[0-9]{1,4}$")]
 
 
 class PublicKey(BaseModel):

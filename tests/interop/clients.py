@@ -31,7 +31,8 @@ class Language:
     """One client with its two programs.
 
     tools: executables that must be on PATH. headers: what g++ must find.
-    install: what to install where one of them is missing.
+    install: what to install where one of them is missing. packages: what Debian has of
+    it, for machines on which we may install.
     version: prints the toolchain's version.
     interop, example: the names of the programs that `start` starts in a folder.
     steps: commands that build, in the copied directory.
@@ -51,6 +52,7 @@ class Language:
     evaluates: bool = False
     on_request: bool = False
     headers: tuple[str, ...] = ()
+    packages: tuple[str, ...] = ()
 
     @property
     def language(self) -> str:
@@ -82,6 +84,14 @@ class Language:
         if self.on_request and not GENERATOR.exists():
             return "the generator is not installed; `make generate-check` installs it"
         return ""
+
+    def provide(self) -> None:
+        """Install the packages that are missing, as root on Debian or Ubuntu."""
+        if self.packages and self.missing():
+            why = f"for the client {self.name}"
+            command = ("sh", "tools/debian_packages.sh", why, *self.packages)
+            subprocess.run(command, cwd=ROOT, check=False)
+            has_header.cache_clear()
 
     def toolchain(self) -> str:
         output = subprocess.run(
@@ -172,8 +182,11 @@ MAVEN_STEPS = (
 )
 
 NODE = "Node.js 20.3 or newer with npm"
-CPP = "g++, CMake, make, libcurl and nlohmann-json (Debian: g++ cmake make \
-libcurl4-openssl-dev nlohmann-json3-dev)"
+CPP_PACKAGES = (
+    *("g++", "cmake", "make"),
+    *("libcurl4-openssl-dev", "nlohmann-json3-dev"),
+)
+CPP = f"g++, CMake, make, libcurl and nlohmann-json (Debian: {' '.join(CPP_PACKAGES)})"
 MAVEN = "a JDK of 11 or newer and Maven (Debian: default-jdk maven)"
 
 
@@ -270,6 +283,7 @@ LANGUAGES = (
         tools=("g++", "cmake", "make"),
         headers=CPP_HEADERS,
         install=CPP,
+        packages=CPP_PACKAGES,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "../build", "-DPROCTOR_PROGRAMS=ON"),
@@ -297,6 +311,7 @@ LANGUAGES = (
         tools=("g++", "cmake", "make"),
         headers=CPP_HEADERS,
         install=CPP,
+        packages=CPP_PACKAGES,
         version=("g++", "--version"),
         steps=(
             ("cmake", "-S", ".", "-B", "build", "-DPROCTOR_EVALUATE_PROGRAMS=ON"),

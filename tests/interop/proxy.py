@@ -22,6 +22,7 @@ from urllib.parse import urlsplit
 import httpx
 import msgspec
 
+WriteAnswer = Callable[[int, Iterable[tuple[str, str]], bytes], bytes]
 MSGPACK = "application/msgpack"
 KINDS = {
     "submit": re.compile(r"POST /v1/runs"),
@@ -50,6 +51,8 @@ class Proxy:
     crash_at: the number of the predict (from 1) whose answer is lost in a crash.
     crash: called then; it returns when the server is back, with its URL.
     alter: makes another answer of each parsed one.
+    write: makes the bytes of an answer from its status, headers and body.
+    host: the address of this machine at which it listens.
     """
 
     def __init__(
@@ -61,8 +64,10 @@ class Proxy:
         crash_at: int = 0,
         crash: Callable[[], str] | None = None,
         alter: Callable[[object], object] | None = None,
+        write: WriteAnswer | None = None,
+        host: str = "127.0.0.1",
     ) -> None:
-        self.upstream, self._alter = upstream, alter
+        self.upstream, self._alter, self._write = upstream, alter, write
         self.recorded: list[RecordedRequest] = []
         self.dropped_answers: list[str] = []
         self._to_drop, self._crash_at, self._crash = set(drop), crash_at, crash
@@ -83,9 +88,13 @@ class Proxy:
             def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
                 """The record is `passed`."""
 
-        self._server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-        self._server.daemon_threads = True
-        self.url = f"http://127.0.0.1:{self._server.server_address[1]}"
+        class Gateway(ThreadingHTTPServer):
+            address_family = socket.AF_INET6 if ":" in host else socket.AF_INET
+            daemon_threads = True
+
+        self._server = Gateway((host, 0), Handler)
+        place = f"[{host}]" if ":" in host else host
+        self.url = f"http://{place}:{self._server.server_address[1]}"
         self._thread = threading.Thread(
             target=self._server.serve_forever, args=(0.02,), daemon=True
         )
@@ -159,6 +168,14 @@ class Proxy:
             media_type = answer.headers.get("Content-Type", "").partition(";")[0]
             codec = msgspec.msgpack if media_type == MSGPACK else msgspec.json
             content = codec.encode(self._alter(codec.decode(content)))
+        if self._write is not None:
+            headers = [
+                (name, value)
+                for name, value in answer.headers.items()
+                if name not in HOP_BY_HOP | {"content-encoding"}
+            ]
+            request.wfile.write(self._write(answer.status_code, headers, content))
+            return
         request.send_response_only(answer.status_code)
         for name, value in answer.headers.items():
             if name not in HOP_BY_HOP | {"content-encoding"}:

@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import itertools
 import json
+import socket
 import struct
 import subprocess
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,9 +22,11 @@ import httpx
 
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
-from tests.interop.proxy import Proxy
+from tests.interop.proxy import Proxy, WriteAnswer
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
+from tests.support.client.moved_server import closed_port, moved_server
+from tests.support.client.spelled_answers import spell
 from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
@@ -33,6 +37,8 @@ LOST_SIGN = "JSON.stringify writes −0 as `0`: its sign is lost"
 LIMITS = {
     ("typescript", "echo"): LOST_SIGN,
     ("typescript-evaluate", "echo"): LOST_SIGN,
+    ("typescript", "spelling"): LOST_SIGN,
+    ("typescript-evaluate", "spelling"): LOST_SIGN,
     ("go", "wrong_answers"): "a member that is missing reads as its zero value",
 }
 # Wrong answers that a language takes for right.
@@ -40,6 +46,8 @@ TAKEN = {"go": {"empty", "missing"}}
 # Of the generated clients alone, and of what is written on top of them alone.
 MESSAGES_ONLY = {"vectors"}
 EVALUATION_ONLY = {"heartbeat"}
+# Python's is reference_client, which has tests of its own.
+SETTINGS_ONLY = {"settings"}
 
 
 class UnexpectedResult(Exception):
@@ -122,6 +130,21 @@ class Program:
         """Its exit code and what it printed, as a user of the example sees them."""
         return self._run([*self.example, *arguments])
 
+    @contextmanager
+    def start_example(self, port: int) -> Iterator[subprocess.Popen[str]]:
+        """The example, which runs at a port of this machine until the context ends."""
+        with subprocess.Popen(
+            [*self.example, f"http://127.0.0.1:{port}", "token"],
+            env=dict(self.env),
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as process:
+            try:
+                yield process
+            finally:
+                process.kill()
+
     def _run(self, command: list[str]) -> subprocess.CompletedProcess[str]:
         try:
             return subprocess.run(
@@ -194,8 +217,9 @@ def chunks(server: Server, program: Program) -> None:
     expect("the turns", observed, wanted)
 
 
-def echo(server: Server, program: Program) -> None:
-    observed = program.play("echo", server.url, server.token)
+def echo(server: Server, program: Program, write: WriteAnswer | None = None) -> None:
+    with Proxy(server.url, write=write) as proxy:
+        observed = program.play("echo", proxy.url, server.token)
     expect("codec", observed["codec"], "raw")
     expect("size", observed["size"], [48, 64, 3])
     expect("image", observed["image"], expected_values.pattern(48, 64, count=1).hex())
@@ -304,8 +328,11 @@ def stop_resume(server: Server, program: Program) -> None:
     expect("scores", scores, [0.5, 0.25, 1.0])
 
 
-def problems(server: Server, program: Program) -> None:
-    observed = program.play("problems", server.url, server.token)["problems"]
+def problems(
+    server: Server, program: Program, write: WriteAnswer | None = None
+) -> None:
+    with Proxy(server.url, write=write) as proxy:
+        observed = program.play("problems", proxy.url, server.token)["problems"]
     unknown, missing, unauthenticated, vector, order = observed
     never = {"retryable": False}
     expect_refusal(unknown, 422, "invalid_request", pointers=["/benchmark_id"], **never)
@@ -316,8 +343,8 @@ def problems(server: Server, program: Program) -> None:
     expect_refusal(order, 409, "seq_out_of_order", expected_seq=1, **never)
 
 
-def score(server: Server, program: Program) -> None:
-    with Proxy(server.url) as proxy:
+def score(server: Server, program: Program, write: WriteAnswer | None = None) -> None:
+    with Proxy(server.url, write=write) as proxy:
         observed = program.play("score", proxy.url, server.token)
     reported = server.read(f"/v1/runs/{observed['run_id']}/score")
     expect("score", observed["score"], 0.4)
@@ -363,6 +390,69 @@ def expect_example(
         )
 
 
+def spelling(server: Server, program: Program) -> None:
+    """Answers in spellings that the specification allows are read alike."""
+    for play in (echo, problems, score):
+        play(server, program, spell)
+
+
+def settings(server: Server, program: Program) -> None:
+    """The example cleans or refuses a URL and a token, and says what it waits for."""
+    with closed_port() as port, program.start_example(port) as waiting:
+        settings_that_work(server, program)
+        settings_that_do_not(server, program)
+        expect_wait(waiting, port)
+
+
+def settings_that_work(server: Server, program: Program) -> None:
+    token = f"\ufeff\u201cBearer {server.token}\u201d\r\n"
+    played = program.play_example(f" {server.url}/", token)
+    expect_example(played, 0, "score 0.40625")
+    if has_ipv6():
+        with Proxy(server.url, host="::1") as proxy:
+            played = program.play_example(proxy.url, f"'{server.token}'")
+        expect_example(played, 0, "score 0.40625")
+
+
+def settings_that_do_not(server: Server, program: Program) -> None:
+    secret = "hunter2"
+    new = "https://new.example/base"
+    with moved_server(new) as old:
+        for url, token, reason in (
+            (server.url, f"{secret}\u200b{secret}", "the token has an invisible"),
+            (server.url, f"{secret} {secret}", "the token has a space at"),
+            (server.url, f"{secret}é", "the token has a character that is not ASCII"),
+            (f"http://me:{secret}@127.0.0.1", "t", "has a user or a password"),
+            (f"http://127.0.0.1/?key={secret}", "t", "ends with a query"),
+            ("http://[fe80::1%25eth0]:8460", "t", "a zone id"),
+            ("http://::1:8460", "t", "an IPv6 address without brackets"),
+            ("127.0.0.1:8460", "t", "the base URL must be like http://"),
+            (f"{server.url}/v1", server.token, "The base URL ends with /v1"),
+            (old, secret, f"The server has moved to {new}: give that as the base URL"),
+        ):
+            played = program.play_example(url, token)
+            output = played.stdout + played.stderr
+            if played.returncode != 1 or reason not in played.stderr:
+                raise UnexpectedResult(f"no {reason!r} of {url!r}: {output[-1500:]}")
+            expect("that a secret was printed", secret in output, False)
+
+
+def expect_wait(waiting: subprocess.Popen[str], port: int) -> None:
+    """The example says within seconds what it waits for, before it ends."""
+    assert waiting.stderr is not None
+    line = waiting.stderr.readline()
+    # A package ends its first contact after 3 s.
+    is_said = line.startswith("waiting: ") or line.endswith("[unreachable]\n")
+    if not is_said or str(port) not in line:
+        raise UnexpectedResult(f"at a closed port the example says {line!r}")
+
+
+def has_ipv6() -> bool:
+    with suppress(OSError), socket.create_server(("::1", 0), family=socket.AF_INET6):
+        return True
+    return False
+
+
 def vectors(_server: Server, program: Program) -> None:
     """The golden vectors need no server."""
     observed = program.play("vectors", str(VECTORS), "-")
@@ -385,7 +475,7 @@ def wrong_answers(server: Server, program: Program) -> None:
     """Successes that are no message; the client's own error says so for each."""
     server.submit()
     page = server.read("/v1/runs?limit=1")
-    with wrong_server(page) as url:
+    with wrong_server(page, redirects=program.language != "python") as url:
         errors = program.play("wrong_answers", url, server.token)["errors"]
     taken = TAKEN.get(program.language, set())
     wanted = {
@@ -428,6 +518,8 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "wrong_answers": wrong_answers,
     "later_version": later_version,
     "vectors": vectors,
+    "spelling": spelling,
+    "settings": settings,
     "example": example,
 }
 DESCRIPTIONS = {
@@ -446,5 +538,7 @@ DESCRIPTIONS = {
     "wrong_answers": "successes that are no message are errors of the client's own",
     "later_version": "values and members of a later version are no error",
     "vectors": "golden vectors of spec/vectors/wire",
+    "spelling": "numbers, times, media types, chunks in all spellings that are allowed",
+    "settings": "URLs and tokens as people copy them; a server that moved or is away",
     "example": "the first program of a user: a run, a stopped run, two mistakes",
 }

@@ -1,7 +1,8 @@
 """A server that answers with success what is not the message that was asked for.
 
-It lists runs rightly; each of them, asked for alone, is answered in another wrong way.
-It knows nothing of the protocol but two paths: what is right comes from another server.
+Every GET is redirected first. It lists runs rightly; each of them, asked for alone, is
+answered in another wrong way. It knows nothing of the protocol but two paths: what is
+right comes from another server.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any
 import msgspec
 
 JSON, MSGPACK = "application/json", "application/msgpack"
+MOVED = "/moved"
 
 
 def answers(run: Mapping[str, Any]) -> dict[str, tuple[str, bytes]]:
@@ -41,7 +43,7 @@ def answers(run: Mapping[str, Any]) -> dict[str, tuple[str, bytes]]:
 
 
 @contextmanager
-def wrong_answers(page: Mapping[str, Any]) -> Iterator[str]:
+def wrong_answers(page: Mapping[str, Any], *, redirects: bool) -> Iterator[str]:
     """The URL of such a server. page: a RunList with a run at least."""
     run = page["runs"][0]
     wrong = answers(run)
@@ -53,6 +55,13 @@ def wrong_answers(page: Mapping[str, Any]) -> Iterator[str]:
 
         def do_GET(self) -> None:
             path = self.path.partition("?")[0]
+            if redirects and not path.startswith(MOVED):
+                self.send_response_only(307)
+                self.send_header("Location", MOVED + self.path)
+                self.send_header("Content-Length", "0")
+                self.end_headers()
+                return
+            path = path.removeprefix(MOVED)
             given = right.get(path) or wrong[path.rpartition("/")[2]]
             media_type, body = given
             self.send_response_only(200)

@@ -7,7 +7,7 @@ import pytest
 
 from reference_record.broken import BrokenRecord
 from reference_record.formats.bundle import open_bundle
-from reference_record.verification import verify
+from reference_record.verification import verify_signer
 from tests.support.paths import ROOT
 from tools.record_vectors import files
 
@@ -22,13 +22,16 @@ def test_the_vectors_are_as_their_tool_writes_them() -> None:
     assert [name for name in wanted if found[name] != wanted[name]] == []
 
 
-@pytest.mark.parametrize("case", LISTED["records"], ids=lambda case: case["record"])
+CASES = LISTED["records"] + LISTED["with_other_keys"]
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case["record"])
 def test_a_vector(case: dict[str, Any]) -> None:
-    path = FOLDER / case["record"]
+    path, keys = FOLDER / case["record"], case.get("keys", LISTED["keys"])
     if case["rule"] is None:
-        report = verify(open_bundle(path), LISTED["keys"])
+        report = verify_signer(open_bundle(path), keys)
         assert report.levels == case["levels"]
         return
     with pytest.raises(BrokenRecord) as broken:
-        verify(open_bundle(path), LISTED["keys"])
+        verify_signer(open_bundle(path), keys)
     assert (broken.value.file, broken.value.rule) == (case["file"], case["rule"])

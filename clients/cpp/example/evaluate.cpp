@@ -27,7 +27,6 @@ int main(int count, char** arguments) try {
         return 1;
     }
     Server server{arguments[1], arguments[2]};
-    server.on_waiting = [](std::string const& why) { std::cerr << why + "\n"; };
     stop = server.stop.get();
     std::signal(SIGINT, [](int) { stop->request(); });
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iostream>
+#include <mutex>
 #include <random>
 #include <sstream>
 #include <thread>
@@ -12,6 +14,7 @@ namespace {
 constexpr double first_pause_s = 0.1, longest_pause_s = 5, poll_s = 0.2, stop_check_s = 0.05;
 constexpr double first_contact_s = 3; // short for a mistyped URL, long enough for a starting server
 constexpr double first_answer_s = 5;  // the same, where something accepts connections and is silent
+constexpr double first_report_s = 2, next_report_s = 10;
 constexpr double defect_s = 10;       // a defect of the server seldom disappears by itself
 
 double now_s() {
@@ -30,16 +33,22 @@ double limit_s(std::string const& code, RetryLimits const& limits_s, double tota
     return code == "internal_error" ? std::min(defect_s, total_s) : total_s;
 }
 
-std::string without_slash(std::string url) {
-    while (!url.empty() && url.back() == '/') url.pop_back();
-    return url;
+Server checked(Server server) try {
+    server.url = clean_base_url(server.url);
+    server.token = clean_token(server.token);
+    return server;
+} catch (BadSetting const& error) {
+    throw Error("invalid_request", error.what() + std::string("."));
 }
 
-Server checked(Server server) {
-    server.url = without_slash(server.url);
-    if (server.url.rfind("http://", 0) != 0 && server.url.rfind("https://", 0) != 0)
-        throw std::invalid_argument(server.url + " is no URL of a server; it begins with http:// or https://");
-    return server;
+/// What is waited for, on stderr; workers that wait for the same thing say it once.
+void report_wait(std::string const& why) {
+    static std::mutex mutex;
+    static std::pair<std::string, double> said;
+    std::lock_guard const lock(mutex);
+    if (said.first == why && now_s() - said.second < next_report_s / 2) return;
+    said = {why, now_s()};
+    std::cerr << "waiting: " + why + "\n";
 }
 
 } // namespace
@@ -53,6 +62,9 @@ void StopSignal::sleep(double seconds) const {
     throw Interrupted();
 }
 
+Retry::Retry(Server const& server, RetryLimits const& limits_s)
+    : m_server(server), m_limits_s(limits_s), m_begin(now_s()), m_next_report_s(first_report_s) {}
+
 void Retry::wait_after(Error const& error) {
     if (m_code != error.code) {
         m_since = now_s();
@@ -62,7 +74,12 @@ void Retry::wait_after(Error const& error) {
     double const wait_s = error.retry_after_s > 0 ? error.retry_after_s + chance(0, first_pause_s) : m_pause_s * chance(0.5, 1);
     double const left_s = m_since + limit_s(error.code, m_limits_s, m_server.retry_timeout_s) - now_s();
     if (!error.retryable || wait_s > left_s) throw error;
-    if (m_server.on_waiting && m_detail != error.detail) m_server.on_waiting(error.detail);
+    if (m_server.on_waiting) {
+        if (m_detail != error.detail) m_server.on_waiting(error.detail);
+    } else if (now_s() - m_begin + wait_s >= m_next_report_s) {
+        report_wait(error.detail);
+        m_next_report_s = now_s() - m_begin + next_report_s;
+    }
     m_code = error.code;
     m_detail = error.detail;
     m_pause_s = std::min(2 * m_pause_s, longest_pause_s);

@@ -59,7 +59,7 @@ void Session::detach() noexcept {
     Server server = m_server; // also when the evaluation was interrupted
     server.retry_timeout_s = margin_s;
     server.stop = std::make_shared<StopSignal>();
-    server.on_waiting = nullptr;
+    server.on_waiting = [](std::string const&) {};
     auto const until = std::chrono::steady_clock::now() + std::chrono::duration<double>(margin_s);
     try {
         call(server, [&] {

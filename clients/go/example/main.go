@@ -62,7 +62,11 @@ func main() {
 		os.Exit(1)
 	}
 	arguments := append(os.Args[1:], "")
-	if err := evaluate(At(arguments[0], arguments[1]), arguments[2]); err != nil {
+	server, err := At(arguments[0], arguments[1])
+	if err == nil {
+		err = evaluate(server, arguments[2])
+	}
+	if err != nil {
 		fmt.Fprintf(os.Stderr, "%v\n", err)
 		os.Exit(1)
 	}

@@ -5,8 +5,8 @@ import java.util.Map;
 import java.util.UUID;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import proctor.client.ApiClient;
 import proctor.client.ApiException;
+import proctor.client.Connection;
 import proctor.client.api.ControlApi;
 import proctor.client.api.DataApi;
 import proctor.client.model.*;
@@ -42,48 +42,62 @@ public final class Worker {
 
     Worker(String url, String token) {
         this.token = token;
-        this.control = new ControlApi(at(url));
+        this.control = new ControlApi(Connection.connect(url, token));
     }
 
     DataApi data(Run run) {
-        return new DataApi(at(run.getEndpoint()));
+        return new DataApi(Connection.connect(run.getEndpoint(), token));
     }
 
-    private ApiClient at(String url) {
-        ApiClient client = new ApiClient().setBasePath(url).setReadTimeout(60_000);
-        client.setBearerToken(token);
-        return client;
-    }
 
     /** Send a request; a refusal becomes Refused. */
     static <T> T once(Request<T> request) throws ApiException, Refused {
         try {
             return request.send();
         } catch (ApiException error) {
-            if (error.getCode() < 400 || error.getResponseBody() == null) throw error;
+            if (error.getCode() < 300 || error.getResponseBody() == null) throw error;
+            List<String> hints = error.getResponseHeaders().getOrDefault(Connection.HINT, List.of());
+            String hint = hints.isEmpty() ? "" : " " + hints.get(0);
             Problem problem;
             try {
-                problem = Problem.fromJson(error.getResponseBody());
+                problem = java.util.Objects.requireNonNull(Problem.fromJson(error.getResponseBody()));
             } catch (RuntimeException unreadable) {
-                throw error; // a gateway speaks for itself
+                if (hints.isEmpty()) throw error; // a gateway speaks for itself
+                problem = new Problem().code("bad_answer").detail("HTTP status " + error.getCode() + ".").retryable(false);
             }
-            List<String> wait = error.getResponseHeaders().get("retry-after");
-            throw new Refused(error.getCode(), problem, wait == null ? null : Double.valueOf(wait.get(0)));
+            problem.setDetail(problem.getDetail() + hint);
+            throw new Refused(error.getCode(), problem, secondsOf(error));
         }
+    }
+
+    /** Retry-After, if it is a number of seconds: it may be a date. */
+    private static Double secondsOf(ApiException error) {
+        String text = error.getResponseHeaders().getOrDefault("retry-after", List.of("")).get(0);
+        return text.matches("[0-9]{1,6}") ? Double.valueOf(text) : null;
     }
 
     /** Send a request until it is answered: a repeat executes nothing twice. */
     static <T> T ask(Request<T> request) throws Exception {
-        long deadline = System.currentTimeMillis() + RETRY_TIMEOUT_MS;
+        long start = System.currentTimeMillis(), deadline = start + RETRY_TIMEOUT_MS;
+        long nextReport = start + 2000; // said after 2 s, and then every 10 s
         for (long pause = 100; ; pause = Math.min(2 * pause, 2000)) {
-            long wait = pause;
+            long wait = pause, now;
+            String why;
             try {
                 return once(request);
             } catch (Refused error) {
-                if (!error.problem.getRetryable() || System.currentTimeMillis() > deadline) throw error;
+                now = System.currentTimeMillis();
+                why = error.getMessage();
+                if (!error.problem.getRetryable() || now > deadline) throw error;
                 if (error.retryAfterS != null) wait = Math.round(1000 * error.retryAfterS);
             } catch (ApiException error) {
-                if (System.currentTimeMillis() > deadline) throw error;
+                now = System.currentTimeMillis();
+                why = String.valueOf(error.getCause() == null ? error.getMessage() : error.getCause());
+                if (now > deadline) throw error;
+            }
+            if (now + wait >= nextReport) {
+                System.err.println("waiting: " + why);
+                nextReport = now + 10_000;
             }
             Thread.sleep(wait);
         }

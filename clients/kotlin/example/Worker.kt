@@ -46,17 +46,23 @@ class Worker(url: String, private val token: String) {
 
 /** Send a request until it is answered: a repeat executes nothing twice. */
 fun <T> ask(request: () -> T): T {
-    val deadline = System.currentTimeMillis() + RETRY_TIMEOUT_MS
+    val start = System.currentTimeMillis()
+    val deadline = start + RETRY_TIMEOUT_MS
     var pauseMs = 100L
+    var nextReport = start + 2000 // said after 2 s, and then every 10 s
     while (true) {
         var waitMs = pauseMs
         try {
             return request()
-        } catch (error: Refused) {
-            if (!error.problem.retryable || System.currentTimeMillis() > deadline) throw error
-            error.retryAfterS?.let { waitMs = (1000 * it).toLong() }
-        } catch (error: ProctorException) { // no answer, or none that we can read
-            if (System.currentTimeMillis() > deadline) throw error
+        } catch (error: ProctorException) { // a refusal, no answer, or none that we can read
+            val isFinal = error is Refused && !error.problem.retryable
+            val now = System.currentTimeMillis()
+            if (isFinal || now > deadline) throw error
+            if (error is Refused) error.retryAfterS?.let { waitMs = (1000 * it).toLong() }
+            if (now + waitMs >= nextReport) {
+                System.err.println("waiting: ${error.message}")
+                nextReport = now + 10_000
+            }
         }
         Thread.sleep(waitMs)
         pauseMs = minOf(2 * pauseMs, 2000)

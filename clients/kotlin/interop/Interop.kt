@@ -53,8 +53,8 @@ private fun problemOf(attempt: () -> Any?): Seen = try {
 }
 
 private class Scenarios(private val url: String, token: String) {
-    private val server = Worker(url, token)
-    private val control = server.control
+    private val server by lazy { Worker(url, token) } // vectors need none
+    private val control by lazy { server.control }
 
     private fun submit(body: SubmitRun, key: String = unique()) = ask { control.submitRun(body, key) }
 

@@ -3,15 +3,17 @@
 //!     cargo run --example worker -- URL TOKEN [RUN_ID]
 
 mod calibration;
+mod connection;
 mod worker;
 
 use proctor_client::apis::control_api;
 use proctor_client::models::{CalibrationOptions, CalibrationTask, EpisodeResult, PolicyInfo, SubmitRun, Turn};
 use calibration::act;
-use worker::{ask, at, play, unique, Failure};
+use connection::{at, unique};
+use worker::{ask, play, Failure};
 
 async fn evaluate(url: &str, token: &str, run_id: Option<&String>) -> Result<(), Failure> {
-    let control = at(url, token);
+    let control = at(url, token)?;
     let options = CalibrationOptions { tasks: Some(vec![CalibrationTask::Score; 8]), ..Default::default() };
     let policy_info = PolicyInfo::new("scripted".to_owned());
     let mut submit = SubmitRun::new("calibration".to_owned(), policy_info);
@@ -44,6 +46,10 @@ async fn main() {
         std::process::exit(1);
     }
     if let Err(failure) = evaluate(&arguments[1], &arguments[2], arguments.get(3)).await {
+        let is_unknown = matches!(&failure, Failure::Refused { problem, .. } if problem.code == "not_found");
+        if is_unknown && arguments[1].trim_end_matches('/').ends_with("/v1") {
+            eprintln!("The base URL ends with /v1, which every request adds: give the part before it.");
+        }
         eprintln!("{failure}");
         std::process::exit(1);
     }

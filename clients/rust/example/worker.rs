@@ -3,9 +3,9 @@
 
 use std::fmt;
 use std::future::Future;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, Instant};
 
+use crate::connection::{data, hint, reasons, unique};
 use proctor_client::apis::configuration::Configuration;
 use proctor_client::apis::{control_api, data_api, Error};
 use proctor_client::models::{
@@ -21,6 +21,8 @@ pub enum Failure {
     Refused { status: u16, problem: Box<Problem>, retry_after_s: Option<f64> },
     /// No answer, or one that does not speak the protocol, as from a gateway.
     Lost(String),
+    /// A setting is wrong, such as the URL; to repeat the request does not help.
+    Wrong(String),
 }
 
 impl fmt::Display for Failure {
@@ -28,6 +30,7 @@ impl fmt::Display for Failure {
         match self {
             Failure::Refused { problem, .. } => write!(out, "{} [{}]", problem.detail, problem.code),
             Failure::Lost(why) => write!(out, "no answer: {why}"),
+            Failure::Wrong(why) => write!(out, "{why}"),
         }
     }
 }
@@ -35,8 +38,12 @@ impl fmt::Display for Failure {
 impl<T> From<Error<T>> for Failure {
     fn from(error: Error<T>) -> Self {
         let Error::ResponseError(answer) = error else {
-            return Failure::Lost(error.to_string());
+            return Failure::Lost(reasons(&error));
         };
+        let location = answer.headers.get("location").and_then(|text| text.to_str().ok());
+        if let (300..=399, Some(place)) = (answer.status.as_u16(), location) {
+            return Failure::Wrong(format!("HTTP status {}. {}", answer.status, hint(place)));
+        }
         match serde_json::from_str(&answer.content) {
             Ok(problem) => {
                 let retry_after_s = answer.headers.get("retry-after").and_then(|text| text.to_str().ok()?.parse().ok());
@@ -47,25 +54,13 @@ impl<T> From<Error<T>> for Failure {
     }
 }
 
-/// The control plane of one server, or the data plane that a run names.
-pub fn at(url: &str, token: &str) -> Configuration {
-    Configuration {
-        base_path: url.to_owned(),
-        bearer_access_token: Some(token.to_owned()),
-        ..Configuration::default()
-    }
-}
-
-pub fn data(control: &Configuration, run: &Run) -> Configuration {
-    Configuration { base_path: run.endpoint.clone(), ..control.clone() }
-}
-
 /// Send a request until it is answered: a repeat executes nothing twice.
 pub async fn ask<T, E, F>(mut send: impl FnMut() -> F) -> Result<T, Failure>
 where
     F: Future<Output = Result<T, Error<E>>>,
 {
     let (deadline, mut pause_s) = (Instant::now() + RETRY_TIMEOUT, 0.1_f64);
+    let mut next_report = Instant::now() + Duration::from_secs(2); // then every 10 s
     loop {
         let failure = match send().await {
             Ok(value) => return Ok(value),
@@ -73,13 +68,19 @@ where
         };
         let wait_s = match &failure {
             Failure::Refused { problem, .. } if !problem.retryable => return Err(failure),
+            Failure::Wrong(_) => return Err(failure),
             Failure::Refused { retry_after_s, .. } => *retry_after_s,
             Failure::Lost(_) => None,
         };
         if Instant::now() > deadline {
             return Err(failure);
         }
-        tokio::time::sleep(Duration::from_secs_f64(wait_s.unwrap_or(pause_s))).await;
+        let pause = Duration::from_secs_f64(wait_s.unwrap_or(pause_s));
+        if Instant::now() + pause >= next_report {
+            eprintln!("waiting: {failure}");
+            next_report = Instant::now() + Duration::from_secs(10);
+        }
+        tokio::time::sleep(pause).await;
         pause_s = (2.0 * pause_s).min(2.0);
     }
 }
@@ -118,7 +119,7 @@ async fn session<F: Future<Output = Vec<Action>>>(
     policy: &mut impl FnMut(Turn) -> F,
     report: &mut impl FnMut(&EpisodeResult),
 ) -> Result<(), Failure> {
-    let data = data(control, &until_open(control, run_id).await?);
+    let data = data(control, &until_open(control, run_id).await?)?;
     let key = AttachWorker::new(unique());
     let mut turn = ask(|| data_api::attach_worker(&data, run_id, worker_id, key.clone(), None)).await?;
     while !turn.done {
@@ -140,11 +141,4 @@ pub async fn until_open(control: &Configuration, run_id: &str) -> Result<Run, Fa
         }
         tokio::time::sleep(Duration::from_millis(100)).await;
     }
-}
-
-/// A name that is not in use.
-pub fn unique() -> String {
-    static COUNT: AtomicU64 = AtomicU64::new(0);
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).expect("after 1970").as_nanos();
-    format!("{now:x}-{:x}-{:x}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed))
 }

@@ -4,6 +4,8 @@
 
 #[path = "../example/calibration.rs"]
 mod calibration;
+#[path = "../example/connection.rs"]
+mod connection;
 #[path = "../example/worker.rs"]
 mod worker;
 
@@ -18,7 +20,8 @@ use proctor_client::apis::configuration::Configuration;
 use proctor_client::apis::{control_api, data_api, Error};
 use proctor_client::models::*;
 use serde_json::{json, Value};
-use worker::{ask, at, data, play, unique, Failure};
+use connection::{at, data, unique};
+use worker::{ask, play, Failure};
 
 type Seen = Result<Value, Failure>;
 
@@ -51,12 +54,12 @@ async fn submit(control: &Configuration, choice: &Choice, key: &str) -> Result<R
 }
 
 async fn attach(control: &Configuration, run: &Run) -> Result<Turn, Failure> {
-    let (data, body) = (data(control, run), AttachWorker::new(unique()));
+    let (data, body) = (data(control, run)?, AttachWorker::new(unique()));
     ask(|| data_api::attach_worker(&data, &run.run_id, "worker-0", body.clone(), None)).await
 }
 
 async fn predict(control: &Configuration, run: &Run, turn: &Turn, seq: i64, actions: Vec<Action>) -> Result<Turn, Failure> {
-    let data = data(control, run);
+    let data = data(control, run)?;
     let mut body = Predict::new(turn.session_id.clone(), seq, actions);
     body.observe = Some(Observe::All);
     ask(|| data_api::predict(&data, &run.run_id, "worker-0", body.clone(), None)).await
@@ -239,7 +242,7 @@ async fn worker_limit(control: &Configuration) -> Seen {
     let mut wanted = choice(CalibrationTask::Score, 3, 10);
     (wanted.max_workers, wanted.idle_timeout_s) = (Some(1), Some(5.0));
     let run = submit(control, &wanted, &unique()).await?;
-    let (turn, data) = (attach(control, &run).await?, data(control, &run));
+    let (turn, data) = (attach(control, &run).await?, data(control, &run)?);
     let key = AttachWorker::new("k".to_owned());
     let problem = problem_of(once(data_api::attach_worker(&data, &run.run_id, "worker-1", key, None).await));
     ask(|| data_api::detach_worker(&data, &run.run_id, "worker-0", &turn.session_id, None)).await?;
@@ -265,7 +268,7 @@ async fn stop_resume(control: &Configuration) -> Seen {
 
 async fn problems(control: &Configuration) -> Seen {
     let unknown = SubmitRun::new("no_such".to_owned(), PolicyInfo::new("interop".to_owned()));
-    let unauthenticated = at(&control.base_path, "not-a-token");
+    let unauthenticated = at(&control.base_path, "not-a-token")?;
     let run = submit(control, &choice(CalibrationTask::Count, 1, 10), &unique()).await?;
     let turn = attach(control, &run).await?;
     let short = vec![with(act(0.0), "vector", &[1.0])];
@@ -365,7 +368,10 @@ fn vectors(directory: &str) -> Value {
 async fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let (scenario, url, token) = (&arguments[1], &arguments[2], &arguments[3]);
-    let control = &at(url, token);
+    if scenario == "vectors" {
+        return println!("{}", vectors(url)); // needs no server
+    }
+    let control = &at(url, token).expect("a URL and a token");
     let seen = match scenario.as_str() {
         "submit" => repeated_submit(control).await,
         "two_workers" => two_workers(control).await,
@@ -380,7 +386,6 @@ async fn main() {
         "wrong_answers" => wrong_answers(control).await,
         "later_version" => later_version(control).await,
         "score" => score(control).await,
-        "vectors" => Ok(vectors(url)),
         other => panic!("no scenario {other}"),
     };
     match seen {

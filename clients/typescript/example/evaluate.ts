@@ -24,7 +24,6 @@ async function main(url: string, token: string, runId?: string): Promise<void> {
     workers: 2,
     onRun: (run) => console.log(`run ${run.run_id}: ${run.progress.episodes_total} episodes`),
     onResult: (r) => console.log(`  episode ${r.index} (${r.task}): ${r.outcome}, score ${r.score}`),
-    onWaiting: (why) => why && console.error(why),
   });
   console.log(`score ${score.score}`);
 }

@@ -78,9 +78,10 @@ export function howToResume(runId: string): string {
 
 /** The ProctorError for what a request to `url` threw; anything else is thrown again. */
 export async function fromFailure(failure: unknown, url: string): Promise<ProctorError> {
-  if (failure instanceof ResponseError) return fromAnswer(failure.response, url);
+  if (failure instanceof ResponseError) return fromAnswer(failure, url);
   if (failure instanceof FetchError || isBroken(failure)) {
-    const detail = `${url} is unreachable (${innermost(failure)}). Check the URL, and that the server runs.`;
+    const reason = failure instanceof FetchError ? failure.reason : innermost(failure);
+    const detail = `${url} is unreachable (${reason}). Check the URL, and that the server runs.`;
     return new ProctorError("unreachable", detail, { retryable: true, sideEffects: "possible", cause: failure });
   }
   if (failure instanceof InvalidAnswer || failure instanceof TypeError) {
@@ -98,18 +99,18 @@ function isBroken(failure: unknown): boolean {
   return failure instanceof TypeError && (failure.message === "terminated" || failure.cause !== undefined);
 }
 
-async function fromAnswer(response: Response, url: string): Promise<ProctorError> {
+async function fromAnswer({ response, hint: move }: ResponseError, url: string): Promise<ProctorError> {
   const body: unknown = await response.json().catch(() => null);
   const { status } = response;
   const wait = response.headers.get("Retry-After") ?? "";
   const retryAfterS = /^\d+$/.test(wait) ? Number(wait) : undefined; // a date is ignored
   if (!isProblem(body)) {
     // Sent by a gateway in front of the server, not by the server itself.
-    const detail = `${url} answered ${status} without a problem document. Check that the URL is that of a Proctor server.`;
+    const detail = `${url} answered ${status} without a problem document. ${move ?? "Check that the URL is that of a Proctor server."}`;
     const retryable = status === 429 || status >= 500;
     return new ProctorError("bad_answer", detail, { retryable, sideEffects: "possible", status, retryAfterS });
   }
-  const hint = HINTS[body.code];
+  const hint = move ?? HINTS[body.code];
   return new ProctorError(body.code, hint ? `${body.detail} ${hint}` : body.detail, {
     retryable: body.retryable, sideEffects: body.side_effects, status, problem: body, retryAfterS,
   });

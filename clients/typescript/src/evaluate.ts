@@ -56,7 +56,7 @@ export interface EvaluateOptions {
   onRun?: (run: Run) => void;
   /** Called with each result that a worker of this program has played. */
   onResult?: (result: EpisodeResult, workerId: string) => void;
-  /** Called with the reason of a wait, and with null when it is over. */
+  /** Called with the reason of a wait, and with null when it is over; by default stderr has it after 2 s. */
   onWaiting?: (why: string | null) => void;
 }
 

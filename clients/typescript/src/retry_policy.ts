@@ -5,6 +5,7 @@
  */
 
 import { ProctorError, fromFailure } from "./errors";
+import { reportWait } from "./wait_report";
 
 const FIRST_PAUSE_S = 0.1;
 const LONGEST_PAUSE_S = 5;
@@ -19,7 +20,7 @@ export class RetryPolicy {
     readonly url: string,
     readonly totalS: number,
     readonly signal: AbortSignal,
-    private readonly onWaiting: (why: string | null) => void,
+    private readonly onWaiting?: (why: string | null) => void,
     private readonly requestS: number = REQUEST_TIMEOUT_S,
   ) {}
 
@@ -29,6 +30,7 @@ export class RetryPolicy {
    * exceeds its limit, and the reason of `signal`.
    */
   async call<T>(send: (init: RequestInit) => Promise<T>, limitsS: Record<string, number> = {}): Promise<T> {
+    const onWaiting = this.onWaiting ?? reportWait(this.url);
     let last: ProctorError | null = null;
     let since = now(), pauseS = FIRST_PAUSE_S;
     try {
@@ -42,13 +44,13 @@ export class RetryPolicy {
           const waitS = jittered(failure, pauseS);
           const leftS = since + this.limitS(failure.code, limitsS) - now();
           if (!failure.retryable || waitS > leftS) throw failure;
-          if (last?.detail !== failure.detail) this.onWaiting(failure.detail);
+          if (last?.detail !== failure.detail) onWaiting(failure.detail);
           [last, pauseS] = [failure, Math.min(2 * pauseS, LONGEST_PAUSE_S)];
           await this.pause(waitS);
         }
       }
     } finally {
-      if (last !== null) this.onWaiting(null);
+      if (last !== null || this.onWaiting === undefined) onWaiting(null);
     }
   }
 

@@ -5,7 +5,7 @@
  */
 
 import {
-  Configuration, ControlApi, DataApi, ResponseError,
+  BadSetting, Configuration, ControlApi, DataApi, ResponseError,
   type Benchmark, type Episode, type Run, type Score, type Service, type StopMode, type SubmitRun,
 } from "../../../generated_clients/typescript/src";
 import { ProctorError, RunFailed, RunStopped } from "./errors";
@@ -21,7 +21,7 @@ export interface ServerOptions {
   retryTimeoutS?: number;
   /** Ends every wait and request of this server, but for the detach of a session. */
   signal?: AbortSignal;
-  /** Called with the reason of a wait, and with null when it is over. */
+  /** Called with the reason of a wait, and with null when it is over; by default stderr has it after 2 s. */
   onWaiting?: (why: string | null) => void;
 }
 
@@ -30,15 +30,15 @@ export class Server {
   readonly retryPolicy: RetryPolicy;
 
   constructor(url: string, private readonly token: string, options: ServerOptions = {}) {
-    if (!/^https?:\/\//.test(url)) throw new TypeError(`${url} is no URL of a server; it begins with http:// or https://`);
-    const { retryTimeoutS = 300, signal = new AbortController().signal, onWaiting = () => {} } = options;
-    this.retryPolicy = new RetryPolicy(url.replace(/\/+$/, ""), retryTimeoutS, signal, onWaiting);
-    this.control = new ControlApi(this.at(this.retryPolicy.url));
+    const { retryTimeoutS = 300, signal = new AbortController().signal, onWaiting } = options;
+    const configuration = this.at(url);
+    this.retryPolicy = new RetryPolicy(configuration.basePath, retryTimeoutS, signal, onWaiting);
+    this.control = new ControlApi(configuration);
   }
 
   /** The data plane that a run names. */
   data(run: Run): DataApi {
-    return new DataApi(this.at(run.endpoint));
+    return new DataApi(this.at(run.endpoint, "bad_answer", `${this.retryPolicy.url} named a wrong endpoint of the run: `));
   }
 
   /** Send a request of the generated client until it is answered; throws ProctorError. */
@@ -137,8 +137,12 @@ export class Server {
     throw new Error("changes never end");
   }
 
-  private at(basePath: string): Configuration {
-    return new Configuration({ basePath, accessToken: this.token });
+  private at(basePath: string, code = "invalid_request", prefix = ""): Configuration {
+    try {
+      return new Configuration({ basePath, accessToken: this.token });
+    } catch (error) {
+      throw error instanceof BadSetting ? new ProctorError(code, `${prefix}${error.message}.`, { cause: error }) : error;
+    }
   }
 
   /** The run with its ETag, or null if it has not changed since `etag`. */

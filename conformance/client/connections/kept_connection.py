@@ -23,6 +23,7 @@ from conformance.client.connections.connection_faults import is_own_error
 _PIECE_BYTES = 2**16
 _HEAD_BYTES_MAX = 100 * 1024
 _KEPT_IDLE_S = 2.0
+_INTERIM_MAX = 100
 _UPGRADED = 101
 
 
@@ -242,7 +243,7 @@ class KeptConnection:
         return self._h11.send(event) or b""
 
     def _read_head(self) -> h11.Response | h11.InformationalResponse:
-        while True:
+        for _ in range(_INTERIM_MAX + 1):
             event = self._next_event()
             if isinstance(event, h11.Response):
                 return event
@@ -251,6 +252,7 @@ class KeptConnection:
                     return event
             else:
                 raise httpx.RemoteProtocolError(f"no response, but {event!r}")
+        raise httpx.RemoteProtocolError(f"more than {_INTERIM_MAX} interim responses")
 
     def _next_event(self) -> h11.Event | type[h11.NEED_DATA] | type[h11.PAUSED]:
         while True:

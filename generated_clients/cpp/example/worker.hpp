@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <iostream>
 #include <random>
 #include <sstream>
 #include <thread>
@@ -26,9 +27,25 @@ inline std::shared_ptr<Connection> connect(std::string const& url, std::string c
     return std::make_shared<Connection>(url, token);
 }
 
+/// Says on stderr why a request is still not answered: after 2 s, and then every 10 s.
+class WaitReport {
+public:
+    void because(std::exception const& error, double wait_s) {
+        std::chrono::duration<double> const passed = Clock::now() - m_begin;
+        if (passed.count() + wait_s < m_next_s) return;
+        std::cerr << std::string("waiting: ") + error.what() + "\n";
+        m_next_s = passed.count() + 10;
+    }
+
+private:
+    Clock::time_point m_begin = Clock::now();
+    double m_next_s = 2;
+};
+
 /// Send a request until it is answered: a repeat executes nothing twice.
 template <typename Request> auto ask(Request request) -> decltype(request()) {
     auto const deadline = Clock::now() + retry_timeout;
+    WaitReport waiting;
     for (double pause_s = 0.1;; pause_s = std::min(2 * pause_s, 2.0)) {
         double wait_s = pause_s;
         try {
@@ -36,8 +53,10 @@ template <typename Request> auto ask(Request request) -> decltype(request()) {
         } catch (Refused const& error) {
             if (!error.problem.retryable || Clock::now() > deadline) throw;
             if (error.retry_after_s > 0) wait_s = error.retry_after_s;
-        } catch (std::exception const&) { // no answer, or none that we can read
+            waiting.because(error, wait_s);
+        } catch (std::exception const& error) { // no answer, or none that we can read
             if (Clock::now() > deadline) throw;
+            waiting.because(error, wait_s);
         }
         std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
     }

@@ -667,8 +667,8 @@ class Progress(Message):
 
 
 class ProtocolRange(Message):
-    min: Annotated[str, Field(strict=True, pattern=r"^[0-9]+\.[0-9]+$")]
-    max: Annotated[str, Field(strict=True, pattern=r"^[0-9]+\.[0-9]+$")]
+    min: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")]
+    max: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")]
 
 
 class PublicKey(Message):

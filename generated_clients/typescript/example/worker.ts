@@ -8,9 +8,10 @@
 
 import { randomUUID } from "node:crypto";
 import {
-  Configuration, ControlApi, DataApi, FetchError, InvalidAnswer, ResponseError,
+  BadSetting, Configuration, ControlApi, DataApi, FetchError, InvalidAnswer, ResponseError,
   type Action, type EpisodeResult, type Problem, type Run, type Turn,
 } from "../src";
+import { act } from "./calibration";
 
 const RETRY_TIMEOUT_MS = 60_000;
 
@@ -18,8 +19,8 @@ export const sleep = (ms: number) => new Promise((done) => setTimeout(done, ms))
 
 /** The server said no: `problem` says why and what to do. */
 export class Refused extends Error {
-  constructor(readonly status: number, readonly problem: Problem, readonly retryAfterS: number | null) {
-    super(`${problem.detail} [${problem.code}]`);
+  constructor(readonly status: number, readonly problem: Problem, readonly retryAfterS: number | null, hint = "") {
+    super(`${problem.detail} ${hint && `${hint} `}[${problem.code}]`);
   }
 }
 
@@ -49,11 +50,14 @@ export class Server {
     } catch (error) {
       if (error instanceof ResponseError) {
         const problem = await error.response.json().catch(() => ({}));
-        if (typeof problem.code !== "string") throw new Lost(`status ${error.response.status}`);
-        const wait = error.response.headers.get("Retry-After");
-        throw new Refused(error.response.status, problem, wait ? Number(wait) : null);
+        if (typeof problem.code === "string") {
+          const wait = error.response.headers.get("Retry-After");
+          throw new Refused(error.response.status, problem, wait ? Number(wait) : null, error.hint);
+        }
+        throw error.hint ? error : new Lost(error.message);
       }
-      if (error instanceof FetchError || error instanceof InvalidAnswer || error instanceof TypeError) throw new Lost(String(error.cause ?? error));
+      if (error instanceof BadSetting) throw error;
+      if (error instanceof FetchError || error instanceof InvalidAnswer || error instanceof TypeError) throw new Lost(error.message);
       throw error;
     }
   }
@@ -61,15 +65,22 @@ export class Server {
   /** Send a request until it is answered: a repeat executes nothing twice. */
   async ask<T>(request: () => Promise<T>): Promise<T> {
     const deadline = Date.now() + RETRY_TIMEOUT_MS;
-    for (let pause = 100; ; pause = Math.min(2 * pause, 2000)) {
-      try {
-        return await this.once(request);
-      } catch (error) {
-        const again = error instanceof Lost || (error instanceof Refused && error.problem.retryable);
-        if (!again || Date.now() > deadline) throw error;
-        const wait = error instanceof Refused ? error.retryAfterS : null;
-        await sleep(wait ? 1000 * wait : pause);
+    let why = "an answer", beats = 0; // said after 2 s, and then every 10 s
+    const timer = setInterval(() => beats++ % 5 || console.error(`waiting: ${why}`), 2000);
+    try {
+      for (let pause = 100; ; pause = Math.min(2 * pause, 2000)) {
+        try {
+          return await this.once(request);
+        } catch (error) {
+          const again = error instanceof Lost || (error instanceof Refused && error.problem.retryable);
+          if (!again || Date.now() > deadline) throw error;
+          const wait = error instanceof Refused ? error.retryAfterS : null;
+          why = error.message;
+          await sleep(wait ? 1000 * wait : pause);
+        }
       }
+    } finally {
+      clearInterval(timer);
     }
   }
 
@@ -106,16 +117,6 @@ export class Server {
       await sleep(100);
     }
   }
-}
-
-/** One action of `calibration`; its success is a score above one half. */
-export function act(score: number, values: Record<string, number[]> = {}): Action {
-  return {
-    values: {
-      score: [score], success: [score > 0.5 ? 1 : 0], end: [0], delay_s: [0], fault: [0],
-      vector: Array(8).fill(0), clipped: [0, 0], ...values,
-    },
-  };
 }
 
 async function main(url: string, token: string, runId?: string): Promise<void> {

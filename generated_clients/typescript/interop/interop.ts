@@ -7,7 +7,8 @@ import { randomUUID } from "node:crypto";
 import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import * as api from "../src";
-import { Refused, Server, act, sleep } from "../example/worker";
+import { act } from "../example/calibration";
+import { Refused, Server, sleep } from "../example/worker";
 
 const VECTOR = [-0, 0.1, 5e-324, 1.7976931348623157e308, 9007199254740991, 1 / 3, -2.5e-8, 1e22];
 type Seen = Record<string, unknown>;

@@ -6,4 +6,5 @@ export * from './apis/ControlApi';
 export * from './apis/DataApi';
 export * from './models';
 export { Configuration, FetchError, RequiredError, ResponseError, type Answer, type ConfigurationParameters } from './runtime';
+export { BadSetting } from './settings';
 export { InvalidAnswer, read } from './shapes';

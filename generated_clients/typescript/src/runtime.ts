@@ -4,7 +4,10 @@
 
 /* The sending of requests and the reading of answers, below the operations of apis/. */
 
+import { cleanBaseUrl, cleanToken } from './settings';
 import { read } from './shapes';
+
+const REDIRECTS_MAX = 5;
 
 export interface ConfigurationParameters {
     /** Base URL of the control plane, or of a run's data plane (`run.endpoint`). */
@@ -20,25 +23,33 @@ export interface ConfigurationParameters {
 
 export class Configuration {
     readonly basePath: string;
+    readonly parameters: ConfigurationParameters;
 
-    constructor(readonly parameters: ConfigurationParameters = {}) {
-        this.basePath = (parameters.basePath ?? 'http://127.0.0.1:8460').replace(/\/+$/, '');
+    /** Throws BadSetting for a base URL or a token that cannot be used. */
+    constructor(parameters: ConfigurationParameters = {}) {
+        const { accessToken } = parameters;
+        this.basePath = cleanBaseUrl(parameters.basePath ?? 'http://127.0.0.1:8460');
+        this.parameters = typeof accessToken === 'string' ? { ...parameters, accessToken: cleanToken(accessToken) } : parameters;
     }
 }
 
 /** The server refused the request; the body of `response` is a Problem, or what a gateway sent. */
 export class ResponseError extends Error {
     override name = 'ResponseError';
-    constructor(readonly response: Response) {
-        super(`HTTP status ${response.status}`);
+    /** hint: what to change in the base URL, if that is wrong. */
+    constructor(readonly response: Response, readonly hint?: string) {
+        super(`HTTP status ${response.status}${hint ? `. ${hint}` : ''}`);
     }
 }
 
-/** No answer came; `cause` says why. What was sent may have had its effect. */
+/** No answer came; `reason` and `cause` say why. What was sent may have had its effect. */
 export class FetchError extends Error {
     override name = 'FetchError';
-    constructor(cause: Error) {
-        super(`no answer: ${cause.message}`, { cause });
+    readonly reason: string;
+    constructor(cause: Error, url: string) {
+        const reason = innermost(cause) + proxyNote(url);
+        super(`no answer from ${url}: ${reason}`, { cause });
+        this.reason = reason;
     }
 }
 
@@ -85,7 +96,7 @@ export class BaseApi {
         const needed = 'body' in parts ? { ...parts.path, body: parts.body } : parts.path ?? {};
         for (const [field, value] of Object.entries(needed)) if (value == null) throw new RequiredError(field);
         const { accessToken, credentials, fetchApi = fetch } = this.configuration.parameters;
-        const token = await (typeof accessToken === 'function' ? accessToken() : accessToken);
+        const token = cleanToken(await (typeof accessToken === 'function' ? accessToken() : accessToken) ?? '');
         const filled = path.replace(/\{(\w+)\}/g, (_, field) => encodeURIComponent(String(parts.path![field])));
         const query = given(parts.query).map(([field, value]) => `${field}=${encodeURIComponent(value)}`).join('&');
         const headers = new Headers({ Accept: 'application/json, application/problem+json', ...this.configuration.parameters.headers });
@@ -94,16 +105,66 @@ export class BaseApi {
         for (const [field, value] of given(parts.headers)) headers.set(field, value);
         new Headers(init.headers).forEach((value, field) => headers.set(field, value));
         const body = (parts.contentType ? parts.body : JSON.stringify(parts.body)) as BodyInit | undefined;
-        const url = this.configuration.basePath + filled + (query && `?${query}`);
-        let response: Response;
-        try {
-            response = await fetchApi(url, { credentials, ...init, method, headers, body });
-        } catch (error) {
-            throw error instanceof Error ? new FetchError(error) : error;
+        const target = filled + (query && `?${query}`);
+        let url = this.configuration.basePath + target;
+        for (let left = REDIRECTS_MAX; ; left--) {
+            let response: Response;
+            try {
+                // `fetch` would make a GET of a POST that is redirected.
+                response = await fetchApi(url, { credentials, redirect: 'manual', ...init, method, headers, body });
+            } catch (error) {
+                throw error instanceof Error ? new FetchError(error, this.configuration.basePath) : error;
+            }
+            if (response.ok) return response;
+            const place = newPlace(response, url);
+            const isNear = place !== undefined && new URL(place).origin === new URL(url).origin;
+            if (method !== 'GET' || !isNear || !left) throw new ResponseError(response, hintOf(response, this.configuration.basePath, target, place));
+            await response.body?.cancel();
+            url = place;
         }
-        if (!response.ok) throw new ResponseError(response);
-        return response;
     }
+}
+
+/* Where an answer redirects to. */
+function newPlace(response: Response, url: string): string | undefined {
+    const place = response.headers.get('Location');
+    const isMoved = response.status > 300 && response.status < 400 && response.status !== 304;
+    try {
+        return isMoved && place !== null ? new URL(place, url).href : undefined;
+    } catch {
+        return undefined; // no URL
+    }
+}
+
+function hintOf(response: Response, basePath: string, target: string, place?: string): string | undefined {
+    if (place !== undefined) {
+        const base = place.endsWith(target) ? place.slice(0, -target.length) : place;
+        return `The server has moved to ${base}: give that as the base URL.`;
+    }
+    if (response.status !== 404 || !basePath.endsWith('/v1')) return undefined;
+    return `The base URL ends with /v1, which every request adds: give ${basePath.slice(0, -3)}.`;
+}
+
+/* The innermost reason: the operating system's, if there is one. */
+function innermost(error: Error): string {
+    let inner = error;
+    while (inner.cause instanceof Error) inner = inner.cause;
+    if (inner instanceof AggregateError && inner.errors.length) inner = inner.errors[0]; // one for each address
+    return inner.message || (inner as { code?: string }).code || String(inner);
+}
+
+type Program = { env: Record<string, string | undefined>; versions: { node?: string } };
+
+/* Of the variables that name a proxy: Node's fetch leaves them aside, unless NODE_USE_ENV_PROXY is set. */
+function proxyNote(url: string): string {
+    const { process } = globalThis as { process?: Program }; // a browser has none
+    const scheme = new URL(url).protocol.slice(0, -1);
+    const name = [`${scheme}_proxy`, `${scheme}_proxy`.toUpperCase()].find((name) => process?.env[name]);
+    if (!name || !process?.versions.node) return '';
+    const isUsed = process.env.NODE_USE_ENV_PROXY === '1' && parseInt(process.versions.node) >= 24;
+    if (isUsed) return `; through the proxy of ${name}, unless NO_PROXY lists the host`;
+    if (/^(localhost|127\..*|\[::1\])$/.test(new URL(url).hostname)) return '';
+    return `; without the proxy of ${name}, which fetch uses in Node.js 24 or newer with NODE_USE_ENV_PROXY=1`;
 }
 
 function given(values: Values = {}): [string, string][] {

@@ -30,7 +30,7 @@ from reference_record.export import save_blocks
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT
 from reference_record.replay_verdict import ReplayVerdict
-from reference_record.verification import Report, read_statement, verify
+from reference_record.verification import Report, read_statement, verify_signer
 
 BROKEN = 1
 SUFFIX = ".proctor"
@@ -154,13 +154,9 @@ def check(args: argparse.Namespace, printer: Printer) -> int:
 def _verify(path: Path, keys: Mapping[str, str], printer: Printer) -> int:
     try:
         with usable(path):
-            report = verify(open_bundle(path), keys)
+            report = verify_signer(open_bundle(path), keys)
     except BrokenRecord as broken:
         return _print_broken(path, broken, printer)
-    if keys and report.signer is None:
-        detail = f"it is signed by {report.keyid}, which is none of the keys named"
-        wrong_key = BrokenRecord("statement.dsse.json", "REC-031", detail)
-        return _print_broken(path, wrong_key, printer)
     printer.answer(_as_json(report), _facts(path, report))
     return DONE
 

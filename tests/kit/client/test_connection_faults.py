@@ -6,7 +6,7 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import Any, Protocol
 
 import pytest
 
@@ -36,6 +36,15 @@ HAPROXY_400 = (
     b"Your browser sent an invalid request.\n</body></html>\n"
 )
 _STALL_S = 0.4
+
+
+class AnyServer(Protocol):
+    """A server of one test."""
+
+    url: str
+
+    def close(self) -> None:
+        """Stop listening."""
 
 
 class OneAnswerPerConnection:
@@ -76,7 +85,7 @@ class OneAnswerPerConnection:
 
 
 @contextlib.contextmanager
-def open_context(server: OneAnswerPerConnection) -> Iterator[CheckContext]:
+def open_context(server: AnyServer) -> Iterator[CheckContext]:
     settings = Settings(url=server.url, token="secret")
     settings.service = {"profiles": [], "limits": {}}
     with (

@@ -131,6 +131,8 @@ MORE_SIBLINGS = {
     "tests/mutants/profiles": "a file of mutants for each profile",
     "tests/server": "a folder for each part of the server, and tests of the whole",
     "tests/support": "a folder for each package, and what starts servers",
+    "tools/generators/cpp": "a template for each kind of generated file",
+    "tools/generators/typescript": "a template for each kind of generated file",
     "tools": "a file for each command, and folders of commands of several files",
 }
 

@@ -19,7 +19,10 @@ venv*) mkdir -p .venv-own/bin && echo "exit 0" > .venv-own/bin/python
     chmod +x .venv-own/bin/python ;;
 esac
 """
-FILES = ("requirements/add.sh", "tools/setup.sh", "tools/uv_settings.sh")
+FILES = (
+    *("requirements/add.sh", "tools/debian_packages.sh"),
+    *("tools/setup.sh", "tools/uv_settings.sh"),
+)
 
 
 def test_every_call_of_uv_has_the_settings_of_the_machine(tmp_path: Path) -> None:

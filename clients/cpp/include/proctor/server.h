@@ -36,7 +36,7 @@ private:
 struct Server {
     std::string url, token;
     double retry_timeout_s = 300; ///< How long an unreachable server is retried.
-    /// Called with the reason of each wait, by the threads that wait.
+    /// Called with the reason of each wait, by the threads that wait; without it stderr says it after 2 s.
     std::function<void(std::string const& why)> on_waiting{};
     std::shared_ptr<StopSignal> stop = std::make_shared<StopSignal>();
 };
@@ -47,14 +47,14 @@ using RetryLimits = std::map<std::string, double>;
 /// The time and pause of one request that is repeated.
 class Retry {
 public:
-    Retry(Server const& server, RetryLimits const& limits_s) : m_server(server), m_limits_s(limits_s) {}
+    Retry(Server const& server, RetryLimits const& limits_s);
     /// Wait before the next attempt; throws the error if there is none.
     void wait_after(Error const& error);
 
 private:
     Server const& m_server;
     RetryLimits const& m_limits_s;
-    double m_since = 0, m_pause_s = 0;
+    double m_begin, m_next_report_s, m_since = 0, m_pause_s = 0;
     std::string m_code, m_detail;
 };
 

@@ -10,6 +10,7 @@ import (
 	"fmt"
 	"net/http"
 	"strconv"
+	"strings"
 	"time"
 
 	"proctor"
@@ -22,10 +23,11 @@ type Refused struct {
 	Status     int
 	Problem    proctor.Problem
 	RetryAfter time.Duration // 0: not said
+	Hint       string        // what to change in the base URL, if that is wrong
 }
 
 func (r *Refused) Error() string {
-	return fmt.Sprintf("%s [%s]", r.Problem.Detail, r.Problem.Code)
+	return fmt.Sprintf("%s [%s]", strings.TrimSpace(r.Problem.Detail+" "+r.Hint), r.Problem.Code)
 }
 
 // Server is the control plane of one server, and the data planes that its runs name.
@@ -34,28 +36,36 @@ type Server struct {
 	Context context.Context
 }
 
-func At(url, token string) *Server {
-	auth := context.WithValue(context.Background(), proctor.ContextAccessToken, token)
-	return &Server{client(url).ControlAPI, auth}
+func At(url, token string) (*Server, error) {
+	client, auth, err := proctor.Connect(url, token)
+	if err != nil {
+		return nil, err
+	}
+	return &Server{client.ControlAPI, auth}, nil
 }
 
-func (s *Server) Data(run *proctor.Run) *proctor.DataAPIService { return client(run.Endpoint).DataAPI }
-
-func client(url string) *proctor.APIClient {
-	settings := proctor.NewConfiguration()
-	settings.Servers = proctor.ServerConfigurations{{URL: url}}
-	return proctor.NewAPIClient(settings)
+func (s *Server) Data(run *proctor.Run) (*proctor.DataAPIService, error) {
+	client, _, err := proctor.Connect(run.Endpoint, "") // the token is in the context
+	if err != nil {
+		return nil, fmt.Errorf("the endpoint of the run: %w", err)
+	}
+	return client.DataAPI, nil
 }
 
 // Once sends a request; a refusal becomes *Refused.
 func Once[T any](send func() (T, *http.Response, error)) (T, error) {
 	value, answer, err := send()
 	var failed *proctor.GenericOpenAPIError
-	if errors.As(err, &failed) && answer != nil {
-		if problem, ok := failed.Model().(proctor.Problem); ok {
-			seconds, _ := strconv.Atoi(answer.Header.Get("Retry-After"))
-			return value, &Refused{answer.StatusCode, problem, time.Duration(seconds) * time.Second}
-		}
+	if !errors.As(err, &failed) || answer == nil {
+		return value, err
+	}
+	hint := proctor.Hint(answer)
+	if problem, ok := failed.Model().(proctor.Problem); ok {
+		seconds, _ := strconv.Atoi(answer.Header.Get("Retry-After"))
+		return value, &Refused{answer.StatusCode, problem, time.Duration(seconds) * time.Second, hint}
+	}
+	if hint != "" {
+		return value, &Refused{Status: answer.StatusCode, Problem: proctor.Problem{Detail: answer.Status + ".", Code: "bad_answer"}, Hint: hint}
 	}
 	return value, err
 }
@@ -63,12 +73,15 @@ func Once[T any](send func() (T, *http.Response, error)) (T, error) {
 // Ask sends a request until it is answered: a repeat executes nothing twice.
 func Ask[T any](send func() (T, *http.Response, error)) (T, error) {
 	pause, deadline := 100*time.Millisecond, time.Now().Add(retryTimeout)
+	waiting := reportWait()
+	defer waiting.end()
 	for {
 		value, err := Once(send)
 		var refused *Refused
 		if err == nil || time.Now().After(deadline) || (errors.As(err, &refused) && !refused.Problem.Retryable) {
 			return value, err
 		}
+		waiting.because(err)
 		if refused != nil && refused.RetryAfter > 0 {
 			time.Sleep(refused.RetryAfter)
 		} else {
@@ -101,7 +114,11 @@ func (s *Server) session(runID, workerID string, policy func(*proctor.Turn) []pr
 	if err != nil {
 		return err
 	}
-	data, key := s.Data(run), proctor.AttachWorker{AttachKey: Key()}
+	data, err := s.Data(run)
+	if err != nil {
+		return err
+	}
+	key := proctor.AttachWorker{AttachKey: Key()}
 	turn, err := Ask(data.AttachWorker(s.Context, runID, workerID).AttachWorker(key).Execute)
 	for err == nil && !turn.Done {
 		chunk := proctor.Predict{SessionId: turn.SessionId, Seq: turn.Seq + 1, Actions: policy(turn)}
@@ -129,16 +146,4 @@ func Key() string {
 	random := make([]byte, 16)
 	_, _ = rand.Read(random) // never fails
 	return hex.EncodeToString(random)
-}
-
-// Act is one action of `calibration`; its success is a score above one half.
-func Act(score float64) proctor.Action {
-	success := 0.0
-	if score > 0.5 {
-		success = 1
-	}
-	return proctor.Action{Values: map[string][]float64{
-		"score": {score}, "success": {success}, "end": {0}, "delay_s": {0}, "fault": {0},
-		"vector": make([]float64, 8), "clipped": {0, 0},
-	}}
 }
