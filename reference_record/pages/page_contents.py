@@ -19,6 +19,7 @@ from reference_record.pages.comparison_page import (
     compare_while_played,
     count_kinds,
 )
+from reference_record.pages.episode_plots import fold_constants, plot_data
 from reference_record.pages.page_templates import (
     Links,
     duration,
@@ -28,7 +29,6 @@ from reference_record.pages.page_templates import (
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     first_divergence,
-    plot_data,
 )
 from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
 from reference_record.recording import Turn
@@ -199,12 +199,20 @@ def played_view(
     recorded: RecordedEpisode,
     addresses: Sequence[str] = (),
     videos: Sequence[ShownVideo] = (),
+    *,
+    benchmark: Document | None = None,
 ) -> PlayedView:
-    """addresses: of the pictures, in their order."""
+    """addresses: of the pictures, in their order.
+
+    benchmark: names and units of the actions, and the control rate; None: not known.
+    """
     cameras: dict[str, list[tuple[int, str]]] = {}
     for picture, address in zip(recorded.pictures, addresses, strict=False):
         cameras.setdefault(picture.camera, []).append((picture.step, address))
-    data = plot_data(recorded) | {"pictures": cameras}
+    known = benchmark or {}
+    data = plot_data(
+        recorded, known.get("action_space"), known.get("control_rate_hz")
+    ) | {"pictures": cameras}
     return PlayedView(recorded.turns, recorded.events, data, cameras, videos)
 
 
@@ -217,12 +225,12 @@ def episode_html(
     *,
     control_rate_hz: float | None = None,
     problem: str = "",
-    instruction: str | None = None,
     before: str = "",
     after: str = "",
     csrf: str = "",
 ) -> str:
     """The page of an episode. problem: why there is no recording to show."""
+    known = recorded or RecordedEpisode()
     return render_page(
         "episode",
         links,
@@ -230,9 +238,13 @@ def episode_html(
         run=run,
         episode=episode,
         played=played,
-        times=(recorded or RecordedEpisode()).times(control_rate_hz),
+        constants=fold_constants([played.data]) if played else [],
+        times=known.times(control_rate_hz),
+        instruction=known.instruction,
+        stages=known.stages_reached,
         why=_reason(episode),
-        facts=_episode_facts(episode, instruction),
+        command=run_page.video_command(run, episode),
+        facts=_episode_facts(episode),
         problem=problem,
         before=before,
         after=after,
@@ -258,12 +270,11 @@ def _reason(episode: Document) -> str:
     return "The goal did not hold."
 
 
-def _episode_facts(episode: Document, instruction: str | None) -> dict[str, Any]:
+def _episode_facts(episode: Document) -> dict[str, Any]:
     result = episode.get("result") or {}
     player = result.get("player")
     finished = result.get("finished_at")
     return {
-        "Instruction": instruction,
         "Task": episode["task"],
         "Split": episode["split"],
         "Seed": result.get("seed", "sealed, or not shown" if result else None),
@@ -324,7 +335,9 @@ def pair_html(
         run=compared.run,
         episode=compared.episode,
         sides=sides,
+        constants=fold_constants([side.played.data for side in sides]),
         divergence=first_divergence(baseline.recorded, compared.recorded),
+        instruction=compared.recorded.instruction,
         problem=problem,
     )
 

@@ -210,6 +210,13 @@ def player_text(player: Document) -> str:
     return f"{named}, played with {client}" if client else named
 
 
+def video_command(run: Document, episode: Document) -> str:
+    """The command that draws an episode of the run; empty while it has no result."""
+    if not episode.get("result"):
+        return ""
+    return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
+
+
 def commands(run: Document) -> list[tuple[str, str]]:
     """Title and command: to repeat the run and, if it is whole, to check its score."""
     name = shlex.quote(str(run["policy"]["name"]))

@@ -241,7 +241,7 @@ class StaticReport:
             name = f"{index:05d}-{number}.mp4"
             self._write_once(f"{folder}/{name}", video.path.read_bytes)
             videos.append(ShownVideo(video.origin.camera, base + name, video.note))
-        return played_view(recorded, addresses, videos)
+        return played_view(recorded, addresses, videos, benchmark=reported.benchmark)
 
     def _write_once(self, name: str, read: Callable[[], bytes]) -> None:
         """An episode has a page of its own, and stands in comparisons."""

@@ -172,14 +172,17 @@ class PageHandlers:
         place = _place(episodes, call.path("episode_id"))
         episode = episodes[place]
         recorded, problem = await self._recorded(call, run_id, episode)
-        rate = await _control_rate(call, run["benchmark_id"])
+        benchmark = await _benchmark_of(call, run)
         around = [
             LINKS.episode(run_id, episodes[at]) if 0 <= at < len(episodes) else ""
             for at in (place - 1, place + 1)
         ]
-        view = None if recorded is None else self._view(run_id, episode, recorded)
+        view = None
+        if recorded is not None:
+            view = self._view(run_id, episode, recorded, benchmark)
         return page_contents.episode_html(
-            LINKS, run, episode, recorded, view, control_rate_hz=rate,
+            LINKS, run, episode, recorded, view,
+            control_rate_hz=benchmark and benchmark["control_rate_hz"],
             problem=problem, before=around[0], after=around[1], csrf=call.csrf,
         )  # fmt: skip
 
@@ -220,7 +223,8 @@ class PageHandlers:
             episode = episodes[_place(episodes, call.query_id("episode"))]
             recorded, problem = await self._recorded(call, run["run_id"], episode)
             recorded = recorded or RecordedEpisode()
-            view = self._view(run["run_id"], episode, recorded)
+            benchmark = await _benchmark_of(call, run)
+            view = self._view(run["run_id"], episode, recorded, benchmark)
             sides.append(Side(run, episode, recorded, view))
             problems += [problem] if problem else []
         if len({side.run["manifest_sha256"] for side in sides}) > 1:
@@ -230,13 +234,17 @@ class PageHandlers:
         )
 
     def _view(
-        self, run_id: str, episode: Document, recorded: RecordedEpisode
+        self,
+        run_id: str,
+        episode: Document,
+        recorded: RecordedEpisode,
+        benchmark: Document | None,
     ) -> page_contents.PlayedView:
         addresses = [
             LINKS.picture(run_id, episode, number)
             for number in range(len(recorded.pictures))
         ]
-        return played_view(recorded, addresses)
+        return played_view(recorded, addresses, benchmark=benchmark)
 
     async def _episodes(self, call: PageCall, run: Document) -> _EpisodeList:
         """All episodes of a run. Those of a completed run are kept for a while.
@@ -323,9 +331,10 @@ def _place(episodes: Sequence[Document], episode_id: str) -> int:
     raise Problem(404, "not_found", "The run has no such episode.")
 
 
-async def _control_rate(call: PageCall, benchmark_id: str) -> float | None:
+async def _benchmark_of(call: PageCall, run: Document) -> Document | None:
+    """The benchmark of the run in its version; None if it is no longer offered."""
     try:
-        benchmark = await call.api.get("benchmarks", benchmark_id)
-    except Problem:  # no longer offered
+        benchmark: Document = await call.api.get("benchmarks", run["benchmark_id"])
+    except Problem:
         return None
-    return float(benchmark["control_rate_hz"])
+    return benchmark if benchmark.get("version") == run["benchmark_version"] else None

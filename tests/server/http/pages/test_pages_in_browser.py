@@ -115,13 +115,37 @@ def test_a_failure_is_opened_and_stepped_through(
     browser.press("ArrowRight")
     browser.press("ArrowRight")
     browser.wait_for("location.hash === '#step=2'")
-    assert "0.25" in browser.evaluate("document.querySelector('#readout').innerText")
+    values = "[...document.querySelectorAll('.plots output')].map(o => o.textContent)"
+    assert "0.25" in browser.evaluate(values)
     browser.follow("document.querySelector('a[rel=prev]').click()")
     assert "e0000" in browser.text
     browser.open(f"{server.url}/pages/runs/{runs[0]}/episodes/e0001#step=3")
     browser.wait_for("document.querySelector('#step').value === '3'")
     browser.press("Home")
     browser.wait_for("document.querySelector('#step').value === '0'")
+    assert browser.errors == []
+
+
+def test_an_episode_is_played_to_its_end_and_in_a_loop(
+    server: ReferenceServer, browser: Browser, runs: tuple[str, str]
+) -> None:
+    """Three steps at 10 a second, four times as fast."""
+    browser.sign_in(server.url, TOKENS["alice"])
+    browser.open(f"{server.url}/pages/runs/{runs[0]}/episodes/e0001")
+    assert "proctor video" in browser.text
+    play = "document.querySelector('#play')"
+    browser.evaluate("document.querySelector('#speed').value = '4'")
+    browser.press(" ")
+    browser.wait_for(
+        f"document.querySelector('#step').value === '3' && {play}.innerText === 'Play'"
+    )
+    assert browser.evaluate("location.hash") == "#step=3"
+    browser.evaluate("document.querySelector('#loop').checked = true")
+    browser.evaluate(f"{play}.click()")
+    for is_end in ("===", "!==", "==="):
+        browser.wait_for(f"document.querySelector('#step').value {is_end} '3'")
+    browser.evaluate(f"{play}.click()")
+    assert browser.evaluate(f"{play}.innerText") == "Play"
     assert browser.errors == []
 
 
