@@ -16,8 +16,10 @@ from reference_record.pages.comparison_page import (
     KINDS,
     Pair,
     compare_pairs,
+    compare_several,
     compare_while_played,
     count_kinds,
+    differences_by_task,
 )
 from reference_record.pages.episode_plots import fold_constants, plot_data
 from reference_record.pages.page_templates import (
@@ -119,12 +121,14 @@ def run_html(
     live: str = "",
     turn_times: PolicyTimes | None = None,
     others: Sequence[Document] = (),
+    several: str = "",
     may_publish: bool = False,
     entry: Document | None = None,
     csrf: str = "",
 ) -> str:
     """The page of a run. live: where its changes are streamed; empty for none.
 
+    several: where all runs of its episodes are compared; empty: nowhere.
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
     """
     return render_page(
@@ -156,6 +160,7 @@ def run_html(
         facts=_run_facts(run),
         commands=run_page.commands(run),
         others=others,
+        several=several,
         may_publish=may_publish,
         entry=entry,
     )
@@ -309,6 +314,7 @@ def comparison_html(
         run=run,
         numbers=numbers or compare_pairs(pairs),
         may_stop=describe(compare_while_played(pairs)),
+        tasks=differences_by_task(pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),
         pairs=window.rows,
@@ -320,6 +326,18 @@ def comparison_html(
         if links.is_live
         else {},
     )
+
+
+def several_html(
+    links: Links,
+    runs: Sequence[tuple[Document, Sequence[Document]]],
+    *,
+    csrf: str = "",
+) -> str:
+    """Several runs of one manifest, each with its episodes."""
+    compared = compare_several(runs)
+    tasks = list(dict.fromkeys(task for one in compared for task in one.tasks))
+    return render_page("several", links, csrf=csrf, compared=compared, tasks=tasks)
 
 
 def pair_html(

@@ -130,14 +130,16 @@ def task_table(episodes: Iterable[Document]) -> TaskTable:
     rows = []
     for task in dict.fromkeys(task for task, _ in cells):
         row = [cells.get((task, split)) for split in splits]
-        planned = [cell for cell in row if cell is not None]
-        whole = TaskCell(
-            sum(cell.total for cell in planned),
-            sum(cell.scored for cell in planned),
-            sum(cell.successes for cell in planned),
-        )
-        rows.append((task, row, whole))
+        rows.append((task, row, sum_cells([cell for cell in row if cell is not None])))
     return TaskTable(splits, rows)
+
+
+def sum_cells(cells: Sequence[TaskCell]) -> TaskCell:
+    return TaskCell(
+        sum(cell.total for cell in cells),
+        sum(cell.scored for cell in cells),
+        sum(cell.successes for cell in cells),
+    )
 
 
 def task_table_of_score(score: Document) -> TaskTable:

@@ -19,7 +19,7 @@ from starlette.responses import Response, StreamingResponse
 
 from reference_record.broken import BrokenRecord
 from reference_record.pages import page_contents
-from reference_record.pages.comparison_page import KINDS, pair_episodes
+from reference_record.pages.comparison_page import KINDS, LETTERS, pair_episodes
 from reference_record.pages.page_contents import Side, Window, played_view
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.recorded_episode import (
@@ -33,6 +33,7 @@ from reference_server.http.pages.board_pages import (
     find_entry,
     has_leaderboard,
 )
+from reference_server.http.pages.entry_pages import offered_pages
 from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import LINKS, PageCall
 
@@ -76,6 +77,7 @@ class PageHandlers:
         return render_page(
             "index", LINKS, csrf=call.csrf, title="Benchmarks and runs",
             runs=runs["runs"], benchmarks=benchmarks["benchmarks"],
+            more=await offered_pages(call.api),
         )  # fmt: skip
 
     async def show_benchmark(self, call: PageCall) -> str:
@@ -182,7 +184,7 @@ class PageHandlers:
             view = self._view(run_id, episode, recorded, benchmark)
         return page_contents.episode_html(
             LINKS, run, episode, recorded, view,
-            control_rate_hz=benchmark and benchmark["control_rate_hz"],
+            control_rate_hz=benchmark["control_rate_hz"] if benchmark else None,
             problem=problem, before=around[0], after=around[1], csrf=call.csrf,
         )  # fmt: skip
 
@@ -215,6 +217,18 @@ class PageHandlers:
             numbers=numbers["runs"][0], csrf=call.csrf,
         )  # fmt: skip
 
+    async def show_several(self, call: PageCall) -> str:
+        """Runs of one manifest, of which the address names two at least."""
+        ids = list(dict.fromkeys(call.query_ids("run")))
+        if not 2 <= len(ids) <= len(LETTERS):
+            raise Problem(404, "not_found", f"Choose 2 to {len(LETTERS)} runs.")
+        runs = []
+        for run_id in ids:
+            run = await call.api.get("runs", run_id)
+            runs.append((run, (await self._episodes(call, run)).all))
+        _require_same_episodes([run for run, _ in runs])
+        return page_contents.several_html(LINKS, runs, csrf=call.csrf)
+
     async def show_pair(self, call: PageCall) -> str:
         sides, problems = [], []
         for name in ("baseline", "run"):
@@ -227,8 +241,7 @@ class PageHandlers:
             view = self._view(run["run_id"], episode, recorded, benchmark)
             sides.append(Side(run, episode, recorded, view))
             problems += [problem] if problem else []
-        if len({side.run["manifest_sha256"] for side in sides}) > 1:
-            raise Problem(404, "not_found", "The runs do not have the same episodes.")
+        _require_same_episodes([side.run for side in sides])
         return page_contents.pair_html(
             LINKS, sides, problem=" ".join(problems), csrf=call.csrf
         )
@@ -316,6 +329,11 @@ def _window(
     ]
     part = rows[start : start + ROWS]
     return Window(part, len(rows), call.page, addresses, selected=selected)
+
+
+def _require_same_episodes(runs: Sequence[Document]) -> None:
+    if len({run["manifest_sha256"] for run in runs}) > 1:
+        raise Problem(404, "not_found", "The runs do not have the same episodes.")
 
 
 def _near(page: int, pages: int) -> list[int]:

@@ -35,6 +35,18 @@ class ServerLinks:
     def leaderboard(self, benchmark_id: str) -> str:
         return f"{self.benchmark(benchmark_id)}/leaderboard"
 
+    def entry(self, entry_id: str) -> str:
+        return f"/pages/entries/{quote(entry_id, safe='')}"
+
+    def history(self) -> str:
+        return "/pages/history"
+
+    def imports(self) -> str:
+        return "/pages/imports"
+
+    def import_page(self, import_id: str) -> str:
+        return f"/pages/imports/{quote(import_id, safe='')}"
+
     def run(self, run_id: str) -> str:
         return f"/pages/runs/{quote(run_id, safe='')}"
 

@@ -29,7 +29,7 @@ from reference_record.pages.page_templates import (
     render_page,
 )
 from reference_server.http.bodies.request_bodies import read_body
-from reference_server.http.pages import board_pages
+from reference_server.http.pages import board_pages, entry_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import LINKS, PageCall
 from reference_server.http.pages.page_handlers import PageHandlers
@@ -107,6 +107,9 @@ class Pages:
             "/benchmarks/{benchmark_id}": handlers.show_benchmark,
             "/compare": handlers.show_comparison,
             "/compare/episode": handlers.show_pair,
+            "/compare/several": handlers.show_several,
+            "/imports": entry_pages.show_imports,
+            "/imports/{import_id}": entry_pages.show_import,
             run: handlers.show_run,
             f"{run}/live": self._stream_run,
             f"{run}/record": handlers.fetch_record,
@@ -119,6 +122,8 @@ class Pages:
         open_to_all: dict[str, Show] = {
             board: board_pages.show_leaderboard,
             f"{board}/{{form}}": board_pages.send_leaderboard,
+            "/entries/{entry_id}": entry_pages.show_entry,
+            "/history": entry_pages.show_history,
         }
         changes: dict[str, Change] = {
             f"{run}/publish": board_pages.publish,

@@ -22,7 +22,8 @@ TASKS = ("score", "score", "count")
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    with ReferenceServer(tmp_path_factory.mktemp("pages")) as server:
+    folder = tmp_path_factory.mktemp("pages")
+    with ReferenceServer(folder, PROCTOR_RECORD_IMPORTS="on") as server:
         yield server
 
 
@@ -177,11 +178,18 @@ def addresses(
         played, waiting = Played(client), Played(client)
         played.attach()
         played.play(score=1, success=1, end=1)
+        (entry, *_) = client.get("/v1/entries").json()["entries"]
+        record = client.get(f"/v1/runs/{runs[0]}/record").content
+        kind = {"content-type": "application/zip"}
+        imported = client.post("/v1/records", content=record, headers=kind).json()
     paths = (
+        *("/history", f"/entries/{entry['entry_id']}", "/imports"),
+        f"/imports/{imported['import_id']}",
         *("", "/runs", f"/runs/{runs[0]}", f"/runs/{runs[0]}/episodes/e0001"),
         *("/benchmarks/tabletop", f"/compare?{pair}", "/login", "/nothing"),
         f"/benchmarks/calibration/leaderboard?manifest={published}",
         f"/compare/episode?{pair}&episode=e0000",
+        f"/compare/several?run={runs[0]}&run={runs[1]}",
         *(f"/runs/{one.run_id}" for one in (played, waiting)),
         *("/runs?state=failed", "/benchmarks/calibration/leaderboard"),
     )
