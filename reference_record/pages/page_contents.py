@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from typing import Any, Final
 
 from reference_record.comparison.sequential_comparison import describe
@@ -35,10 +36,15 @@ from reference_record.pages.recorded_episode import (
 from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
 from reference_record.recording import Turn
 
-LEVEL_REPORTED: Final = (
-    "Level: reported by this server. A signed record is checked by proctor verify; "
-    "no level proves that the actions came from the policy that is named."
+_NOT_PROVEN: Final = (
+    "No level proves that the actions came from the policy that is named."
 )
+# The words of the leaderboard for the same run.
+LEVELS: Final = {
+    "reported": f"Level: reported by this host. {_NOT_PROVEN}",
+    "signed": "Level: signed by this host, whose record of the run proctor verify "
+    f"checks. {_NOT_PROVEN}",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,13 +106,17 @@ def summary_html(
     score: Document,
     table: run_page.TaskTable,
     *,
-    left_s: float | None = None,
-    latest: Sequence[Document] = (),
+    pace: run_page.Pace,
+    latest: Sequence[Document],
+    changed: Sequence[Document],
 ) -> str:
-    """The part of a run's page that changes while it is played."""
+    """The part of a run's page that changes while it is played.
+
+    changed: episodes whose rows in the list of the page are replaced.
+    """
     return render_page(
-        "parts/summary", links, run=run, score=score, table=table, left_s=left_s,
-        latest=latest,
+        "parts/summary", links, run=run, score=score, table=table, pace=pace,
+        latest=latest, changed=changed,
     )  # fmt: skip
 
 
@@ -117,7 +127,7 @@ def run_html(
     figures: RunFigures,
     window: Window,
     *,
-    level: str = LEVEL_REPORTED,
+    level: str = LEVELS["reported"],
     live: str = "",
     turn_times: PolicyTimes | None = None,
     others: Sequence[Document] = (),
@@ -138,8 +148,8 @@ def run_html(
         run=run,
         score=score,
         table=figures.table,
-        left_s=run_page.seconds_left(run, figures.ordered),
-        latest=(),
+        pace=run_page.pace_of(run, figures.ordered, datetime.now(UTC)),
+        latest=run_page.latest_results(figures.ordered) if live else (),
         live=live,
         level=level,
         rows=window.rows,

@@ -13,13 +13,17 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
-from reference_record.score import wilson_interval
+from reference_record.score import ScoredLine, compute_score, wilson_interval
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
 ORDER: Final = ("failure", "abandoned", "in_progress", "pending", "success")
 # The pace is that of so many latest episodes: older ones may have been slower.
 PACE_EPISODES: Final = 50
+# A run without a result for so long, and for so many times its pace, stands still.
+STILL_MIN_S: Final = 10.0
+STILL_FACTOR: Final = 5.0
+LATEST: Final = 10
 
 
 @dataclass(slots=True)
@@ -142,16 +146,6 @@ def sum_cells(cells: Sequence[TaskCell]) -> TaskCell:
     )
 
 
-def task_table_of_score(score: Document) -> TaskTable:
-    """The same without the splits, from the score alone."""
-    rows: list[tuple[str, list[TaskCell | None], TaskCell]] = []
-    for task, group in score["by_task"].items():
-        counts = group["counts"]
-        scored = counts["total"] - counts["unscored"]
-        rows.append((task, [], TaskCell(counts["total"], scored, counts["success"])))
-    return TaskTable([], rows)
-
-
 def quantiles(values: Sequence[float]) -> Quantiles | None:
     """Nearest ranks; None without a value."""
     if not values:
@@ -167,21 +161,69 @@ def think_seconds(episodes: Iterable[Document]) -> Quantiles | None:
     return quantiles([r["think_s"] for r in results if "think_s" in r])
 
 
-def seconds_left(run: Document, episodes: Iterable[Document]) -> float | None:
-    """The time left at the pace of the last episodes; None if the run is not played."""
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """The seconds left at the pace of the last results, or since when there is none.
+
+    left_s: None while no pace is known, and while the run stands still. still_s: the
+    seconds since the last result, of a run that stands still.
+    """
+
+    left_s: float | None = None
+    still_s: float | None = None
+
+
+def pace_of(run: Document, episodes: Iterable[Document], now: datetime) -> Pace:
+    """now: with a time zone, of the clock that wrote the results."""
     if run["state"] not in ("running", "stopping"):
-        return None
+        return Pace()
     ends = sorted(
         datetime.fromisoformat(episode["result"]["finished_at"])
         for episode in episodes
         if episode.get("result")
     )[-PACE_EPISODES:]
+    if not ends:
+        return Pace()
+    still_s = (now - ends[-1]).total_seconds()
     if len(ends) < 2:
-        return None
-    pace = (ends[-1] - ends[0]).total_seconds() / (len(ends) - 1)
+        return Pace(still_s=still_s if still_s > STILL_MIN_S else None)
+    pace_s = (ends[-1] - ends[0]).total_seconds() / (len(ends) - 1)
+    if still_s > max(STILL_MIN_S, STILL_FACTOR * pace_s):
+        return Pace(still_s=still_s)
     progress = run["progress"]
     left: int = progress["episodes_total"] - progress["episodes_scored"]
-    return pace * left
+    return Pace(left_s=pace_s * left)
+
+
+def snapshot(
+    run: Document, episodes: Sequence[Document]
+) -> tuple[Document, dict[str, Any]]:
+    """The run and its score by one list of its episodes, so that all numbers agree.
+
+    Run, score and episodes of a run that is played are answers of three moments.
+    """
+    results = [episode.get("result") for episode in episodes]
+    score = compute_score(
+        [
+            ScoredLine(
+                episode["task"],
+                episode["split"],
+                result["outcome"] if result else None,
+                result["score"] if result else None,
+            )
+            for episode, result in zip(episodes, results, strict=True)
+        ]
+    )
+    scored = sum(map(bool, results))
+    progress = {"episodes_total": len(episodes), "episodes_scored": scored}
+    return {**run, "progress": {**run["progress"], **progress}}, score
+
+
+def latest_results(episodes: Iterable[Document]) -> list[Document]:
+    """The last results of a run that is played, the newest first."""
+    ended = [episode for episode in episodes if episode.get("result")]
+    ended.sort(key=lambda e: (e["result"]["finished_at"], e["index"]), reverse=True)
+    return ended[:LATEST]
 
 
 def totals(episodes: Iterable[Document]) -> dict[str, int]:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from datetime import UTC, datetime, timedelta
 
 import pytest
 
 from reference_record.pages.page_templates import duration
+from reference_record.pages.run_page import Pace, pace_of
 
 
 @pytest.mark.parametrize(
@@ -29,3 +31,29 @@ def test_a_duration_is_short_and_never_loses_what_is_small(
     seconds: float | None, text: str
 ) -> None:
     assert duration(seconds) == text
+
+
+@pytest.mark.parametrize(
+    ("state", "ends_s", "now_s", "pace"),
+    [
+        pytest.param("running", [0, 2, 4], 5, Pace(left_s=8.0), id="played"),
+        pytest.param("running", [0, 2, 4], 34, Pace(still_s=30.0), id="stands-still"),
+        pytest.param("running", [0, 20], 60, Pace(left_s=100.0), id="slow"),
+        pytest.param("running", [0, 0.1, 0.2], 60, Pace(still_s=59.8), id="was-fast"),
+        pytest.param("running", [0], 1, Pace(), id="one-result"),
+        pytest.param("running", [0], 60, Pace(still_s=60.0), id="one-result-long-ago"),
+        pytest.param("running", [], 60, Pace(), id="none"),
+        pytest.param("stopped", [0, 2, 4], 60, Pace(), id="not-played"),
+    ],
+)
+def test_the_time_left_is_that_of_a_run_that_goes_on(
+    state: str, ends_s: list[float], now_s: float, pace: Pace
+) -> None:
+    start = datetime(2026, 11, 29, tzinfo=UTC)
+    episodes = [
+        {"result": {"finished_at": (start + timedelta(seconds=at)).isoformat()}}
+        for at in ends_s
+    ]
+    progress = {"episodes_total": 7, "episodes_scored": len(ends_s)}
+    run = {"state": state, "progress": progress}
+    assert pace_of(run, episodes, start + timedelta(seconds=now_s)) == pace

@@ -296,6 +296,12 @@ for (const form of document.querySelectorAll("form[data-filter]"))
 const sections = [...document.querySelectorAll("section.player")];
 if (sections.length) startPlayers(sections);
 
+// While a run is watched, its episodes' rows keep to the summary that was just swapped in.
+document.addEventListener("htmx:sseMessage", () => {
+  for (const rows of document.querySelectorAll("template[data-rows]"))
+    for (const row of rows.content.querySelectorAll("tr"))
+      document.getElementById(row.id)?.replaceWith(row.cloneNode(true));
+});
 // A run that was watched to its end: the whole page has more than its live part.
 document.addEventListener("htmx:sseClose", event => {
   if (event.detail.type === "message") location.reload();

@@ -26,12 +26,13 @@ from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     read_recorded_episode,
 )
-from reference_record.pages.run_page import Document, RunFigures, status_of
+from reference_record.pages.run_page import Document, RunFigures, snapshot, status_of
 from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.board_pages import (
     FindEntryId,
     find_entry,
     has_leaderboard,
+    level_of,
 )
 from reference_server.http.pages.entry_pages import offered_pages
 from reference_server.http.pages.live_runs import LiveRuns
@@ -110,8 +111,13 @@ class PageHandlers:
     async def show_run(self, call: PageCall) -> str:
         run_id = call.path("run_id")
         run = await call.api.get("runs", run_id)
-        score = await call.api.get("runs", run_id, "score")
-        figures = (await self._episodes(call, run)).figures
+        can_change = run["state"] not in ("completed", "failed")
+        listed = await self._episodes(call, run)
+        figures = listed.figures
+        if can_change:
+            run, score = snapshot(run, listed.all)
+        else:
+            score = await call.api.get("runs", run_id, "score")
         selected = {name: call.query(name) for name in ("outcome", "task", "split")}
         fitting = [
             episode
@@ -121,7 +127,6 @@ class PageHandlers:
             and selected["split"] in ("", episode["split"])
         ]
         window = _window(call, fitting, selected, "#episodes")
-        can_change = run["state"] not in ("completed", "failed")
         runs = await call.api.get("runs", limit=ROWS)
         others = [
             candidate
@@ -135,6 +140,7 @@ class PageHandlers:
             LINKS, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=LINKS.live(run_id) if can_change else "",
+            level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
     async def stream_run(self, call: PageCall, is_allowed: Any) -> Response:

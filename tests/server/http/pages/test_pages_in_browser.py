@@ -97,6 +97,9 @@ def test_a_run_is_watched_live(server: ReferenceServer, browser: Browser) -> Non
         played.play(score=1, success=1, end=1)
         browser.wait_for(says.format("1/3"))
         browser.wait_for(says.format("Latest results"))
+        row = "document.querySelector('#row-e000{}').innerText.includes('{}')"
+        assert browser.evaluate(row.format(0, "success")), "the list keeps to it"
+        assert browser.evaluate(row.format(1, "in progress"))
         assert browser.evaluate("window.isSame"), "the page was loaded again"
         for _ in range(2):
             played.play(end=1)
