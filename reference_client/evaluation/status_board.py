@@ -66,7 +66,9 @@ class StatusBoard:
         self._is_warned = False
         self.clips = ClipCount()
         self.left: dict[str, LeftEpisode] = {}
-        self.max_attempts: int | None = None  # of an episode, where that is known
+        # Of an episode, where they are known.
+        self.max_attempts: int | None = None
+        self.max_steps: int | None = None
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
         """A function that records what `source` waits for; None when it continues."""
