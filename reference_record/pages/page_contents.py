@@ -132,12 +132,14 @@ def run_html(
     turn_times: PolicyTimes | None = None,
     others: Sequence[Document] = (),
     several: str = "",
+    described: Document | None = None,
     may_publish: bool = False,
     entry: Document | None = None,
     csrf: str = "",
 ) -> str:
     """The page of a run. live: where its changes are streamed; empty for none.
 
+    described: the benchmark as it is without options of the run, if that is known.
     several: where all runs of its episodes are compared; empty: nowhere.
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
     """
@@ -168,7 +170,7 @@ def run_html(
         totals=figures.totals,
         players=figures.players,
         facts=_run_facts(run),
-        commands=run_page.commands(run),
+        commands=run_page.commands(run, described),
         others=others,
         several=several,
         may_publish=may_publish,

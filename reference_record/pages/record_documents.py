@@ -62,6 +62,10 @@ class _Size(Struct):
     height: int
 
 
+class _ChosenImages(_Size):
+    codec: str
+
+
 class _SimulatorName(Struct):
     name: str
     version: str
@@ -157,6 +161,15 @@ def _convert(data: bytes, kind: type[T]) -> T | None:
         return None
 
 
+def _images(said: Mapping[str, Any] | None) -> dict[str, Any] | None:
+    """The pictures that the policy was sent; None if it cannot be known."""
+    try:
+        images = msgspec.convert(said, _ChosenImages)
+    except msgspec.ValidationError:
+        return None
+    return msgspec.structs.asdict(images)
+
+
 def _run(said: Evaluation, episodes: list[dict[str, Any]]) -> dict[str, Any]:
     scored = sum("result" in episode for episode in episodes)
     return {
@@ -169,7 +182,8 @@ def _run(said: Evaluation, episodes: list[dict[str, Any]]) -> dict[str, Any]:
         "policy": {"name": said.policy.name, "version": said.policy.version,
                    "homepage": None},
         "mode": said.run.mode,
-        "images": None,
+        "images": _images(said.run.images),
+        "options": said.run.options,
         "idle_timeout_s": None,
         "attempts_by_submitter": said.attempts_by_submitter,
         "queue_position": None,

@@ -6,13 +6,15 @@ the table are counts of episodes as `list_episodes` lists them.
 
 from __future__ import annotations
 
+import json
 import math
 import shlex
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
+from reference_record.formats.names import record_file_name
 from reference_record.score import ScoredLine, compute_score, wilson_interval
 
 Document = Mapping[str, Any]
@@ -24,6 +26,7 @@ PACE_EPISODES: Final = 50
 STILL_MIN_S: Final = 10.0
 STILL_FACTOR: Final = 5.0
 LATEST: Final = 10
+OPTIONS_CHARS_MAX: Final = 4000
 
 
 @dataclass(slots=True)
@@ -261,18 +264,61 @@ def video_command(run: Document, episode: Document) -> str:
     return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
 
 
-def commands(run: Document) -> list[tuple[str, str]]:
-    """Title and command: to repeat the run and, if it is whole, to check its score."""
-    name = shlex.quote(str(run["policy"]["name"]))
-    benchmark, run_id = map(shlex.quote, (run["benchmark_id"], run["run_id"]))
-    again = f"proctor run --policy POLICY --benchmark {benchmark} --name {name}"
-    for flag, names in (run.get("select") or {}).items():
-        option = {"tasks": "--tasks", "splits": "--split"}.get(flag)
-        if option and names:
-            again += f" {option} {shlex.quote(','.join(names))}"
-    lines = [("Evaluate a policy in the same way", again)]
+def commands(run: Document, described: Document | None) -> list[tuple[str, str]]:
+    """Title and command: to repeat the run and, if it is whole, to check its score.
+
+    described: the benchmark as it is without options; None: not known.
+    """
+    run_id = str(run["run_id"])
+    title = "Evaluate a policy in the same way"
+    if _has_unknown_options(run, described):
+        title += (
+            ". The run had options of the benchmark, which are not known here: without "
+            "them, as --options, the command names another manifest"
+        )
+    lines = [(title, shlex.join(["proctor", "run", *_run_options(run, described)]))]
     progress = run["progress"]
     if progress["episodes_scored"] == progress["episodes_total"]:
-        check = f"proctor export {run_id} && proctor verify run-{run_id}.proctor"
+        file = record_file_name(run_id)
+        export = shlex.join(["proctor", "export", run_id])
+        check = f"{export} && {shlex.join(['proctor', 'verify', file])}"
         lines.append(("Check the score", check))
     return lines
+
+
+def _has_unknown_options(run: Document, described: Document | None) -> bool:
+    if run.get("options") or run.get("select") or described is None:
+        return False
+    return bool(described.get("manifest_sha256") != run["manifest_sha256"])
+
+
+def _run_options(run: Document, described: Document | None) -> Iterator[str]:
+    """What `proctor run` is told for another run like this one."""
+    policy, select = run["policy"], run.get("select") or {}
+    server = run.get("policy_server")
+    yield from ("--push", server["url"]) if server else ("--policy", "POLICY")
+    if server and server.get("model"):
+        yield from ("--model", server["model"])
+    if server and server.get("generation"):
+        yield from ("--generation", json.dumps(server["generation"]))
+    yield from ("--benchmark", run["benchmark_id"], "--name", str(policy["name"]))
+    if policy.get("version"):
+        yield from ("--policy-version", str(policy["version"]))
+    for member, option in (("tasks", "--tasks"), ("splits", "--split")):
+        if select.get(member):
+            yield from (option, ",".join(select[member]))
+    if run.get("options"):
+        text = json.dumps(run["options"])
+        yield from ("--options", text if len(text) <= OPTIONS_CHARS_MAX else "JSON")
+    images = run.get("images")
+    if images and images != _default_images(described):
+        yield from ("--images", "{codec}:{width}x{height}".format_map(images))
+    if run.get("any_policy"):
+        yield "--any-policy"
+
+
+def _default_images(described: Document | None) -> Document | None:
+    """The pictures of a run that chose none."""
+    if not described or not described.get("image_sizes"):
+        return None
+    return {"codec": described["image_codecs"][0], **described["image_sizes"][0]}

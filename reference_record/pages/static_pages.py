@@ -211,7 +211,7 @@ class StaticReport:
             text = page_contents.run_html(
                 links, reported.run, reported.score, figures, window,
                 level=reported.level, turn_times=reported.times, others=compared,
-                several=self._several(reported),
+                several=self._several(reported), described=reported.benchmark,
             )  # fmt: skip
             yield self._save(f"runs/{number}/{name}", text)
 

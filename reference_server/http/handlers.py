@@ -18,6 +18,7 @@ from typing import Any
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.export import blocks_of
+from reference_record.formats.names import record_file_name
 from reference_server.generated import models
 from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.bodies import request_bodies
@@ -327,7 +328,7 @@ class Handlers:
         run_id = call.path["run_id"]
         record = await self.service.fetch_record(call.account, run_id)
         return _file_response(
-            record.stream(), record.size, ARCHIVE, f"run-{run_id}.proctor"
+            record.stream(), record.size, ARCHIVE, record_file_name(run_id)
         )
 
     async def fetch_recording(self, call: OperationCall) -> Response:

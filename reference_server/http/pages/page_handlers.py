@@ -18,6 +18,7 @@ from urllib.parse import urlencode
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.broken import BrokenRecord
+from reference_record.formats.names import record_file_name
 from reference_record.pages import page_contents
 from reference_record.pages.comparison_page import KINDS, LETTERS, pair_episodes
 from reference_record.pages.page_contents import Side, Window, played_view
@@ -140,6 +141,7 @@ class PageHandlers:
             LINKS, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=LINKS.live(run_id) if can_change else "",
+            described=await _benchmark_of(call, run),
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
@@ -166,7 +168,7 @@ class PageHandlers:
                 async for part in parts:
                     yield part
 
-        name = f'attachment; filename="run-{run_id}.proctor"'
+        name = f'attachment; filename="{record_file_name(run_id)}"'
         return StreamingResponse(
             body(),
             media_type="application/zip",
