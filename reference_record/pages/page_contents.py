@@ -242,11 +242,15 @@ def episode_html(
     *,
     control_rate_hz: float | None = None,
     problem: str = "",
+    film: Any = None,
     before: str = "",
     after: str = "",
     csrf: str = "",
 ) -> str:
-    """The page of an episode. problem: why there is no recording to show."""
+    """The page of an episode. problem: why there is no recording to show.
+
+    film: its state and, where it failed, the reason; None where none can be drawn.
+    """
     known = recorded or RecordedEpisode()
     return render_page(
         "episode",
@@ -263,6 +267,7 @@ def episode_html(
         command=run_page.video_command(run, episode),
         facts=_episode_facts(episode),
         problem=problem,
+        film=film,
         before=before,
         after=after,
     )

@@ -258,8 +258,8 @@ def player_text(player: Document) -> str:
 
 
 def video_command(run: Document, episode: Document) -> str:
-    """The command that draws an episode of the run; empty while it has no result."""
-    if not episode.get("result"):
+    """The command that draws an episode; empty without a result, or a seed, of it."""
+    if "seed" not in (episode.get("result") or {}):
         return ""
     return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
 

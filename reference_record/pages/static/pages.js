@@ -302,6 +302,9 @@ document.addEventListener("htmx:sseMessage", () => {
     for (const row of rows.content.querySelectorAll("tr"))
       document.getElementById(row.id)?.replaceWith(row.cloneNode(true));
 });
+// A film that is being drawn: the page has it when it is done.
+if (document.querySelector("[data-reload]")) setTimeout(() => location.reload(), 2000);
+
 // A run that was watched to its end: the whole page has more than its live part.
 document.addEventListener("htmx:sseClose", event => {
   if (event.detail.type === "message") location.reload();

@@ -12,16 +12,22 @@ from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from contextlib import aclosing
 from functools import cached_property
+from http import HTTPStatus
 from typing import Any
 from urllib.parse import urlencode
 
-from starlette.responses import Response, StreamingResponse
+from starlette.responses import (
+    FileResponse,
+    RedirectResponse,
+    Response,
+    StreamingResponse,
+)
 
 from reference_record.broken import BrokenRecord
 from reference_record.formats.names import record_file_name
 from reference_record.pages import page_contents
 from reference_record.pages.comparison_page import KINDS, LETTERS, pair_episodes
-from reference_record.pages.page_contents import Side, Window, played_view
+from reference_record.pages.page_contents import ShownVideo, Side, Window, played_view
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
@@ -36,6 +42,7 @@ from reference_server.http.pages.board_pages import (
     level_of,
 )
 from reference_server.http.pages.entry_pages import offered_pages
+from reference_server.http.pages.films import Film, Films, FilmSettings
 from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import LINKS, PageCall
 
@@ -62,11 +69,16 @@ class _EpisodeList:
 class PageHandlers:
     """Every page but the sign-in. Handlers raise Problem.
 
-    find_entry_id: None if there is no leaderboard.
+    find_entry_id: None if there is no leaderboard. films: None if none are drawn.
     """
 
-    def __init__(self, find_entry_id: FindEntryId | None = None) -> None:
+    def __init__(
+        self,
+        find_entry_id: FindEntryId | None = None,
+        films: FilmSettings | None = None,
+    ) -> None:
         self._find_entry_id = find_entry_id
+        self._films = None if films is None else Films(films)
         self._live = LiveRuns(LINKS)
         self._lists: OrderedDict[tuple[str, str, str], _EpisodeList] = OrderedDict()
         self._recordings: OrderedDict[tuple[str, str, str], RecordedEpisode] = (
@@ -193,6 +205,7 @@ class PageHandlers:
         return page_contents.episode_html(
             LINKS, run, episode, recorded, view,
             control_rate_hz=benchmark["control_rate_hz"] if benchmark else None,
+            film=self._film_of(run, episode),
             problem=problem, before=around[0], after=around[1], csrf=call.csrf,
         )  # fmt: skip
 
@@ -208,6 +221,46 @@ class PageHandlers:
             raise Problem(404, "not_found", "There is no such picture.")
         kind = "jpeg" if pictures[0].extension == "jpg" else pictures[0].extension
         return Response(pictures[0].data, media_type=f"image/{kind}")
+
+    def _film_of(self, run: Document, episode: Document) -> Film | None:
+        """None where none can be drawn: there is no record of it, or no setting.
+
+        A record has no sealed seed, so nobody can simulate its episode.
+        """
+        is_sealed = "seed" not in (episode.get("result") or {})
+        if self._films is None or run["state"] != "completed" or is_sealed:
+            return None
+        key = run["run_id"], episode["episode_id"]
+        return self._films.find(key) or Film("none")
+
+    async def draw_film(self, call: PageCall, _form: Mapping[str, str]) -> Response:
+        run_id, episode_id = call.path("run_id"), call.path("episode_id")
+        run = await call.api.get("runs", run_id)
+        episodes = (await self._episodes(call, run)).all
+        episode = episodes[_place(episodes, episode_id)]
+        if self._films is None or self._film_of(run, episode) is None:
+            raise Problem(404, "not_found", "Films of it are not drawn here.")
+        self._films.start(
+            (run_id, episode_id),
+            call.api.stream("runs", run_id, "record"),
+            episode["index"],
+            await _benchmark_of(call, run),
+        )
+        address = LINKS.episode(run_id, episode)
+        return RedirectResponse(address, HTTPStatus.SEE_OTHER)
+
+    async def fetch_film(self, call: PageCall) -> Response:
+        """The video of a camera, by its number."""
+        run_id, number = call.path("run_id"), call.path("number")
+        await call.api.get("runs", run_id)  # still allowed
+        key = run_id, call.path("episode_id")
+        film = self._films.find(key) if self._films is not None else None
+        files = film.files if film is not None else ()
+        if not number.isdecimal() or int(number) >= len(files):
+            raise Problem(404, "not_found", "There is no such film.")
+        _, path = files[int(number)]
+        headers = {"Cache-Control": "private, max-age=3600"}
+        return FileResponse(path, media_type="video/mp4", headers=headers)
 
     async def show_comparison(self, call: PageCall) -> str:
         ids = (call.query_id("baseline"), call.query_id("run"))
@@ -265,7 +318,14 @@ class PageHandlers:
             LINKS.picture(run_id, episode, number)
             for number in range(len(recorded.pictures))
         ]
-        return played_view(recorded, addresses, benchmark=benchmark)
+        key = run_id, episode["episode_id"]
+        film = self._films.find(key) if self._films is not None else None
+        address = LINKS.film(run_id, episode)
+        videos = [
+            ShownVideo(camera, f"{address}/{number}")
+            for number, (camera, _) in enumerate(film.files if film else ())
+        ]
+        return played_view(recorded, addresses, videos, benchmark=benchmark)
 
     async def _episodes(self, call: PageCall, run: Document) -> _EpisodeList:
         """All episodes of a run. Those of a completed run are kept for a while.

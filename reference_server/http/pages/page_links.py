@@ -62,6 +62,9 @@ class ServerLinks:
     def picture(self, run_id: str, episode: Mapping[str, Any], number: int) -> str:
         return f"{self.episode(run_id, episode)}/pictures/{number}"
 
+    def film(self, run_id: str, episode: Mapping[str, Any]) -> str:
+        return f"{self.episode(run_id, episode)}/film"
+
     def comparison(self, baseline: str, run_id: str) -> str:
         return f"/pages/compare?{urlencode({'baseline': baseline, 'run': run_id})}"
 

@@ -31,6 +31,7 @@ from reference_record.pages.page_templates import (
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.pages import board_pages, entry_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_calls import LINKS, PageCall
 from reference_server.http.pages.page_handlers import PageHandlers
 from reference_server.http.pages.page_links import safe_next
@@ -82,6 +83,7 @@ class Pages:
     api: the application with the operations.
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
     node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
+    films: None if none are drawn.
     """
 
     def __init__(
@@ -91,11 +93,13 @@ class Pages:
         public_url: str,
         node_id: Callable[[], str] = str,
         find_entry_id: board_pages.FindEntryId | None = None,
+        *,
+        films: FilmSettings | None = None,
     ) -> None:
         self._hosts = hosts
         self._is_https = public_url.startswith("https:")
         self._sessions = PageSessions(node_id=node_id)
-        self._handlers = PageHandlers(find_entry_id)
+        self._handlers = PageHandlers(find_entry_id, films)
         self._api = api
 
     def routes(self) -> list[BaseRoute]:
@@ -117,6 +121,7 @@ class Pages:
             f"{run}/episodes/{{episode_id}}/pictures/{{number}}": (
                 handlers.fetch_picture
             ),
+            f"{run}/episodes/{{episode_id}}/film/{{number}}": handlers.fetch_film,
         }
         board = "/benchmarks/{benchmark_id}/leaderboard"
         open_to_all: dict[str, Show] = {
@@ -128,6 +133,7 @@ class Pages:
         changes: dict[str, Change] = {
             f"{run}/publish": board_pages.publish,
             f"{run}/withdraw": board_pages.withdraw,
+            f"{run}/episodes/{{episode_id}}/film": handlers.draw_film,
         }
         return [
             self._route("/static/{name:path}", self._answered(self._send_asset)),
