@@ -27,7 +27,9 @@ Actions = Sequence[Mapping[str, Sequence[float]]]
 class AttemptEvent(msgspec.Struct, omit_defaults=True):
     """An attempt begins at step 0 (event "started"), or is over (event "ended").
 
-    state_digest: the digest of the state at step 0. reason: why it ended.
+    state_digest: the digest of the state at step 0. instruction: what the policy was
+    asked to do. stages: names of what the score counts before the goal, in order.
+    reason: why it ended.
     """
 
     attempt: int
@@ -35,6 +37,8 @@ class AttemptEvent(msgspec.Struct, omit_defaults=True):
     at: str
     reason: str | None = None
     state_digest: str | None = None
+    instruction: str | None = None
+    stages: Sequence[str] = ()
 
 
 class Turn(msgspec.Struct):
@@ -114,8 +118,10 @@ CHANNELS: Mapping[str, tuple[str, bytes]] = {
                 "at": _TEXT,
                 "reason": _TEXT,
                 "state_digest": _TEXT,
+                "instruction": _TEXT,
+                "stages": {"type": "array", "items": _TEXT},
             },
-            optional=("reason", "state_digest"),
+            optional=("reason", "state_digest", "instruction", "stages"),
         ),
     ),
     "/turn": (

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from reference_sim.interface import Action, Simulator, StepOutcome
+from reference_sim.interface import Action, Simulator, StepOutcome, stages_of
 
 SUCCESS_RULES = ("any_step", "last_step")
 
@@ -42,6 +42,8 @@ class Episode:
         self.terminated = False
         self.truncated = False
         self.instruction = simulator.reset(task, seed, split)
+        # A score that is the success counts no stages.
+        self.stages = () if score_is_success else stages_of(simulator)
 
     @property
     def ended(self) -> bool:

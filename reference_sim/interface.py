@@ -80,3 +80,12 @@ class Simulator(Protocol):
 
     def close(self) -> None:
         """Free what the end of the process does not free."""
+
+
+def stages_of(simulator: Simulator) -> Sequence[str]:
+    """The stages that the score of the episode counts, in order; most have none.
+
+    A simulator that has an attribute `stages` promises after its `reset`: the score is
+    k / (n + 1) once the first k of the n stages were reached, and 1 at the goal.
+    """
+    return tuple(getattr(simulator, "stages", ()))

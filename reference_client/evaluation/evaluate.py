@@ -188,6 +188,7 @@ def run_evaluation(
             )
             on_run(run)
             board.max_attempts = plan.max_attempts(benchmark)
+            board.max_steps = benchmark["max_steps"] if benchmark else None
             run_workers = worker_pool.make_workers(
                 EvaluationContext(
                     plan, run, connection, retry_policy, board, benchmark, player

@@ -73,7 +73,9 @@ class StatusBoard:
         self.clips = ClipCount()
         self.left: dict[str, LeftEpisode] = {}
         self.lost: list[LostSession] = []
-        self.max_attempts: int | None = None  # of an episode, where that is known
+        # Of an episode, where they are known.
+        self.max_attempts: int | None = None
+        self.max_steps: int | None = None
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
         """A function that records what `source` waits for; None when it continues."""

@@ -80,7 +80,8 @@ class View:
             self._results |= {
                 result["episode_id"]: result for result in report["results"]
             }
-        progress = self.progress
+        progress, ended = self.progress, list(self._results.values())
+        failures = [result for result in ended if result["outcome"] != "success"]
         return {
             "title": self.title,
             "run_id": progress.run_id if progress else "",
@@ -89,7 +90,9 @@ class View:
             "mean": progress.mean if progress else None,
             "waiting": progress.waiting if progress else None,
             "workers": reports,
-            "results": list(self._results.values())[-RESULTS_MAX:],
+            "max_steps": self.board.max_steps,
+            "results": ended[-RESULTS_MAX:],
+            "failures": failures[-RESULTS_MAX:],
         }
 
 

@@ -36,6 +36,12 @@ _FIXED_BYTES_MAX: Final = {
 }
 
 
+def record_file_name(run_id: str) -> str:
+    """What the file of a run's record is called where nobody chose a name."""
+    prefix = "" if run_id.startswith("run") else "run-"
+    return f"{prefix}{run_id}.proctor"
+
+
 def recording_name(index: int) -> str:
     """The name of the recording of the episode at that place of the manifest."""
     return f"episodes/{index:05}.mcap"

@@ -17,8 +17,15 @@ from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     compare_sequentially,
 )
-from reference_record.pages.run_page import Document
+from reference_record.pages.run_page import (
+    Document,
+    TaskCell,
+    sum_cells,
+    task_table,
+)
 
+# What several runs are called on one page, and so how many they are at most.
+LETTERS: Final = "ABCDEFGH"
 # The order of the kinds on the page: changed pairs stand first.
 KINDS: Final = {
     "lost": "only the baseline succeeds",
@@ -64,6 +71,59 @@ def _kind(baseline: Document, run: Document) -> str:
 def count_kinds(pairs: Sequence[Pair]) -> Mapping[str, int]:
     counted = Counter(pair.kind for pair in pairs)
     return {kind: counted[kind] for kind in KINDS}
+
+
+@dataclass(frozen=True, slots=True)
+class TaskDifference:
+    """The pairs of a task in which both have a result, by their kind."""
+
+    task: str
+    paired: int
+    counts: Mapping[str, int]
+
+
+def differences_by_task(pairs: Sequence[Pair]) -> list[TaskDifference]:
+    """In the order of the manifest."""
+    tasks: dict[str, list[Pair]] = {}
+    for pair in sorted(pairs, key=lambda pair: int(pair.run["index"])):
+        closed = tasks.setdefault(pair.run["task"], [])
+        if pair.kind != "open":
+            closed.append(pair)
+    return [
+        TaskDifference(task, len(closed), count_kinds(closed))
+        for task, closed in tasks.items()
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class ComparedRun:
+    """One of several runs of a manifest. against: its pairs with the first run."""
+
+    letter: str
+    run: Document
+    cell: TaskCell
+    tasks: Mapping[str, TaskCell]
+    against: Mapping[str, Any] | None
+
+
+def compare_several(
+    runs: Sequence[tuple[Document, Sequence[Document]]],
+) -> list[ComparedRun]:
+    """Each run with its episodes; the first is what the others are compared with."""
+    compared: list[ComparedRun] = []
+    for letter, (run, episodes) in zip(LETTERS, runs, strict=False):
+        rows = task_table(episodes).rows
+        pairs = pair_episodes(runs[0][1], episodes) if compared else []
+        compared.append(
+            ComparedRun(
+                letter,
+                run,
+                sum_cells([whole for _, _, whole in rows]),
+                {task: whole for task, _, whole in rows},
+                compare_pairs(pairs) if compared else None,
+            )
+        )
+    return compared
 
 
 def compare_pairs(pairs: Sequence[Pair]) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from datetime import UTC, datetime
 from typing import Any, Final
 
 from reference_record.comparison.sequential_comparison import describe
@@ -16,9 +17,12 @@ from reference_record.pages.comparison_page import (
     KINDS,
     Pair,
     compare_pairs,
+    compare_several,
     compare_while_played,
     count_kinds,
+    differences_by_task,
 )
+from reference_record.pages.episode_plots import fold_constants, plot_data
 from reference_record.pages.page_templates import (
     Links,
     duration,
@@ -28,15 +32,19 @@ from reference_record.pages.page_templates import (
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     first_divergence,
-    plot_data,
 )
 from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
 from reference_record.recording import Turn
 
-LEVEL_REPORTED: Final = (
-    "Level: reported by this server. A signed record is checked by proctor verify; "
-    "no level proves that the actions came from the policy that is named."
+_NOT_PROVEN: Final = (
+    "No level proves that the actions came from the policy that is named."
 )
+# The words of the leaderboard for the same run.
+LEVELS: Final = {
+    "reported": f"Level: reported by this host. {_NOT_PROVEN}",
+    "signed": "Level: signed by this host, whose record of the run proctor verify "
+    f"checks. {_NOT_PROVEN}",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,13 +106,17 @@ def summary_html(
     score: Document,
     table: run_page.TaskTable,
     *,
-    left_s: float | None = None,
-    latest: Sequence[Document] = (),
+    pace: run_page.Pace,
+    latest: Sequence[Document],
+    changed: Sequence[Document],
 ) -> str:
-    """The part of a run's page that changes while it is played."""
+    """The part of a run's page that changes while it is played.
+
+    changed: episodes whose rows in the list of the page are replaced.
+    """
     return render_page(
-        "parts/summary", links, run=run, score=score, table=table, left_s=left_s,
-        latest=latest,
+        "parts/summary", links, run=run, score=score, table=table, pace=pace,
+        latest=latest, changed=changed,
     )  # fmt: skip
 
 
@@ -115,16 +127,20 @@ def run_html(
     figures: RunFigures,
     window: Window,
     *,
-    level: str = LEVEL_REPORTED,
+    level: str = LEVELS["reported"],
     live: str = "",
     turn_times: PolicyTimes | None = None,
     others: Sequence[Document] = (),
+    several: str = "",
+    described: Document | None = None,
     may_publish: bool = False,
     entry: Document | None = None,
     csrf: str = "",
 ) -> str:
     """The page of a run. live: where its changes are streamed; empty for none.
 
+    described: the benchmark as it is without options of the run, if that is known.
+    several: where all runs of its episodes are compared; empty: nowhere.
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
     """
     return render_page(
@@ -134,8 +150,8 @@ def run_html(
         run=run,
         score=score,
         table=figures.table,
-        left_s=run_page.seconds_left(run, figures.ordered),
-        latest=(),
+        pace=run_page.pace_of(run, figures.ordered, datetime.now(UTC)),
+        latest=run_page.latest_results(figures.ordered) if live else (),
         live=live,
         level=level,
         rows=window.rows,
@@ -154,8 +170,9 @@ def run_html(
         totals=figures.totals,
         players=figures.players,
         facts=_run_facts(run),
-        commands=run_page.commands(run),
+        commands=run_page.commands(run, described),
         others=others,
+        several=several,
         may_publish=may_publish,
         entry=entry,
     )
@@ -199,12 +216,20 @@ def played_view(
     recorded: RecordedEpisode,
     addresses: Sequence[str] = (),
     videos: Sequence[ShownVideo] = (),
+    *,
+    benchmark: Document | None = None,
 ) -> PlayedView:
-    """addresses: of the pictures, in their order."""
+    """addresses: of the pictures, in their order.
+
+    benchmark: names and units of the actions, and the control rate; None: not known.
+    """
     cameras: dict[str, list[tuple[int, str]]] = {}
     for picture, address in zip(recorded.pictures, addresses, strict=False):
         cameras.setdefault(picture.camera, []).append((picture.step, address))
-    data = plot_data(recorded) | {"pictures": cameras}
+    known = benchmark or {}
+    data = plot_data(
+        recorded, known.get("action_space"), known.get("control_rate_hz")
+    ) | {"pictures": cameras}
     return PlayedView(recorded.turns, recorded.events, data, cameras, videos)
 
 
@@ -217,12 +242,16 @@ def episode_html(
     *,
     control_rate_hz: float | None = None,
     problem: str = "",
-    instruction: str | None = None,
+    film: Any = None,
     before: str = "",
     after: str = "",
     csrf: str = "",
 ) -> str:
-    """The page of an episode. problem: why there is no recording to show."""
+    """The page of an episode. problem: why there is no recording to show.
+
+    film: its state and, where it failed, the reason; None where none can be drawn.
+    """
+    known = recorded or RecordedEpisode()
     return render_page(
         "episode",
         links,
@@ -230,10 +259,15 @@ def episode_html(
         run=run,
         episode=episode,
         played=played,
-        times=(recorded or RecordedEpisode()).times(control_rate_hz),
+        constants=fold_constants([played.data]) if played else [],
+        times=known.times(control_rate_hz),
+        instruction=known.instruction,
+        stages=known.stages_reached,
         why=_reason(episode),
-        facts=_episode_facts(episode, instruction),
+        command=run_page.video_command(run, episode),
+        facts=_episode_facts(episode),
         problem=problem,
+        film=film,
         before=before,
         after=after,
     )
@@ -258,12 +292,11 @@ def _reason(episode: Document) -> str:
     return "The goal did not hold."
 
 
-def _episode_facts(episode: Document, instruction: str | None) -> dict[str, Any]:
+def _episode_facts(episode: Document) -> dict[str, Any]:
     result = episode.get("result") or {}
     player = result.get("player")
     finished = result.get("finished_at")
     return {
-        "Instruction": instruction,
         "Task": episode["task"],
         "Split": episode["split"],
         "Seed": result.get("seed", "sealed, or not shown" if result else None),
@@ -298,6 +331,7 @@ def comparison_html(
         run=run,
         numbers=numbers or compare_pairs(pairs),
         may_stop=describe(compare_while_played(pairs)),
+        tasks=differences_by_task(pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),
         pairs=window.rows,
@@ -309,6 +343,18 @@ def comparison_html(
         if links.is_live
         else {},
     )
+
+
+def several_html(
+    links: Links,
+    runs: Sequence[tuple[Document, Sequence[Document]]],
+    *,
+    csrf: str = "",
+) -> str:
+    """Several runs of one manifest, each with its episodes."""
+    compared = compare_several(runs)
+    tasks = list(dict.fromkeys(task for one in compared for task in one.tasks))
+    return render_page("several", links, csrf=csrf, compared=compared, tasks=tasks)
 
 
 def pair_html(
@@ -324,7 +370,9 @@ def pair_html(
         run=compared.run,
         episode=compared.episode,
         sides=sides,
+        constants=fold_constants([side.played.data for side in sides]),
         divergence=first_divergence(baseline.recorded, compared.recorded),
+        instruction=compared.recorded.instruction,
         problem=problem,
     )
 

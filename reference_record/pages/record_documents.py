@@ -38,6 +38,7 @@ class _Space(Struct):
     minimum: list[float] | None = None
     maximum: list[float] | None = None
     description: str = ""
+    names: list[str] | None = None
 
 
 class _Image(Struct):
@@ -59,6 +60,10 @@ class _Observation(Struct):
 class _Size(Struct):
     width: int
     height: int
+
+
+class _ChosenImages(_Size):
+    codec: str
 
 
 class _SimulatorName(Struct):
@@ -156,6 +161,15 @@ def _convert(data: bytes, kind: type[T]) -> T | None:
         return None
 
 
+def _images(said: Mapping[str, Any] | None) -> dict[str, Any] | None:
+    """The pictures that the policy was sent; None if it cannot be known."""
+    try:
+        images = msgspec.convert(said, _ChosenImages)
+    except msgspec.ValidationError:
+        return None
+    return msgspec.structs.asdict(images)
+
+
 def _run(said: Evaluation, episodes: list[dict[str, Any]]) -> dict[str, Any]:
     scored = sum("result" in episode for episode in episodes)
     return {
@@ -168,7 +182,8 @@ def _run(said: Evaluation, episodes: list[dict[str, Any]]) -> dict[str, Any]:
         "policy": {"name": said.policy.name, "version": said.policy.version,
                    "homepage": None},
         "mode": said.run.mode,
-        "images": None,
+        "images": _images(said.run.images),
+        "options": said.run.options,
         "idle_timeout_s": None,
         "attempts_by_submitter": said.attempts_by_submitter,
         "queue_position": None,

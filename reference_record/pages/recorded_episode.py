@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import base64
 import binascii
-import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, BinaryIO, Final
+from typing import BinaryIO, Final
 
 import msgspec
 
@@ -22,13 +21,12 @@ from reference_record.formats.strict_json import UNREADABLE
 from reference_record.pages.run_page import PolicyTimes
 from reference_record.recording import CAMERA, AttemptEvent, EpisodeResult, Fault, Turn
 
-# Beyond this, a plot would have more points than a screen has.
-POINTS_MAX: Final = 4000
-SERIES_MAX: Final = 64
 EVENTS_MAX: Final = 200
 PICTURES_MAX: Final = 2000
 PICTURE_BYTES_MAX: Final = 64 * 2**20
-DIGITS: Final = 5
+STAGES_MAX: Final = 64
+TEXT_CHARS_MAX: Final = 4000
+STAGE_TOLERANCE: Final = 1e-6
 _FORMATS: Final = {"jpeg": "jpg", "png": "png", "webp": "webp"}
 _CAMERA_NAME: Final = re.compile(r"[A-Za-z0-9_.-]{1,64}")
 
@@ -63,7 +61,7 @@ class RecordedEpisode:
     """turns: of the last attempt. events: (attempt, what happened, why) of all.
 
     sha256: of the recording, where that is known; a video of the episode has it, too.
-    late: of the turns, those that came after the actions before had been executed.
+    instruction, stages: as its start says them; empty where it does not.
     """
 
     turns: list[Turn] = field(default_factory=list)
@@ -72,10 +70,33 @@ class RecordedEpisode:
     result: EpisodeResult | None = None
     pictures: list[CameraPicture] = field(default_factory=list)
     sha256: str = ""
+    instruction: str = ""
+    stages: Sequence[str] = ()
 
     @property
     def steps(self) -> int:
         return sum(turn.steps for turn in self.turns)
+
+    @property
+    def stages_reached(self) -> list[tuple[str, int | None]]:
+        """Each stage, then the goal: the step at which it was reached, None if never.
+
+        The score is k / (n + 1) after the first k of n stages (record.md).
+        """
+        if not self.stages:
+            return []
+        names = [*self.stages, "goal"]
+        steps: list[int | None] = [None] * len(names)
+        step = reached = 0
+        for turn in self.turns:
+            step += turn.steps
+            while (
+                reached < len(names)
+                and turn.score >= (reached + 1) / len(names) - STAGE_TOLERANCE
+            ):
+                steps[reached] = step
+                reached += 1
+        return list(zip(names, steps, strict=True))
 
     def times(self, control_rate_hz: float | None) -> PolicyTimes:
         """How long the policy took; `late` needs the control rate."""
@@ -133,6 +154,9 @@ class _Reader:
             self._episode.pictures.clear()
             self._steps = self._picture_bytes = 0
             self._episode.first_digest = event.state_digest
+            self._episode.instruction = (event.instruction or "")[:TEXT_CHARS_MAX]
+            stages = event.stages[:STAGES_MAX]
+            self._episode.stages = [name[:TEXT_CHARS_MAX] for name in stages]
 
     def _note(self, attempt: int, what: str, why: str) -> None:
         if len(self._episode.events) < EVENTS_MAX:
@@ -151,81 +175,6 @@ class _Reader:
             return
         picture = CameraPicture(camera, self._steps, data, str(extension))
         self._episode.pictures.append(picture)
-
-
-def plot_data(episode: RecordedEpisode) -> dict[str, Any]:
-    """The data that the plots are drawn from, as JSON: columns by step and by turn.
-
-    steps: the numbers of the executed actions, from 1. actions: name → its columns.
-    Long episodes are thinned out: one step of every `stride` is drawn.
-    """
-    total = episode.steps
-    stride = max(1, math.ceil(total / POINTS_MAX))
-    steps: list[int] = []
-    rewards: list[float | None] = []
-    columns: dict[str, list[list[float | None]]] = {}
-    step = 0
-    for turn in episode.turns:
-        for action, reward in zip(turn.actions, turn.rewards, strict=False):
-            step += 1
-            if (step - 1) % stride:
-                continue
-            _add_action(columns, action, len(steps))
-            steps.append(step)
-            rewards.append(_short(reward))
-    for series in columns.values():
-        for column in series:
-            column.extend([None] * (len(steps) - len(column)))
-    return {
-        "total": total,
-        "stride": stride,
-        "steps": steps,
-        "rewards": rewards,
-        "actions": columns,
-        "turns": _turn_columns(episode.turns),
-    }
-
-
-def _add_action(
-    columns: dict[str, list[list[float | None]]],
-    action: Mapping[str, Sequence[float]],
-    at: int,
-) -> None:
-    drawn = sum(map(len, columns.values()))
-    for name, values in action.items():
-        if name not in columns:
-            room = min(len(values), SERIES_MAX - drawn)
-            if room <= 0:
-                continue
-            columns[name] = [[] for _ in range(room)]
-            drawn += room
-        for column, value in zip(columns[name], values, strict=False):
-            column.extend([None] * (at - len(column)))
-            column.append(_short(value))
-
-
-def _turn_columns(turns: Sequence[Turn]) -> dict[str, list[Any]]:
-    """Columns of the turns that are drawn: first and last step, times and score."""
-    stride = max(1, math.ceil(len(turns) / POINTS_MAX))
-    names = ("seq", "first", "last", "think_ms", "simulate_ms", "score")
-    columns: dict[str, list[Any]] = {name: [] for name in names}
-    last = 0
-    for number, turn in enumerate(turns):
-        first, last = last + 1, last + turn.steps
-        if number % stride:
-            continue
-        columns["seq"].append(turn.seq)
-        columns["first"].append(first)
-        columns["last"].append(last)
-        columns["think_ms"].append(_short(turn.think_ms))
-        columns["simulate_ms"].append(_short(turn.simulate_ms))
-        columns["score"].append(_short(turn.score))
-    return columns
-
-
-def _short(value: float) -> float | None:
-    """Five digits: a file is half as long, and a plot the same."""
-    return float(f"{value:.{DIGITS}g}") if math.isfinite(value) else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,20 +6,27 @@ the table are counts of episodes as `list_episodes` lists them.
 
 from __future__ import annotations
 
+import json
 import math
 import shlex
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
-from reference_record.score import wilson_interval
+from reference_record.formats.names import record_file_name
+from reference_record.score import ScoredLine, compute_score, wilson_interval
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
 ORDER: Final = ("failure", "abandoned", "in_progress", "pending", "success")
 # The pace is that of so many latest episodes: older ones may have been slower.
 PACE_EPISODES: Final = 50
+# A run without a result for so long, and for so many times its pace, stands still.
+STILL_MIN_S: Final = 10.0
+STILL_FACTOR: Final = 5.0
+LATEST: Final = 10
+OPTIONS_CHARS_MAX: Final = 4000
 
 
 @dataclass(slots=True)
@@ -130,24 +137,16 @@ def task_table(episodes: Iterable[Document]) -> TaskTable:
     rows = []
     for task in dict.fromkeys(task for task, _ in cells):
         row = [cells.get((task, split)) for split in splits]
-        planned = [cell for cell in row if cell is not None]
-        whole = TaskCell(
-            sum(cell.total for cell in planned),
-            sum(cell.scored for cell in planned),
-            sum(cell.successes for cell in planned),
-        )
-        rows.append((task, row, whole))
+        rows.append((task, row, sum_cells([cell for cell in row if cell is not None])))
     return TaskTable(splits, rows)
 
 
-def task_table_of_score(score: Document) -> TaskTable:
-    """The same without the splits, from the score alone."""
-    rows: list[tuple[str, list[TaskCell | None], TaskCell]] = []
-    for task, group in score["by_task"].items():
-        counts = group["counts"]
-        scored = counts["total"] - counts["unscored"]
-        rows.append((task, [], TaskCell(counts["total"], scored, counts["success"])))
-    return TaskTable([], rows)
+def sum_cells(cells: Sequence[TaskCell]) -> TaskCell:
+    return TaskCell(
+        sum(cell.total for cell in cells),
+        sum(cell.scored for cell in cells),
+        sum(cell.successes for cell in cells),
+    )
 
 
 def quantiles(values: Sequence[float]) -> Quantiles | None:
@@ -165,21 +164,69 @@ def think_seconds(episodes: Iterable[Document]) -> Quantiles | None:
     return quantiles([r["think_s"] for r in results if "think_s" in r])
 
 
-def seconds_left(run: Document, episodes: Iterable[Document]) -> float | None:
-    """The time left at the pace of the last episodes; None if the run is not played."""
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """The seconds left at the pace of the last results, or since when there is none.
+
+    left_s: None while no pace is known, and while the run stands still. still_s: the
+    seconds since the last result, of a run that stands still.
+    """
+
+    left_s: float | None = None
+    still_s: float | None = None
+
+
+def pace_of(run: Document, episodes: Iterable[Document], now: datetime) -> Pace:
+    """now: with a time zone, of the clock that wrote the results."""
     if run["state"] not in ("running", "stopping"):
-        return None
+        return Pace()
     ends = sorted(
         datetime.fromisoformat(episode["result"]["finished_at"])
         for episode in episodes
         if episode.get("result")
     )[-PACE_EPISODES:]
+    if not ends:
+        return Pace()
+    still_s = (now - ends[-1]).total_seconds()
     if len(ends) < 2:
-        return None
-    pace = (ends[-1] - ends[0]).total_seconds() / (len(ends) - 1)
+        return Pace(still_s=still_s if still_s > STILL_MIN_S else None)
+    pace_s = (ends[-1] - ends[0]).total_seconds() / (len(ends) - 1)
+    if still_s > max(STILL_MIN_S, STILL_FACTOR * pace_s):
+        return Pace(still_s=still_s)
     progress = run["progress"]
     left: int = progress["episodes_total"] - progress["episodes_scored"]
-    return pace * left
+    return Pace(left_s=pace_s * left)
+
+
+def snapshot(
+    run: Document, episodes: Sequence[Document]
+) -> tuple[Document, dict[str, Any]]:
+    """The run and its score by one list of its episodes, so that all numbers agree.
+
+    Run, score and episodes of a run that is played are answers of three moments.
+    """
+    results = [episode.get("result") for episode in episodes]
+    score = compute_score(
+        [
+            ScoredLine(
+                episode["task"],
+                episode["split"],
+                result["outcome"] if result else None,
+                result["score"] if result else None,
+            )
+            for episode, result in zip(episodes, results, strict=True)
+        ]
+    )
+    scored = sum(map(bool, results))
+    progress = {"episodes_total": len(episodes), "episodes_scored": scored}
+    return {**run, "progress": {**run["progress"], **progress}}, score
+
+
+def latest_results(episodes: Iterable[Document]) -> list[Document]:
+    """The last results of a run that is played, the newest first."""
+    ended = [episode for episode in episodes if episode.get("result")]
+    ended.sort(key=lambda e: (e["result"]["finished_at"], e["index"]), reverse=True)
+    return ended[:LATEST]
 
 
 def totals(episodes: Iterable[Document]) -> dict[str, int]:
@@ -210,18 +257,68 @@ def player_text(player: Document) -> str:
     return f"{named}, played with {client}" if client else named
 
 
-def commands(run: Document) -> list[tuple[str, str]]:
-    """Title and command: to repeat the run and, if it is whole, to check its score."""
-    name = shlex.quote(str(run["policy"]["name"]))
-    benchmark, run_id = map(shlex.quote, (run["benchmark_id"], run["run_id"]))
-    again = f"proctor run --policy POLICY --benchmark {benchmark} --name {name}"
-    for flag, names in (run.get("select") or {}).items():
-        option = {"tasks": "--tasks", "splits": "--split"}.get(flag)
-        if option and names:
-            again += f" {option} {shlex.quote(','.join(names))}"
-    lines = [("Evaluate a policy in the same way", again)]
+def video_command(run: Document, episode: Document) -> str:
+    """The command that draws an episode; empty without a result, or a seed, of it."""
+    if "seed" not in (episode.get("result") or {}):
+        return ""
+    return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
+
+
+def commands(run: Document, described: Document | None) -> list[tuple[str, str]]:
+    """Title and command: to repeat the run and, if it is whole, to check its score.
+
+    described: the benchmark as it is without options; None: not known.
+    """
+    run_id = str(run["run_id"])
+    title = "Evaluate a policy in the same way"
+    if _has_unknown_options(run, described):
+        title += (
+            ". The run had options of the benchmark, which are not known here: without "
+            "them, as --options, the command names another manifest"
+        )
+    lines = [(title, shlex.join(["proctor", "run", *_run_options(run, described)]))]
     progress = run["progress"]
     if progress["episodes_scored"] == progress["episodes_total"]:
-        check = f"proctor export {run_id} && proctor verify run-{run_id}.proctor"
+        file = record_file_name(run_id)
+        export = shlex.join(["proctor", "export", run_id])
+        check = f"{export} && {shlex.join(['proctor', 'verify', file])}"
         lines.append(("Check the score", check))
     return lines
+
+
+def _has_unknown_options(run: Document, described: Document | None) -> bool:
+    if run.get("options") or run.get("select") or described is None:
+        return False
+    return bool(described.get("manifest_sha256") != run["manifest_sha256"])
+
+
+def _run_options(run: Document, described: Document | None) -> Iterator[str]:
+    """What `proctor run` is told for another run like this one."""
+    policy, select = run["policy"], run.get("select") or {}
+    server = run.get("policy_server")
+    yield from ("--push", server["url"]) if server else ("--policy", "POLICY")
+    if server and server.get("model"):
+        yield from ("--model", server["model"])
+    if server and server.get("generation"):
+        yield from ("--generation", json.dumps(server["generation"]))
+    yield from ("--benchmark", run["benchmark_id"], "--name", str(policy["name"]))
+    if policy.get("version"):
+        yield from ("--policy-version", str(policy["version"]))
+    for member, option in (("tasks", "--tasks"), ("splits", "--split")):
+        if select.get(member):
+            yield from (option, ",".join(select[member]))
+    if run.get("options"):
+        text = json.dumps(run["options"])
+        yield from ("--options", text if len(text) <= OPTIONS_CHARS_MAX else "JSON")
+    images = run.get("images")
+    if images and images != _default_images(described):
+        yield from ("--images", "{codec}:{width}x{height}".format_map(images))
+    if run.get("any_policy"):
+        yield "--any-policy"
+
+
+def _default_images(described: Document | None) -> Document | None:
+    """The pictures of a run that chose none."""
+    if not described or not described.get("image_sizes"):
+        return None
+    return {"codec": described["image_codecs"][0], **described["image_sizes"][0]}

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.pages import page_contents
-from reference_record.pages.comparison_page import pair_episodes
+from reference_record.pages.comparison_page import LETTERS, pair_episodes
 from reference_record.pages.page_contents import (
     ShownVideo,
     Side,
@@ -135,6 +135,11 @@ class StaticReport:
         for baseline in self._runs:
             for compared in self._others(baseline):
                 yield from self._write_comparison(baseline, compared)
+        for number, group in enumerate(self._of_one_manifest(), start=1):
+            text = page_contents.several_html(
+                self._links("../"), [(one.run, one.episodes) for one in group]
+            )
+            yield self._save(f"comparisons/several-{number}.html", text)
         for number, benchmark in enumerate(self._benchmarks, start=1):
             yield self._save(
                 f"benchmarks/{number}.html",
@@ -174,6 +179,20 @@ class StaticReport:
         sha256 = baseline.run["manifest_sha256"]
         return [o for o in self._runs[at:] if o.run["manifest_sha256"] == sha256]
 
+    def _of_one_manifest(self) -> list[list[ReportedRun]]:
+        """Groups of more than two runs that can be compared, as many as are shown."""
+        groups: dict[str, list[ReportedRun]] = {}
+        for one in self._runs:
+            groups.setdefault(one.run["manifest_sha256"], []).append(one)
+        return [group[: len(LETTERS)] for group in groups.values() if len(group) > 2]
+
+    def _several(self, reported: ReportedRun) -> str:
+        """From the page of a run to the one that compares it with several others."""
+        for number, group in enumerate(self._of_one_manifest(), start=1):
+            if reported in group:
+                return f"../../comparisons/several-{number}.html"
+        return ""
+
     def _write_run(self, reported: ReportedRun) -> Iterator[str]:
         links, number = self._links("../../"), self._runs_by_id[reported.run_id]
         figures = RunFigures.of(reported.episodes)
@@ -192,6 +211,7 @@ class StaticReport:
             text = page_contents.run_html(
                 links, reported.run, reported.score, figures, window,
                 level=reported.level, turn_times=reported.times, others=compared,
+                several=self._several(reported), described=reported.benchmark,
             )  # fmt: skip
             yield self._save(f"runs/{number}/{name}", text)
 
@@ -241,7 +261,7 @@ class StaticReport:
             name = f"{index:05d}-{number}.mp4"
             self._write_once(f"{folder}/{name}", video.path.read_bytes)
             videos.append(ShownVideo(video.origin.camera, base + name, video.note))
-        return played_view(recorded, addresses, videos)
+        return played_view(recorded, addresses, videos, benchmark=reported.benchmark)
 
     def _write_once(self, name: str, read: Callable[[], bytes]) -> None:
         """An episode has a page of its own, and stands in comparisons."""

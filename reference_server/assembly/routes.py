@@ -12,6 +12,7 @@ from reference_server.cluster.server_node import ServerNode
 from reference_server.http.application import Endpoint, not_found
 from reference_server.http.auth import Tokens
 from reference_server.http.handlers import Handlers
+from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_routes import Pages
 from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.monitoring.health import health_routes
@@ -50,7 +51,13 @@ def make_router(
         return operations
     node_id = str if node is None else node.node_id
     find_entry_id = None if handlers.board is None else handlers.board.entry_id_of_run
-    pages = Pages(operations, hosts, settings.public_url, node_id, find_entry_id)
+    films = None
+    if settings.films == "on" and settings.recordings != "off":
+        seeds = settings.opened_seeds
+        films = FilmSettings(settings.benchmarks, "" if "," in seeds else seeds)
+    pages = Pages(
+        operations, hosts, settings.public_url, node_id, find_entry_id, films=films
+    )
     shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(not_found))
     if node_routes is not None:
         shown = node_routes.routed_pages(shown, pages.show_away)

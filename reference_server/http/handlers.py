@@ -18,6 +18,7 @@ from typing import Any
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.export import blocks_of
+from reference_record.formats.names import record_file_name
 from reference_server.generated import models
 from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.bodies import request_bodies
@@ -328,7 +329,7 @@ class Handlers:
         record = await self.service.fetch_record(call.account, run_id)
         check = partial(self.service.check_readable, call.account, run_id)
         return _Download(
-            record.stream(), record.size, ARCHIVE, f"run-{run_id}.proctor", check
+            record.stream(), record.size, ARCHIVE, record_file_name(run_id), check
         )
 
     async def fetch_recording(self, call: OperationCall) -> Response:

@@ -7,7 +7,6 @@ many bytes, in so much time, and of the types that it expects.
 from __future__ import annotations
 
 import asyncio
-import os
 import signal
 import sys
 from collections.abc import Iterator
@@ -19,6 +18,7 @@ import msgspec
 from reference_record.broken import BrokenRecord
 from reference_record.formats.names import EPISODES_MAX
 from reference_record.statement import RecordedResult
+from reference_server.process.child_environment import child_environment
 from reference_server.records.examination_turns import ExaminationTurns
 from reference_server.records.verify_process import (
     CHOICE_BYTES_MAX,
@@ -121,7 +121,7 @@ async def _run(task: str, path: Path, bytes_max: int) -> bytes:
         *(task, str(path)),
         stdin=asyncio.subprocess.DEVNULL,
         stdout=asyncio.subprocess.PIPE,
-        env=_environment(),
+        env=child_environment(),
         start_new_session=True,  # a terminal's Ctrl-C is the server's to handle
     )
     assert process.stdout is not None
@@ -155,12 +155,3 @@ async def _read(stream: asyncio.StreamReader, bytes_max: int) -> bytes:
         if len(said) > bytes_max:
             raise ExaminationFailed(f"more than {bytes_max} bytes were found in it")
     return bytes(said)
-
-
-def _environment() -> dict[str, str]:
-    """The environment without the server's settings, which may contain secrets."""
-    root = str(Path(__file__).parents[2])
-    paths = [root, *filter(None, [os.environ.get("PYTHONPATH")])]
-    dropped = "PROCTOR_", "PG"  # PGPASSWORD is read by the driver of the database
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(dropped)}
-    return kept | {"PYTHONPATH": os.pathsep.join(paths)}

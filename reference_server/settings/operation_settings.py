@@ -14,6 +14,11 @@ class OperationSettings(BaseModel):
         "on",
         description="Whether the server has pages for people, under /pages.",
     )
+    films: Literal["off", "on"] = Field(
+        "on",
+        description="Whether readers of the pages may have an episode drawn from its "
+        "record: by one process at a time, beside max_simulators.",
+    )
     metrics: Literal["off", "on"] = Field(
         "off",
         description="Whether metrics for Prometheus are served, at /metrics of a port "

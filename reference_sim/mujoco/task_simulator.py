@@ -114,6 +114,11 @@ class PhysicalSimulator(Generic[SceneT]):
         self._world.forward()
         return self._task.instruction
 
+    @property
+    def stages(self) -> Sequence[str]:
+        """The stages of the task that was reset last."""
+        return self._require_task().stages
+
     def step(self, action: Action) -> StepOutcome:
         """Success is the goal in GOAL_HOLD_STEPS steps in a row, and ends the task."""
         task = self._require_task()

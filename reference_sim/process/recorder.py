@@ -59,7 +59,9 @@ def state_digest(simulator: Simulator) -> str:
 class EpisodeRecorder:
     """Records one attempt from its reset on. All methods raise UnwritableRecording."""
 
-    def __init__(self, plan: RecordingPlan, simulator: Simulator) -> None:
+    def __init__(
+        self, plan: RecordingPlan, simulator: Simulator, episode: Episode
+    ) -> None:
         self._plan, self._simulator = plan, simulator
         try:
             self._part = PartWriter(Path(plan.folder), PARTS_MAX)
@@ -71,6 +73,8 @@ class EpisodeRecorder:
             "started",
             timestamp(now),
             state_digest=state_digest(simulator),
+            instruction=episode.instruction,
+            stages=episode.stages,
         )
         self._write("/attempt", started, now)
 

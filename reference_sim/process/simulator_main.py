@@ -286,7 +286,9 @@ class _EpisodeHost:
         )
         clock.lap("simulate_s")
         if command.recording is not None:
-            self._recorder = EpisodeRecorder(command.recording, simulator)
+            self._recorder = EpisodeRecorder(
+                command.recording, simulator, self._episode
+            )
         observation = self._observe(clock)
         return EpisodeStart(self._episode.instruction, observation, clock.timing())
 

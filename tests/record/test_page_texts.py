@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from datetime import UTC, datetime, timedelta
+from typing import Any
 
 import pytest
 
 from reference_record.pages.page_templates import duration
+from reference_record.pages.run_page import Pace, commands, pace_of
 
 
 @pytest.mark.parametrize(
@@ -29,3 +32,92 @@ def test_a_duration_is_short_and_never_loses_what_is_small(
     seconds: float | None, text: str
 ) -> None:
     assert duration(seconds) == text
+
+
+@pytest.mark.parametrize(
+    ("state", "ends_s", "now_s", "pace"),
+    [
+        pytest.param("running", [0, 2, 4], 5, Pace(left_s=8.0), id="played"),
+        pytest.param("running", [0, 2, 4], 34, Pace(still_s=30.0), id="stands-still"),
+        pytest.param("running", [0, 20], 60, Pace(left_s=100.0), id="slow"),
+        pytest.param("running", [0, 0.1, 0.2], 60, Pace(still_s=59.8), id="was-fast"),
+        pytest.param("running", [0], 1, Pace(), id="one-result"),
+        pytest.param("running", [0], 60, Pace(still_s=60.0), id="one-result-long-ago"),
+        pytest.param("running", [], 60, Pace(), id="none"),
+        pytest.param("stopped", [0, 2, 4], 60, Pace(), id="not-played"),
+    ],
+)
+def test_the_time_left_is_that_of_a_run_that_goes_on(
+    state: str, ends_s: list[float], now_s: float, pace: Pace
+) -> None:
+    start = datetime(2026, 11, 29, tzinfo=UTC)
+    episodes = [
+        {"result": {"finished_at": (start + timedelta(seconds=at)).isoformat()}}
+        for at in ends_s
+    ]
+    progress = {"episodes_total": 7, "episodes_scored": len(ends_s)}
+    run = {"state": state, "progress": progress}
+    assert pace_of(run, episodes, start + timedelta(seconds=now_s)) == pace
+
+
+RUN: dict[str, Any] = {
+    "run_id": "run_1",
+    "benchmark_id": "b",
+    "policy": {"name": "my policy"},
+    "manifest_sha256": "1",
+    "progress": {"episodes_scored": 1, "episodes_total": 2},
+}
+DEFAULT = {
+    "manifest_sha256": "1",
+    "image_codecs": ["png"],
+    "image_sizes": [{"width": 2, "height": 1}],
+}
+SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
+
+
+@pytest.mark.parametrize(
+    ("members", "command"),
+    [
+        ({}, SAME),
+        ({"policy": {"name": "my policy", "version": "2"}}, " --policy-version 2"),
+        ({"select": {"tasks": ["a", "b"], "splits": ["c"]}}, " --tasks a,b --split c"),
+        ({"options": {"tasks": ["it's"]}}, """ --options '{"tasks": ["it'"'"'s"]}'"""),
+        ({"images": {"codec": "png", "width": 2, "height": 1}}, SAME),
+        (
+            {"images": {"codec": "jpeg", "width": 2, "height": 1}},
+            " --images jpeg:2x1",
+        ),
+        ({"any_policy": True}, " --any-policy"),
+        (
+            {"policy_server": {"url": "http://p", "model": "m"}},
+            "proctor run --push http://p --model m --benchmark b --name 'my policy'",
+        ),
+        ({"options": {"a": "x" * 9000}}, " --options JSON"),
+    ],
+)
+def test_a_run_is_repeated_with_its_options(
+    members: dict[str, Any], command: str
+) -> None:
+    ((title, shown),) = commands(RUN | members, DEFAULT)
+    assert shown == (SAME + command if command.startswith(" ") else command)
+    assert title == "Evaluate a policy in the same way"
+
+
+def test_options_that_are_not_known_are_named() -> None:
+    """The manifest is another one than without options."""
+    other = RUN | {"manifest_sha256": "2"}
+    ((title, _),) = commands(other, DEFAULT)
+    assert "--options" in title
+    selected = other | {"select": {"tasks": ["a"]}}
+    assert "--options" not in commands(selected, DEFAULT)[0][0]
+    assert "--options" not in commands(other, None)[0][0]
+
+
+@pytest.mark.parametrize(
+    ("run_id", "file"),
+    [("run_1", "run_1.proctor"), ("1", "run-1.proctor"), ("-x", "run--x.proctor")],
+)
+def test_a_record_is_called_as_its_run(run_id: str, file: str) -> None:
+    done = {"episodes_scored": 2, "episodes_total": 2}
+    (_, (_, check)) = commands(RUN | {"run_id": run_id, "progress": done}, None)
+    assert check == f"proctor export {run_id} && proctor verify {file}"

@@ -127,6 +127,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "flageval_modes": ("NLP:Qnext=quiz", "MM:*=quiz,NLP:XLC_train=calibration"),
         "ebench_prefixes": ("/a", "/a,/b/c"),
         "pages": ("off", "off"),
+        "films": ("off", "off"),
         "metrics": ("on", "on"),
         "traces_ratio": ("0.5", "1"),
         "traces_parent": ("all", "nodes"),

@@ -253,7 +253,7 @@ def _add_record_options(
 ) -> None:
     export.add_argument(
         "--output", "-o", metavar="FILE",
-        help="file to write (run-RUN.proctor); with --to, a new directory",
+        help="file to write (RUN.proctor); with --to, a new directory",
     )  # fmt: skip
     export.add_argument("--force", action="store_true", help="replace the file")
     verify.add_argument("file", metavar="FILE", help="the record, or its directory")
@@ -342,7 +342,7 @@ def _add_export_options(
         help=f"convert the record: {', '.join(EXPORTS)}",
     )  # fmt: skip
     video.add_argument(
-        "--output", "-o", metavar="DIR", help="directory of the videos (run-RUN-videos)"
+        "--output", "-o", metavar="DIR", help="directory of the videos (RUN-videos)"
     )
     video.add_argument("--force", action="store_true", help="replace files that exist")
 

@@ -28,7 +28,7 @@ from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord
 from reference_record.export import save_blocks
 from reference_record.formats.bundle import open_bundle
-from reference_record.formats.names import STATEMENT
+from reference_record.formats.names import STATEMENT, record_file_name
 from reference_record.replay_verdict import ReplayVerdict
 from reference_record.verification import Report, read_statement, verify_signer
 
@@ -55,7 +55,7 @@ def export(args: argparse.Namespace, printer: Printer) -> int:
     run_id = args.run or args.run_id
     if run_id is None:
         raise UsageError("export needs the id of a run: proctor export RUN")
-    path = Path(args.output or f"run-{run_id}{SUFFIX}")
+    path = Path(args.output or record_file_name(run_id))
     if path.exists() and not args.force:
         raise UsageError(f"{path} exists; --force replaces it")
     keys = _fetch(run_id, path, args, printer)
@@ -100,7 +100,7 @@ def _record_of(args: argparse.Namespace, printer: Printer) -> Path:
         return Path(source)
     if source.endswith(SUFFIX) or "/" in source:
         raise UsageError(f"{source}: no such file")
-    path = Path(f"run-{source}{SUFFIX}")
+    path = Path(record_file_name(source))
     if not path.exists():
         _fetch(source, path, args, printer)
         printer.say(f"proctor: saved the record as {path}")

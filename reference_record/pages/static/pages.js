@@ -1,9 +1,7 @@
 "use strict";
-// Filters of tables, plots of an episode, and the step that all of them show. Everything
-// that is said here in pictures stands in the page as text, too.
+// Filters of tables, the player of an episode, its plots, and the step that all of them
+// show. Everything that is said here in pictures stands in the page as text, too.
 
-const COLOURS = ["#1a7fd1", "#d1651a", "#2e9e4f", "#b03ac2", "#c2973a", "#3aa8b0", "#d13a5e",
-  "#7a6ff0"];
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name);
 
 // --- filters of a table that is whole ---
@@ -25,152 +23,287 @@ function filterRows(form) {
   form.addEventListener("submit", event => { event.preventDefault(); show(); });
 }
 
-// --- one recorded episode ---
+// --- pictures and films of one play ---
 
 class Player {
   constructor(section) {
     this.data = JSON.parse(section.querySelector(".data").textContent);
-    this.label = section.getAttribute("aria-label");
-    this.section = section;
-    this.plots = [];
-    this.onStep = () => {};
+    this.label = section.dataset.label;
     this.pictures = [...section.querySelectorAll("figure[data-camera]")].map(figure => ({
       image: figure.querySelector("img"),
       frames: (this.data.pictures || {})[figure.dataset.camera] || [],
     }));
     this.videos = [...section.querySelectorAll("video")];
-    const {steps, actions, rewards, turns} = this.data;
-    for (const [name, columns] of Object.entries(actions))
-      this.plot(name, steps, columns, columns.map((_, i) => columns.length > 1 ? `${i}` : name));
-    if (rewards.some(value => value)) this.plot("reward", steps, [rewards], ["reward"]);
-    if (turns.last.length > 1) {
-      this.plot("score", turns.last, [turns.score], ["score"]);
-      this.plot("time of a turn, ms", turns.first, [turns.think_ms, turns.simulate_ms],
-        ["policy", "simulator"]);
-    }
+    for (const video of this.videos) video.controls = false;  // the page has controls
   }
 
-  plot(title, x, columns, labels) {
-    const parent = this.section.querySelector(".plots");
-    const heading = document.createElement("h3");
-    heading.textContent = title;
-    parent.append(heading);
-    const axis = {stroke: colour("--soft"), grid: {stroke: colour("--line"), width: 1},
-      ticks: {stroke: colour("--line")}};
-    // A score is from 0 to 1; what never changes is no line at the foot of 0 to 100.
-    const range = title === "score" ? [-0.05, 1.05] : (_, low, high) =>
-      low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.1, true);
-    const made = new uPlot({
-      width: Math.max(260, parent.clientWidth), height: 170,
-      scales: {x: {time: false, range: () => [0, Math.max(1, this.data.total)]},
-        y: {range}},
-      axes: [{...axis}, {...axis, size: 62}],
-      legend: {live: false, show: labels.length > 1},
-      cursor: {drag: {x: false, y: false}},
-      series: [{label: "step"}, ...labels.map((label, i) => ({label, width: 1.5,
-        stroke: COLOURS[i % COLOURS.length], points: {show: x.length < 40}}))],
-      hooks: {draw: [plot => this.drawMarks(plot)]},
-    }, [x, ...columns], parent);
-    made.over.addEventListener("click", event => {
-      const box = made.over.getBoundingClientRect();
-      this.onStep(Math.round(made.posToVal(event.clientX - box.left, "x")));
-    });
-    this.plots.push(made);
-  }
-
-  drawMarks(plot) {
-    const line = (step, style, dash) => {
-      const at = plot.valToPos(step, "x", true), {ctx, bbox} = plot;
-      ctx.save();
-      ctx.strokeStyle = style;
-      ctx.lineWidth = 2;
-      ctx.setLineDash(dash);
-      ctx.beginPath();
-      ctx.moveTo(at, bbox.top);
-      ctx.lineTo(at, bbox.top + bbox.height);
-      ctx.stroke();
-      ctx.restore();
-    };
-    if (this.step !== undefined) line(this.step, colour("--text"), []);
-    if (this.divergence !== undefined) line(this.divergence, colour("--mark"), [6, 5]);
-  }
-
-  show(step) {
-    this.step = Math.min(step, this.data.total);
-    for (const plot of this.plots) plot.redraw(false);
+  show(step, isPlaying) {
+    step = Math.min(step, this.data.total);
     for (const {image, frames} of this.pictures) {
-      const frame = frames.filter(([at]) => at <= this.step).at(-1) || frames[0];
+      const frame = frames.filter(([at]) => at <= step).at(-1) || frames[0];
       if (frame && image.getAttribute("src") !== frame[1]) image.src = frame[1];
     }
-    for (const video of this.videos)
-      if (video.duration)
-        video.currentTime = video.duration * this.step / Math.max(1, this.data.total);
+    for (const video of this.videos) {
+      if (!video.duration) continue;
+      // A film has one picture before the first step, and one after each.
+      const at = video.duration * (step + 0.5) / (this.data.total + 1);
+      if (!isPlaying || Math.abs(video.currentTime - at) > 0.3) video.currentTime = at;
+      if (isPlaying && step < this.data.total) video.play().catch(() => {});
+      else video.pause();
+    }
   }
 
-  describe() {
-    const {steps, actions, rewards, turns, stride} = this.data;
-    if (!this.step) return "before the first action";
-    const at = Math.min(steps.length - 1, Math.floor((this.step - 1) / stride));
-    const turn = turns.last.findIndex(last => last >= this.step);
-    const parts = [];
-    if (turn >= 0) parts.push(`turn ${turns.seq[turn]}, policy ${turns.think_ms[turn]} ms`);
-    if (rewards[at] !== null) parts.push(`reward ${rewards[at]}`);
-    for (const [name, columns] of Object.entries(actions))
-      parts.push(`${name} ${columns.map(column => column[at]).join(" ")}`);
-    return parts.join("; ");
+  setSpeed(speed) {
+    for (const video of this.videos) video.playbackRate = speed;
+  }
+
+  describe(step) {
+    const {x, seq, think_ms} = this.data;
+    const turn = x.last.findIndex(last => last >= step);
+    return step && turn >= 0 ? `turn ${seq[turn]}, policy ${think_ms[turn]} ms` : "";
   }
 }
 
+// --- plots: a small one for each number, with a line for each play ---
+
+const PLOTS_OPEN = 24;  // those beyond are drawn when they are asked for
+const PLOT_HEIGHT = 118;
+
+class Plots {
+  constructor(parent, players, onStep) {
+    this.players = players;
+    this.total = Math.max(1, ...players.map(player => player.data.total));
+    this.onStep = onStep;
+    this.cells = [];
+    const titles = new Set(players.flatMap(one => one.data.groups.map(group => group.title)));
+    let count = 0, place = parent, singles = null;
+    for (const title of titles) {
+      const names = new Set(this.groups(title).flatMap(group => group.plots.map(one => one.name)));
+      if (place === parent && count && count + names.size > PLOTS_OPEN) {
+        place = add(parent, "details");
+        add(place, "summary", "More numbers");
+        const drawn = place;
+        drawn.addEventListener("toggle", () => this.resize(), {once: true});
+        singles = null;
+      }
+      count += names.size;
+      // Single numbers stand together, without a heading for each.
+      const isSingle = names.size === 1;
+      if (!isSingle) add(place, "h3", title);
+      const grid = isSingle && singles || add(place, "div");
+      singles = isSingle ? grid : null;
+      grid.className = "plots";
+      for (const name of names) this.add(grid, title, name);
+    }
+  }
+
+  groups(title) {
+    return this.players.flatMap(one => one.data.groups.filter(group => group.title === title));
+  }
+
+  add(grid, title, name) {
+    const lines = this.players.map(player => {
+      const group = player.data.groups.find(one => one.title === title);
+      const plot = group && group.plots.find(one => one.name === name);
+      return plot && {...plot, steps: player.data.x[plot.x]};
+    });
+    const {unit} = lines.find(Boolean);
+    const cell = add(grid, "div"), head = add(cell, "p", name);
+    add(head, "small", unit);
+    const values = lines.map((_, side) => {
+      const value = add(head, "output");
+      value.className = `side-${side + 1}`;
+      return value;
+    });
+    const ground = add(cell, "div");
+    this.cells.push({cell, ground, name, lines, values, plot: null});
+  }
+
+  draw(cell) {
+    const axis = {stroke: colour("--soft"), grid: {stroke: colour("--line"), width: 1},
+      ticks: {stroke: colour("--line"), size: 4}, font: "11px system-ui"};
+    const drawn = cell.lines.map((line, side) => line && {line, side}).filter(Boolean);
+    // A score is from 0 to 1; what never changes is no line at the foot of 0 to 100.
+    const range = cell.name === "score" ? [-0.05, 1.05] : (_, low, high) =>
+      low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.1, true);
+    const plot = cell.plot = new uPlot({
+      width: Math.max(120, cell.ground.clientWidth), height: PLOT_HEIGHT,
+      padding: [6, 14, 0, 0],
+      scales: {x: {time: false, range: () => [0, this.total]}, y: {range}},
+      axes: [{...axis, size: 24}, {...axis, size: 46}],
+      legend: {show: false},
+      cursor: {show: false},
+      series: [{}, ...drawn.map(({line, side}) => ({width: 1.5, stroke: colour(`--side-${side + 1}`),
+        spanGaps: true, dash: side ? [6, 3] : undefined, points: {show: line.steps.length < 40}}))],
+      hooks: {draw: [() => this.drawMark(plot)]},
+    }, uPlot.join(drawn.map(({line}) => [line.steps, line.y])), cell.ground);
+    cell.mark = add(plot.over, "div");
+    cell.mark.className = "mark";
+    const goTo = event => {
+      const left = event.clientX - plot.over.getBoundingClientRect().left;
+      this.onStep(Math.round(plot.posToVal(left, "x")));
+    };
+    plot.over.addEventListener("pointerdown", event => {
+      plot.over.setPointerCapture(event.pointerId);
+      goTo(event);
+    });
+    plot.over.addEventListener("pointermove", event => { if (event.buttons) goTo(event); });
+  }
+
+  drawMark(plot) {
+    if (!this.divergence) return;
+    const at = plot.valToPos(this.divergence, "x", true), {ctx, bbox} = plot;
+    ctx.save();
+    ctx.strokeStyle = colour("--mark");
+    ctx.lineWidth = 2;
+    ctx.setLineDash([6, 5]);
+    ctx.beginPath();
+    ctx.moveTo(at, bbox.top);
+    ctx.lineTo(at, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
+  }
+
+  resize() {
+    for (const cell of this.cells) {
+      const width = cell.ground.clientWidth;
+      if (!width) continue;  // it is folded
+      if (!cell.plot) this.draw(cell);
+      else if (cell.plot.width !== width) cell.plot.setSize({width, height: PLOT_HEIGHT});
+    }
+    if (this.step !== undefined) this.show(this.step);
+  }
+
+  show(step) {
+    this.step = step;
+    for (const {plot, mark, lines, values} of this.cells) {
+      if (!plot) continue;
+      mark.style.transform = `translateX(${plot.valToPos(step, "x")}px)`;
+      lines.forEach((line, side) => {
+        const at = line ? line.steps.findLastIndex(one => one <= step) : -1;
+        const value = at < 0 ? null : line.y[at];
+        values[side].textContent = value === null ? "" : `${value}`;
+      });
+    }
+  }
+}
+
+function add(parent, tag, text) {
+  const made = document.createElement(tag);
+  if (text !== undefined) made.textContent = text;
+  parent.append(made);
+  return made;
+}
+
+// --- the step that all of them show, and the clock that moves it ---
+
 function startPlayers(sections) {
   const slider = document.getElementById("step"), readout = document.getElementById("readout");
+  const button = document.getElementById("play"), loop = document.getElementById("loop");
+  const speed = document.getElementById("speed"), last = Number(slider.max);
   const players = sections.map(section => new Player(section));
+  const {rate} = players[0].data;
+  let timer = 0, began = 0, from = 0;
   for (const one of document.querySelectorAll(".step, .keys")) one.hidden = false;
-  const divergence = slider.closest(".step").dataset.divergence;
-  const show = (step, isTyped) => {
-    step = Math.max(0, Math.min(Number(slider.max), step || 0));
+  const plots = new Plots(document.getElementById("plots"), players, step => { pause(); show(step, true); });
+  plots.divergence = Number(document.querySelector(".step").dataset.divergence || 0);
+  const isPlaying = () => Boolean(timer);
+  const show = (step, isChosen) => {
+    step = Math.max(0, Math.min(last, step || 0));
     slider.value = step;
-    for (const player of players) player.show(step);
-    const texts = players.map(player => players.length > 1 ?
-      `${player.label}: ${player.describe()}` : player.describe());
-    readout.textContent = `${step} of ${slider.max}. ${texts.join(" | ")}`;
-    if (isTyped) history.replaceState(null, "", `#step=${step}`);
+    for (const player of players) player.show(step, isPlaying());
+    plots.show(step);
+    const texts = players.length > 1 ? [] : [players[0].describe(step)].filter(Boolean);
+    const seconds = `${(step / rate).toFixed(1)} s of ${(last / rate).toFixed(1)} s`;
+    readout.textContent = [`${step} of ${last}`, seconds, ...texts].join(" · ");
+    if (isChosen) history.replaceState(null, "", `#step=${step}`);
   };
-  for (const player of players) {
-    if (divergence) player.divergence = Number(divergence);
-    player.onStep = step => show(step, true);
-  }
+  const restart = () => {
+    began = performance.now();
+    from = Number(slider.value);
+    for (const player of players) player.setSpeed(Number(speed.value));
+  };
+  const tick = () => {
+    let step = from + Math.floor((performance.now() - began) / 1000 * rate * Number(speed.value));
+    if (step > last && loop.checked) {
+      slider.value = step = 0;
+      restart();
+    }
+    if (step !== Number(slider.value) || !step) show(step, false);
+    if (step >= last && !loop.checked) return pause();
+    timer = requestAnimationFrame(tick);
+  };
+  const play = () => {
+    if (Number(slider.value) >= last) slider.value = 0;
+    restart();
+    button.textContent = "Pause";
+    timer = requestAnimationFrame(tick);
+  };
+  const pause = () => {
+    cancelAnimationFrame(timer);
+    timer = 0;
+    button.textContent = "Play";
+    show(Number(slider.value), true);
+  };
+  button.addEventListener("click", () => isPlaying() ? pause() : play());
+  speed.addEventListener("change", restart);
   const named = () => {
-    const found = /^#step=(\d{1,9})$/.exec(location.hash);
-    return found ? Number(found[1]) : Number(slider.value);
+    const text = /^#step=(\d{1,9})$/.exec(location.hash);
+    return text ? Number(text[1]) : Number(slider.value);
   };
-  slider.addEventListener("input", () => show(Number(slider.value), true));
-  addEventListener("hashchange", () => show(named(), false));
-  addEventListener("resize", () => {
-    for (const player of players)
-      for (const plot of player.plots)
-        plot.setSize({width: Math.max(260, plot.root.parentNode.clientWidth), height: 170});
+  slider.addEventListener("input", () => {
+    const step = Number(slider.value);
+    if (isPlaying()) pause();
+    show(step, true);
   });
+  addEventListener("hashchange", () => show(named(), false));
+  addEventListener("resize", () => plots.resize());
+  for (const player of players)
+    for (const video of player.videos)
+      video.addEventListener("loadedmetadata", () => show(Number(slider.value), false));
   addEventListener("keydown", event => {
     // Keyboards that have brackets behind AltGr say that Ctrl and Alt are held, too.
     const isCharacter = event.getModifierState("AltGraph");
     if (event.metaKey || (!isCharacter && (event.ctrlKey || event.altKey))) return;
-    const typing = event.target.matches("input:not([type=range]), select, textarea, video, .wide");
+    const typing = event.target.matches("input:not([type=range]), select, textarea, .wide");
     const now = Number(slider.value);
-    const wanted = {ArrowLeft: now - 1, ArrowRight: now + 1, Home: 0, End: Number(slider.max)};
+    const wanted = {ArrowLeft: now - 1, ArrowRight: now + 1, Home: 0, End: last};
     const link = {"[": "prev", "]": "next"}[event.key];
     if (typing) return;
     if (event.key in wanted) {
       event.preventDefault();
+      if (isPlaying()) pause();
       show(wanted[event.key], true);
+    } else if (event.key === " " && !event.target.matches("button, summary, a")) {
+      event.preventDefault();
+      button.click();
     } else if (link) document.querySelector(`a[rel=${link}]`)?.click();
   });
+  plots.resize();
   show(named(), false);
 }
 
+for (const button of document.querySelectorAll("[data-copy]")) {
+  button.hidden = !navigator.clipboard;
+  button.addEventListener("click", async () => {
+    await navigator.clipboard.writeText(button.previousElementSibling.textContent);
+    button.textContent = "Copied";
+    setTimeout(() => { button.textContent = "Copy"; }, 2000);
+  });
+}
 for (const form of document.querySelectorAll("form[data-filter]"))
   if (document.querySelector("table.whole")) filterRows(form);
 const sections = [...document.querySelectorAll("section.player")];
 if (sections.length) startPlayers(sections);
+
+// While a run is watched, its episodes' rows keep to the summary that was just swapped in.
+document.addEventListener("htmx:sseMessage", () => {
+  for (const rows of document.querySelectorAll("template[data-rows]"))
+    for (const row of rows.content.querySelectorAll("tr"))
+      document.getElementById(row.id)?.replaceWith(row.cloneNode(true));
+});
+// A film that is being drawn: the page has it when it is done.
+if (document.querySelector("[data-reload]")) setTimeout(() => location.reload(), 2000);
 
 // A run that was watched to its end: the whole page has more than its live part.
 document.addEventListener("htmx:sseClose", event => {

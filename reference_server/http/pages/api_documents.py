@@ -90,7 +90,7 @@ class ApiDocuments:
                     yield part
 
     def _scope(self, path: tuple[str, ...], query: Mapping[str, object]) -> Scope:
-        whole = "/v1/" + "/".join(quote(part, safe="") for part in path)
+        whole = "/v1" + "".join("/" + quote(part, safe="") for part in path)
         host = [(b"host", value) for name, value in self.outer["headers"]
                 if name == b"host"]  # fmt: skip
         token = [(b"authorization", f"Bearer {self.token}".encode())]

@@ -15,6 +15,7 @@ from typing import Any
 import msgspec
 from starlette.responses import RedirectResponse, Response
 
+from reference_record.pages.page_contents import LEVELS
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
@@ -174,6 +175,19 @@ async def find_entry(
         return True, None if entry_id is None else await api.get("entries", entry_id)
     except (Problem, StoreFailed):  # the page is shown without it
         return False, None
+
+
+async def level_of(
+    api: ApiDocuments, score: Mapping[str, Any], entry: Mapping[str, Any] | None
+) -> str:
+    """What is known of the score of a run, as its entry says it or would say it."""
+    if entry is not None and entry.get("level") in LEVELS:
+        return str(entry["level"])
+    try:
+        profiles = (await api.get())["profiles"]
+    except Problem:
+        profiles = ()
+    return "signed" if score["complete"] and "record" in profiles else "reported"
 
 
 async def publish(call: PageCall, form: Mapping[str, str]) -> Response:

@@ -9,16 +9,23 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections import deque
-from collections.abc import AsyncGenerator, Callable
+from collections.abc import AsyncGenerator, Callable, Sequence
 from contextlib import aclosing, suppress
+from datetime import UTC, datetime
 from typing import Any
 
 import msgspec
 
 from reference_record.pages.page_contents import summary_html
 from reference_record.pages.page_templates import Links
-from reference_record.pages.run_page import seconds_left, task_table_of_score
+from reference_record.pages.run_page import (
+    Document,
+    latest_results,
+    pace_of,
+    snapshot,
+    status_of,
+    task_table,
+)
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 
 log = logging.getLogger("proctor.pages")
@@ -27,8 +34,9 @@ PAUSE_S = 1.0
 COMMENT = b":\n\n"
 # The most readers of one account, or of accounts that share a token.
 READERS_MAX = 400
-LATEST = 10
-PACE = 50
+# Episodes of a run that are listed anew for each change: one answer of the API.
+LISTED_MAX = 1000
+ROWS_MAX = 200
 
 
 class LiveRuns:
@@ -77,7 +85,10 @@ class _LiveRun:
     def __init__(self, links: Links, run_id: str) -> None:
         self._links = links
         self._run_id = run_id
-        self._latest: deque[dict[str, Any]] = deque(maxlen=PACE)
+        self._run: dict[str, Any] | None = None
+        # By index; those of a long run are listed once, and then changed by its events.
+        self._episodes: dict[int, Document] = {}
+        self._rows: dict[int, tuple[Any, ...]] = {}
         self._part = b""
         self._changed = asyncio.Event()
         self._task: asyncio.Task[None] | None = None
@@ -133,31 +144,71 @@ class _LiveRun:
     ) -> None:
         """An event `run` ends each batch: then the page is made, and then a pause.
 
-        A comment says that nothing changed: readers hear that the stream is alive.
+        A comment says that nothing changed: readers hear that the stream is alive, and
+        since when a run stands still.
         """
         async for kind, body in events:
             if kind == "episode":
-                self._latest.append(body)
+                self._add_result(body)
             elif kind == "run":
+                self._run = body
                 await self._render(api, body)
                 await asyncio.sleep(PAUSE_S)
+            elif self._run is not None:
+                await self._render(api, self._run)
             else:
                 self._wake()
 
+    def _add_result(self, result: dict[str, Any]) -> None:
+        episode = self._episodes.get(result["index"])
+        if episode is not None:
+            told = {name: result[name] for name in ("attempt", "faults")}
+            self._episodes[result["index"]] = {
+                **episode, **told, "status": "scored", "result": result,
+            }  # fmt: skip
+
     async def _render(self, api: ApiDocuments, run: dict[str, Any]) -> None:
-        score = await api.get("runs", self._run_id, "score")
-        latest = list(self._latest)
+        """All of it from one list of the episodes."""
+        if len(self._episodes) <= LISTED_MAX:
+            path = ("runs", self._run_id, "episodes")
+            async for page in api.pages(*path, limit=LISTED_MAX):
+                self._episodes |= {one["index"]: one for one in page["episodes"]}
+        episodes = [self._episodes[index] for index in sorted(self._episodes)]
+        seen, score = snapshot(run, episodes)
+        latest = latest_results(episodes)
         text = summary_html(
             self._links,
-            run,
+            seen,
             score,
-            task_table_of_score(score),
-            left_s=seconds_left(run, latest),
-            latest=latest[: -LATEST - 1 : -1],
+            task_table(episodes),
+            pace=pace_of(seen, episodes, datetime.now(UTC)),
+            latest=latest,
+            changed=self._changed_rows(episodes, latest),
         )
         lines = "".join(f"data: {line}\n" for line in text.splitlines() if line)
-        self._part = f"event: summary\n{lines}\n".encode()
+        part = f"event: summary\n{lines}\n".encode()
+        if part != self._part:
+            self._part = part
         self._wake()
+
+    def _changed_rows(
+        self, episodes: Sequence[Document], latest: Sequence[Document]
+    ) -> list[Document]:
+        """Episodes whose rows a page may have as they were before.
+
+        A page that was loaded a moment ago has all but the last changes: the latest
+        results and what is in progress are always among them.
+        """
+        fresh = {one["index"] for one in latest}
+        before, self._rows = self._rows, {}
+        changed = []
+        for one in episodes:
+            status = status_of(one)
+            now = self._rows[one["index"]] = status, one["attempt"], one["faults"]
+            is_known = before.get(one["index"], now) == now
+            if status == "in_progress" or one["index"] in fresh or not is_known:
+                changed.append(one)
+        return changed[:ROWS_MAX]
 
     def _wake(self) -> None:
         """Every reader that waits goes on; later ones wait for the next change."""

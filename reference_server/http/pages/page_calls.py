@@ -35,6 +35,9 @@ class PageCall:
     def query_id(self, name: str) -> str:
         return _checked_id(self.request.query_params.get(name, ""))
 
+    def query_ids(self, name: str) -> list[str]:
+        return [_checked_id(text) for text in self.request.query_params.getlist(name)]
+
     def query(self, name: str) -> str:
         return self.request.query_params.get(name, "")[:200]
 

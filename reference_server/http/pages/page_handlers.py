@@ -12,27 +12,37 @@ from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from contextlib import aclosing
 from functools import cached_property
+from http import HTTPStatus
 from typing import Any
 from urllib.parse import urlencode
 
-from starlette.responses import Response, StreamingResponse
+from starlette.responses import (
+    FileResponse,
+    RedirectResponse,
+    Response,
+    StreamingResponse,
+)
 
 from reference_record.broken import BrokenRecord
+from reference_record.formats.names import record_file_name
 from reference_record.pages import page_contents
-from reference_record.pages.comparison_page import KINDS, pair_episodes
-from reference_record.pages.page_contents import Side, Window, played_view
+from reference_record.pages.comparison_page import KINDS, LETTERS, pair_episodes
+from reference_record.pages.page_contents import ShownVideo, Side, Window, played_view
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     read_recorded_episode,
 )
-from reference_record.pages.run_page import Document, RunFigures, status_of
+from reference_record.pages.run_page import Document, RunFigures, snapshot, status_of
 from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.board_pages import (
     FindEntryId,
     find_entry,
     has_leaderboard,
+    level_of,
 )
+from reference_server.http.pages.entry_pages import offered_pages
+from reference_server.http.pages.films import Film, Films, FilmSettings
 from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import LINKS, PageCall
 
@@ -59,11 +69,16 @@ class _EpisodeList:
 class PageHandlers:
     """Every page but the sign-in. Handlers raise Problem.
 
-    find_entry_id: None if there is no leaderboard.
+    find_entry_id: None if there is no leaderboard. films: None if none are drawn.
     """
 
-    def __init__(self, find_entry_id: FindEntryId | None = None) -> None:
+    def __init__(
+        self,
+        find_entry_id: FindEntryId | None = None,
+        films: FilmSettings | None = None,
+    ) -> None:
         self._find_entry_id = find_entry_id
+        self._films = None if films is None else Films(films)
         self._live = LiveRuns(LINKS)
         self._lists: OrderedDict[tuple[str, str, str], _EpisodeList] = OrderedDict()
         self._recordings: OrderedDict[tuple[str, str, str], RecordedEpisode] = (
@@ -76,6 +91,7 @@ class PageHandlers:
         return render_page(
             "index", LINKS, csrf=call.csrf, title="Benchmarks and runs",
             runs=runs["runs"], benchmarks=benchmarks["benchmarks"],
+            more=await offered_pages(call.api),
         )  # fmt: skip
 
     async def show_benchmark(self, call: PageCall) -> str:
@@ -108,8 +124,13 @@ class PageHandlers:
     async def show_run(self, call: PageCall) -> str:
         run_id = call.path("run_id")
         run = await call.api.get("runs", run_id)
-        score = await call.api.get("runs", run_id, "score")
-        figures = (await self._episodes(call, run)).figures
+        can_change = run["state"] not in ("completed", "failed")
+        listed = await self._episodes(call, run)
+        figures = listed.figures
+        if can_change:
+            run, score = snapshot(run, listed.all)
+        else:
+            score = await call.api.get("runs", run_id, "score")
         selected = {name: call.query(name) for name in ("outcome", "task", "split")}
         fitting = [
             episode
@@ -119,7 +140,6 @@ class PageHandlers:
             and selected["split"] in ("", episode["split"])
         ]
         window = _window(call, fitting, selected, "#episodes")
-        can_change = run["state"] not in ("completed", "failed")
         runs = await call.api.get("runs", limit=ROWS)
         others = [
             candidate
@@ -133,6 +153,8 @@ class PageHandlers:
             LINKS, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=LINKS.live(run_id) if can_change else "",
+            described=await _benchmark_of(call, run),
+            level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
     async def stream_run(self, call: PageCall, is_allowed: Any) -> Response:
@@ -158,7 +180,7 @@ class PageHandlers:
                 async for part in parts:
                     yield part
 
-        name = f'attachment; filename="run-{run_id}.proctor"'
+        name = f'attachment; filename="{record_file_name(run_id)}"'
         return StreamingResponse(
             body(),
             media_type="application/zip",
@@ -172,14 +194,18 @@ class PageHandlers:
         place = _place(episodes, call.path("episode_id"))
         episode = episodes[place]
         recorded, problem = await self._recorded(call, run_id, episode)
-        rate = await _control_rate(call, run["benchmark_id"])
+        benchmark = await _benchmark_of(call, run)
         around = [
             LINKS.episode(run_id, episodes[at]) if 0 <= at < len(episodes) else ""
             for at in (place - 1, place + 1)
         ]
-        view = None if recorded is None else self._view(run_id, episode, recorded)
+        view = None
+        if recorded is not None:
+            view = self._view(run_id, episode, recorded, benchmark)
         return page_contents.episode_html(
-            LINKS, run, episode, recorded, view, control_rate_hz=rate,
+            LINKS, run, episode, recorded, view,
+            control_rate_hz=benchmark["control_rate_hz"] if benchmark else None,
+            film=self._film_of(run, episode),
             problem=problem, before=around[0], after=around[1], csrf=call.csrf,
         )  # fmt: skip
 
@@ -195,6 +221,46 @@ class PageHandlers:
             raise Problem(404, "not_found", "There is no such picture.")
         kind = "jpeg" if pictures[0].extension == "jpg" else pictures[0].extension
         return Response(pictures[0].data, media_type=f"image/{kind}")
+
+    def _film_of(self, run: Document, episode: Document) -> Film | None:
+        """None where none can be drawn: there is no record of it, or no setting.
+
+        A record has no sealed seed, so nobody can simulate its episode.
+        """
+        is_sealed = "seed" not in (episode.get("result") or {})
+        if self._films is None or run["state"] != "completed" or is_sealed:
+            return None
+        key = run["run_id"], episode["episode_id"]
+        return self._films.find(key) or Film("none")
+
+    async def draw_film(self, call: PageCall, _form: Mapping[str, str]) -> Response:
+        run_id, episode_id = call.path("run_id"), call.path("episode_id")
+        run = await call.api.get("runs", run_id)
+        episodes = (await self._episodes(call, run)).all
+        episode = episodes[_place(episodes, episode_id)]
+        if self._films is None or self._film_of(run, episode) is None:
+            raise Problem(404, "not_found", "Films of it are not drawn here.")
+        self._films.start(
+            (run_id, episode_id),
+            call.api.stream("runs", run_id, "record"),
+            episode["index"],
+            await _benchmark_of(call, run),
+        )
+        address = LINKS.episode(run_id, episode)
+        return RedirectResponse(address, HTTPStatus.SEE_OTHER)
+
+    async def fetch_film(self, call: PageCall) -> Response:
+        """The video of a camera, by its number."""
+        run_id, number = call.path("run_id"), call.path("number")
+        await call.api.get("runs", run_id)  # still allowed
+        key = run_id, call.path("episode_id")
+        film = self._films.find(key) if self._films is not None else None
+        files = film.files if film is not None else ()
+        if not number.isdecimal() or int(number) >= len(files):
+            raise Problem(404, "not_found", "There is no such film.")
+        _, path = files[int(number)]
+        headers = {"Cache-Control": "private, max-age=3600"}
+        return FileResponse(path, media_type="video/mp4", headers=headers)
 
     async def show_comparison(self, call: PageCall) -> str:
         ids = (call.query_id("baseline"), call.query_id("run"))
@@ -212,6 +278,18 @@ class PageHandlers:
             numbers=numbers["runs"][0], csrf=call.csrf,
         )  # fmt: skip
 
+    async def show_several(self, call: PageCall) -> str:
+        """Runs of one manifest, of which the address names two at least."""
+        ids = list(dict.fromkeys(call.query_ids("run")))
+        if not 2 <= len(ids) <= len(LETTERS):
+            raise Problem(404, "not_found", f"Choose 2 to {len(LETTERS)} runs.")
+        runs = []
+        for run_id in ids:
+            run = await call.api.get("runs", run_id)
+            runs.append((run, (await self._episodes(call, run)).all))
+        _require_same_episodes([run for run, _ in runs])
+        return page_contents.several_html(LINKS, runs, csrf=call.csrf)
+
     async def show_pair(self, call: PageCall) -> str:
         sides, problems = [], []
         for name in ("baseline", "run"):
@@ -220,23 +298,34 @@ class PageHandlers:
             episode = episodes[_place(episodes, call.query_id("episode"))]
             recorded, problem = await self._recorded(call, run["run_id"], episode)
             recorded = recorded or RecordedEpisode()
-            view = self._view(run["run_id"], episode, recorded)
+            benchmark = await _benchmark_of(call, run)
+            view = self._view(run["run_id"], episode, recorded, benchmark)
             sides.append(Side(run, episode, recorded, view))
             problems += [problem] if problem else []
-        if len({side.run["manifest_sha256"] for side in sides}) > 1:
-            raise Problem(404, "not_found", "The runs do not have the same episodes.")
+        _require_same_episodes([side.run for side in sides])
         return page_contents.pair_html(
             LINKS, sides, problem=" ".join(problems), csrf=call.csrf
         )
 
     def _view(
-        self, run_id: str, episode: Document, recorded: RecordedEpisode
+        self,
+        run_id: str,
+        episode: Document,
+        recorded: RecordedEpisode,
+        benchmark: Document | None,
     ) -> page_contents.PlayedView:
         addresses = [
             LINKS.picture(run_id, episode, number)
             for number in range(len(recorded.pictures))
         ]
-        return played_view(recorded, addresses)
+        key = run_id, episode["episode_id"]
+        film = self._films.find(key) if self._films is not None else None
+        address = LINKS.film(run_id, episode)
+        videos = [
+            ShownVideo(camera, f"{address}/{number}")
+            for number, (camera, _) in enumerate(film.files if film else ())
+        ]
+        return played_view(recorded, addresses, videos, benchmark=benchmark)
 
     async def _episodes(self, call: PageCall, run: Document) -> _EpisodeList:
         """All episodes of a run. Those of a completed run are kept for a while.
@@ -310,6 +399,11 @@ def _window(
     return Window(part, len(rows), call.page, addresses, selected=selected)
 
 
+def _require_same_episodes(runs: Sequence[Document]) -> None:
+    if len({run["manifest_sha256"] for run in runs}) > 1:
+        raise Problem(404, "not_found", "The runs do not have the same episodes.")
+
+
 def _near(page: int, pages: int) -> list[int]:
     """The first and the last, and some around this one."""
     near = {1, pages, *range(page - 3, page + 4)}
@@ -323,9 +417,10 @@ def _place(episodes: Sequence[Document], episode_id: str) -> int:
     raise Problem(404, "not_found", "The run has no such episode.")
 
 
-async def _control_rate(call: PageCall, benchmark_id: str) -> float | None:
+async def _benchmark_of(call: PageCall, run: Document) -> Document | None:
+    """The benchmark of the run in its version; None if it is no longer offered."""
     try:
-        benchmark = await call.api.get("benchmarks", benchmark_id)
-    except Problem:  # no longer offered
+        benchmark: Document = await call.api.get("benchmarks", run["benchmark_id"])
+    except Problem:
         return None
-    return float(benchmark["control_rate_hz"])
+    return benchmark if benchmark.get("version") == run["benchmark_version"] else None

@@ -35,6 +35,18 @@ class ServerLinks:
     def leaderboard(self, benchmark_id: str) -> str:
         return f"{self.benchmark(benchmark_id)}/leaderboard"
 
+    def entry(self, entry_id: str) -> str:
+        return f"/pages/entries/{quote(entry_id, safe='')}"
+
+    def history(self) -> str:
+        return "/pages/history"
+
+    def imports(self) -> str:
+        return "/pages/imports"
+
+    def import_page(self, import_id: str) -> str:
+        return f"/pages/imports/{quote(import_id, safe='')}"
+
     def run(self, run_id: str) -> str:
         return f"/pages/runs/{quote(run_id, safe='')}"
 
@@ -49,6 +61,9 @@ class ServerLinks:
 
     def picture(self, run_id: str, episode: Mapping[str, Any], number: int) -> str:
         return f"{self.episode(run_id, episode)}/pictures/{number}"
+
+    def film(self, run_id: str, episode: Mapping[str, Any]) -> str:
+        return f"{self.episode(run_id, episode)}/film"
 
     def comparison(self, baseline: str, run_id: str) -> str:
         return f"/pages/compare?{urlencode({'baseline': baseline, 'run': run_id})}"

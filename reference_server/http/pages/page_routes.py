@@ -29,8 +29,9 @@ from reference_record.pages.page_templates import (
     render_page,
 )
 from reference_server.http.bodies.request_bodies import read_body
-from reference_server.http.pages import board_pages
+from reference_server.http.pages import board_pages, entry_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_calls import LINKS, PageCall
 from reference_server.http.pages.page_handlers import PageHandlers
 from reference_server.http.pages.page_links import safe_next
@@ -82,6 +83,7 @@ class Pages:
     api: the application with the operations.
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
     node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
+    films: None if none are drawn.
     """
 
     def __init__(
@@ -91,11 +93,13 @@ class Pages:
         public_url: str,
         node_id: Callable[[], str] = str,
         find_entry_id: board_pages.FindEntryId | None = None,
+        *,
+        films: FilmSettings | None = None,
     ) -> None:
         self._hosts = hosts
         self._is_https = public_url.startswith("https:")
         self._sessions = PageSessions(node_id=node_id)
-        self._handlers = PageHandlers(find_entry_id)
+        self._handlers = PageHandlers(find_entry_id, films)
         self._api = api
 
     def routes(self) -> list[BaseRoute]:
@@ -107,6 +111,9 @@ class Pages:
             "/benchmarks/{benchmark_id}": handlers.show_benchmark,
             "/compare": handlers.show_comparison,
             "/compare/episode": handlers.show_pair,
+            "/compare/several": handlers.show_several,
+            "/imports": entry_pages.show_imports,
+            "/imports/{import_id}": entry_pages.show_import,
             run: handlers.show_run,
             f"{run}/live": self._stream_run,
             f"{run}/record": handlers.fetch_record,
@@ -114,15 +121,19 @@ class Pages:
             f"{run}/episodes/{{episode_id}}/pictures/{{number}}": (
                 handlers.fetch_picture
             ),
+            f"{run}/episodes/{{episode_id}}/film/{{number}}": handlers.fetch_film,
         }
         board = "/benchmarks/{benchmark_id}/leaderboard"
         open_to_all: dict[str, Show] = {
             board: board_pages.show_leaderboard,
             f"{board}/{{form}}": board_pages.send_leaderboard,
+            "/entries/{entry_id}": entry_pages.show_entry,
+            "/history": entry_pages.show_history,
         }
         changes: dict[str, Change] = {
             f"{run}/publish": board_pages.publish,
             f"{run}/withdraw": board_pages.withdraw,
+            f"{run}/episodes/{{episode_id}}/film": handlers.draw_film,
         }
         return [
             self._route("/static/{name:path}", self._answered(self._send_asset)),

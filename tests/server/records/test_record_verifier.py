@@ -12,6 +12,7 @@ import pytest
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
+from reference_server.process.child_environment import child_environment
 from reference_server.records import record_verifier, verify_process
 from reference_server.records.import_replays import check_choice
 from reference_server.records.record_verifier import ExaminationFailed, RecordVerifier
@@ -101,7 +102,7 @@ def test_settings_and_passwords_are_not_passed_on(
     for name in ("PROCTOR_TOKENS", "PGPASSWORD"):
         monkeypatch.setenv(name, "sesame")
     monkeypatch.setenv("OTHER_VARIABLE", "kept")
-    environment = record_verifier._environment()
+    environment = child_environment()
     assert "sesame" not in environment.values()
     assert environment["OTHER_VARIABLE"] == "kept"
 
@@ -110,7 +111,7 @@ def test_a_process_that_cannot_run_is_no_fault_of_the_record(
     record: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(
-        record_verifier, "_environment", lambda: {"PYTHONHOME": "/nowhere"}
+        record_verifier, "child_environment", lambda: {"PYTHONHOME": "/nowhere"}
     )
     with pytest.raises(ExaminationFailed, match="ended with 1"):
         asyncio.run(RecordVerifier().examine("a", record))
@@ -127,7 +128,7 @@ def test_a_record_that_reaches_the_bound_of_time_is_refused(
         "while True: pass\n"
     )
     monkeypatch.setattr(
-        record_verifier, "_environment", lambda: {"PYTHONPATH": str(tmp_path)}
+        record_verifier, "child_environment", lambda: {"PYTHONPATH": str(tmp_path)}
     )
     with pytest.raises(BrokenRecord, match="more memory or time"):
         asyncio.run(RecordVerifier().examine("a", record))

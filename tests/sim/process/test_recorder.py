@@ -35,6 +35,8 @@ from tests.support.sim.calibration_action import calibration_action as action
 class StateOf(Calibration):
     """Has always this state."""
 
+    stages: tuple[str, ...] = ()
+
     def __init__(self, state: bytes) -> None:
         super().__init__(16, 12)
         self._state = state
@@ -86,6 +88,33 @@ async def test_a_turn_is_recorded_as_it_was_executed(tmp_path: Path) -> None:
         assert len(digests | {last["state_digest"]}) == 3
 
 
+@pytest.mark.parametrize(
+    ("stages", "score_is_success", "said"),
+    [
+        pytest.param(("near", "held"), False, ["near", "held"], id="stages"),
+        pytest.param(("near", "held"), True, None, id="success-is-the-score"),
+        pytest.param((), False, None, id="none"),
+    ],
+)
+def test_a_start_says_what_was_asked_and_what_is_counted(
+    tmp_path: Path,
+    stages: tuple[str, ...],
+    score_is_success: bool,
+    said: list[str] | None,
+) -> None:
+    """A score that is the success counts no stage."""
+    simulator = StateOf(b"")
+    simulator.stages = stages
+    episode = Episode(
+        simulator, "score", 7, max_steps=3, success_rule="any_step",
+        score_is_success=score_is_success,
+    )  # fmt: skip
+    EpisodeRecorder(RecordingPlan(str(tmp_path), 1), simulator, episode).close()
+    ((_, started),) = read(tmp_path)
+    assert started["instruction"] == episode.instruction
+    assert started.get("stages") == said
+
+
 async def test_equal_actions_give_equal_digests_in_another_part(tmp_path: Path) -> None:
     async with simulator() as handle:
         for _ in range(2):
@@ -122,7 +151,7 @@ def test_states_of_any_size_have_their_digest(tmp_path: Path, size: int) -> None
     """And take little room until the episode ends."""
     simulator = StateOf(bytes(size))
     episode = Episode(simulator, "score", 7, max_steps=3, success_rule="any_step")
-    recorder = EpisodeRecorder(RecordingPlan(str(tmp_path), 1), simulator)
+    recorder = EpisodeRecorder(RecordingPlan(str(tmp_path), 1), simulator, episode)
     command = msgspec.msgpack.encode(TurnCommand([action()], 1, think_ms=0.0))
     recorder.add_turn(command, list(episode.play([action()])), episode, 0.0)
     recorder.close()
@@ -137,9 +166,10 @@ def test_an_episode_has_a_bound_of_parts(
     """It may not begin again then; what broke is written all the same."""
     monkeypatch.setattr(recorder_module, "PARTS_MAX", 2)
     plan, simulator = RecordingPlan(str(tmp_path), 1), StateOf(b"")
-    EpisodeRecorder(plan, simulator).close()
-    EpisodeRecorder(plan, simulator).close()
+    episode = Episode(simulator, "score", 7, max_steps=3, success_rule="any_step")
+    EpisodeRecorder(plan, simulator, episode).close()
+    EpisodeRecorder(plan, simulator, episode).close()
     with pytest.raises(UnwritableRecording, match="begun or broke 2 times"):
-        EpisodeRecorder(plan, simulator)
+        EpisodeRecorder(plan, simulator, episode)
     append_part(tmp_path, "/fault", Fault(1, 0, "simulator_fault", "it broke", "t"))
     assert len(parts_of(tmp_path)) == 3

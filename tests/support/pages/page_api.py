@@ -17,6 +17,7 @@ from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 from starlette.types import Receive, Scope, Send
 
+from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_routes import Pages
 from reference_server.rules.run import Result, Run
 from reference_server.settings.allowed_hosts import AllowedHosts
@@ -139,9 +140,11 @@ def _is_withdrawn(entry: Mapping[str, Any]) -> bool:
     return bool(entry["state"] == "withdrawn")
 
 
-def client_of(api: PageApi) -> httpx.AsyncClient:
+def client_of(api: PageApi, *, films: FilmSettings | None = None) -> httpx.AsyncClient:
     """A browser without scripts, of pages over this API."""
-    pages = Pages(api, AllowedHosts(), "", find_entry_id=api.entry_id_of_run)
+    pages = Pages(
+        api, AllowedHosts(), "", find_entry_id=api.entry_id_of_run, films=films
+    )
     app = Starlette(routes=pages.routes())
     return httpx.AsyncClient(
         transport=httpx.ASGITransport(app), base_url="http://server"

@@ -131,7 +131,7 @@ def _play(
             success_rule=found.manifest["success_rule"],
             score_is_success=plan.task in found.world.success_scored_tasks,
         )
-        recorder = EpisodeRecorder(RecordingPlan(str(parts), 1), simulator)
+        recorder = EpisodeRecorder(RecordingPlan(str(parts), 1), simulator, episode)
         played = islice(player(episode, simulator), chunks)
         for seq, chunk in enumerate(played, 1):
             command = msgspec.msgpack.encode(TurnCommand(chunk, seq, think_ms=1.0))

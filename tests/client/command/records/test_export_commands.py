@@ -69,13 +69,13 @@ def test_the_record_of_a_run_is_saved_beside_its_export(
     words = ("export", run_id, "--to", "every-eval-ever", "--url", server.url)
     done = proctor(policy_folder, *words)
     assert done.returncode == 0, done.stderr
-    assert f"saved the record as run-{run_id}.proctor" in done.stderr
-    assert (policy_folder / f"run-{run_id}.proctor").is_file()
-    folder = policy_folder / f"run-{run_id}-every-eval-ever"
+    assert f"saved the record as {run_id}.proctor" in done.stderr
+    assert (policy_folder / f"{run_id}.proctor").is_file()
+    folder = policy_folder / f"{run_id}-every-eval-ever"
     assert len([*folder.rglob("*.json")]) == 1
     # The server sends the recordings of the record: a video of one fits the other.
     assert proctor(policy_folder, "video", run_id, "--episode", "1").returncode == 0
-    shown = ("--videos", f"run-{run_id}-videos", "-o", "out", "--url", server.url)
+    shown = ("--videos", f"{run_id}-videos", "-o", "out", "--url", server.url)
     done = proctor(policy_folder, "report", run_id, *shown, "--json")
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["videos"] == 1

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import re
 from collections.abc import AsyncGenerator
+from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import msgspec
@@ -125,11 +127,60 @@ async def test_a_change_is_rendered_once_for_all_pages(
         late = live.updates(api.documents(), "played", lambda: True)
         await anext(late)
         assert await anext(late) is first
-        assert api.asked["runs/played/score"] == 1
+        assert api.asked["runs/played/episodes"] == 1
         api.stream.put_nowait(None)
         for page in (*pages, late):
             rest = [part async for part in page]
             assert rest[-1] == b"event: end\ndata: \n\n"
+
+
+async def test_each_part_is_of_one_moment(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An event of the run is older than the results. Expect the newest in all numbers.
+
+    The row of the episode that ended is sent with them, and no column is left out.
+    """
+    monkeypatch.setattr(live_runs, "PAUSE_S", 0.0)
+    api, live = StreamingApi(), LiveRuns(ServerLinks())
+    async with opened(live, api, 1) as pages:
+        api.run.episodes[1].in_progress = True
+        api.change()
+        (shown,) = await next_of(pages)
+        rows = re.findall(rb'<tr data-outcome="(\w+)"[^>]* id="row-(\w+)"', shown)
+        assert rows == [(b"success", b"e0000"), (b"in_progress", b"e0001")]
+        api.change()
+        api.run.record_result(api.run.episodes[1], RESULT)
+        (shown,) = await next_of(pages)
+        assert b"2 of 2 episodes" in shown
+        assert b"<b>2/2</b>" in shown
+        assert b"in_progress" not in shown
+        assert shown.count(b'<th scope="col" class="number">') == 3, "splits and all"
+
+
+async def test_a_run_that_stands_still_says_since_when(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Nothing but comments come. Expect pages to be told all the same."""
+    monkeypatch.setattr(live_runs, "PAUSE_S", 0.0)
+    api, live = StreamingApi(), LiveRuns(ServerLinks())
+    finished = datetime.fromtimestamp(RESULT.finished_at_wall, UTC)
+    clock = [finished]
+    monkeypatch.setattr(live_runs, "datetime", FixedClock(clock))
+    async with opened(live, api, 1) as pages:
+        api.change()
+        (shown,) = await next_of(pages)
+        assert b"without a result" not in shown
+        clock[0] = finished + timedelta(minutes=2)
+        api.stream.put_nowait(b":\n\n")
+        (shown,) = await next_of(pages)
+        assert b"<b>2 min 0 s</b>without a result" in shown
+
+
+class FixedClock:
+    def __init__(self, times: list[datetime]) -> None:
+        self._times = times
+
+    def now(self, _zone: object) -> datetime:
+        return self._times[0]
 
 
 async def test_a_reader_who_signed_out_is_sent_nothing_more() -> None:

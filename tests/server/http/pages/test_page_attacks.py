@@ -154,11 +154,17 @@ def test_a_private_entry_is_its_accounts_alone(
     assert answer.status_code == 303
     with server.client("bob") as client:
         sha256 = client.get(f"/v1/runs/{own_id}").json()["manifest_sha256"]
+        entries = client.get("/v1/entries").json()["entries"]
+    (entry_id,) = (one["entry_id"] for one in entries if one["run_id"] == own_id)
+    page = f"/pages/entries/{entry_id}"
+    assert "secret model" in bob.text(page), "the control"
     for reader in (PageReader(server.url, "alice"), PageReader(server.url)):
         for form_of in ("", "/csv", "/json"):
             shown = reader.text(f"{BOARD}{form_of}?manifest={sha256}")
             assert "secret model" not in shown
             assert own_id not in shown
+        assert reader.get(page).status_code == 404
+        assert "secret model" not in reader.text("/pages/history")
     assert "secret model" in bob.text(f"/pages/runs/{own_id}")
 
 

@@ -44,6 +44,7 @@ def pages_of(run_id: str, other: str) -> list[str]:
         f"/pages/runs/{run_id}?outcome={EVIL}&task={EVIL}",
         f"/pages/runs/{run_id}/episodes/e0000",
         f"/pages/compare?baseline={run_id}&run={other}&kind={EVIL}",
+        f"/pages/compare/several?run={run_id}&run={other}",
         f"/pages/compare/episode?baseline={run_id}&run={other}&episode=e0000",
     ]
 
@@ -98,6 +99,7 @@ def test_other_accounts_see_nothing(server: ReferenceServer, run_id: str) -> Non
     run = f"/pages/runs/{run_id}"
     paths = [run, f"{run}/live", f"{run}/record", f"{run}/episodes/e0000"]
     paths += [f"{run}/episodes/e0000/pictures/0"]
+    paths += [f"/pages/compare/several?run={run_id}&run=run_other"]
     paths += [f"/pages/compare?baseline={run_id}&run={run_id}"]
     paths += [f"/pages/compare/episode?baseline={run_id}&run={run_id}&episode=e0000"]
     for path in paths:
@@ -253,7 +255,9 @@ def test_bad_addresses_are_not_found(server: ReferenceServer) -> None:
     for path in (
         *("/pages/runs/a%2Fb", "/pages/runs/%00", f"/pages/runs/{'x' * 99}"),
         *("/pages/compare", "/pages/compare?baseline=a&run=%0a", "/pages/x"),
-        *("/pages/benchmarks/none", "/pages/runs/x/episodes"),
+        *("/pages/benchmarks/none", "/pages/runs/x/episodes", "/pages/entries/none"),
+        *("/pages/imports", "/pages/imports/x"),
+        *("/pages/compare/several", "/pages/compare/several?run=x"),
     ):
         assert reader.get(path).status_code == 404, path
 
@@ -306,9 +310,18 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         assert "'=1+1" in data, "a spreadsheet would compute it"
         assert data.splitlines()[0].endswith("split even,success_rate split odd")
         assert reader.get(f"{board}/json?manifest={sha256}").json()["rows"] == [row]
+        entry = f"/pages/entries/{row['entry']['entry_id']}"
+        for address in (entry, "/pages/history"):
+            about = reader.text(address)
+            assert "66.7 %" in about, address
+            assert inline_code_of(about) == [], address
+            assert "<script>alert" not in about, address
+            assert f'href="{entry}"' in shown, "the control: it is linked"
         sure = {"csrf": form["csrf"], "sure": "yes"}
         reader.client.post(f"{page}/withdraw", data=sure)
         assert client.get(path).json()["rows"] == []
+    assert "withdrawn for good" in reader.text(entry)
+    assert "withdraw" in reader.text("/pages/history")
     assert "cannot be published again" in reader.text(page)
     assert f"{page}/publish" not in reader.text(page)
     assert reader.client.post(f"{page}/publish", data=form).status_code == 409

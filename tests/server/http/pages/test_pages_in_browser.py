@@ -22,7 +22,8 @@ TASKS = ("score", "score", "count")
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    with ReferenceServer(tmp_path_factory.mktemp("pages")) as server:
+    folder = tmp_path_factory.mktemp("pages")
+    with ReferenceServer(folder, PROCTOR_RECORD_IMPORTS="on") as server:
         yield server
 
 
@@ -96,6 +97,9 @@ def test_a_run_is_watched_live(server: ReferenceServer, browser: Browser) -> Non
         played.play(score=1, success=1, end=1)
         browser.wait_for(says.format("1/3"))
         browser.wait_for(says.format("Latest results"))
+        row = "document.querySelector('#row-e000{}').innerText.includes('{}')"
+        assert browser.evaluate(row.format(0, "success")), "the list keeps to it"
+        assert browser.evaluate(row.format(1, "in progress"))
         assert browser.evaluate("window.isSame"), "the page was loaded again"
         for _ in range(2):
             played.play(end=1)
@@ -115,13 +119,37 @@ def test_a_failure_is_opened_and_stepped_through(
     browser.press("ArrowRight")
     browser.press("ArrowRight")
     browser.wait_for("location.hash === '#step=2'")
-    assert "0.25" in browser.evaluate("document.querySelector('#readout').innerText")
+    values = "[...document.querySelectorAll('.plots output')].map(o => o.textContent)"
+    assert "0.25" in browser.evaluate(values)
     browser.follow("document.querySelector('a[rel=prev]').click()")
     assert "e0000" in browser.text
     browser.open(f"{server.url}/pages/runs/{runs[0]}/episodes/e0001#step=3")
     browser.wait_for("document.querySelector('#step').value === '3'")
     browser.press("Home")
     browser.wait_for("document.querySelector('#step').value === '0'")
+    assert browser.errors == []
+
+
+def test_an_episode_is_played_to_its_end_and_in_a_loop(
+    server: ReferenceServer, browser: Browser, runs: tuple[str, str]
+) -> None:
+    """Three steps at 10 a second, four times as fast."""
+    browser.sign_in(server.url, TOKENS["alice"])
+    browser.open(f"{server.url}/pages/runs/{runs[0]}/episodes/e0001")
+    assert "proctor video" in browser.text
+    play = "document.querySelector('#play')"
+    browser.evaluate("document.querySelector('#speed').value = '4'")
+    browser.press(" ")
+    browser.wait_for(
+        f"document.querySelector('#step').value === '3' && {play}.innerText === 'Play'"
+    )
+    assert browser.evaluate("location.hash") == "#step=3"
+    browser.evaluate("document.querySelector('#loop').checked = true")
+    browser.evaluate(f"{play}.click()")
+    for is_end in ("===", "!==", "==="):
+        browser.wait_for(f"document.querySelector('#step').value {is_end} '3'")
+    browser.evaluate(f"{play}.click()")
+    assert browser.evaluate(f"{play}.innerText") == "Play"
     assert browser.errors == []
 
 
@@ -153,11 +181,18 @@ def addresses(
         played, waiting = Played(client), Played(client)
         played.attach()
         played.play(score=1, success=1, end=1)
+        (entry, *_) = client.get("/v1/entries").json()["entries"]
+        record = client.get(f"/v1/runs/{runs[0]}/record").content
+        kind = {"content-type": "application/zip"}
+        imported = client.post("/v1/records", content=record, headers=kind).json()
     paths = (
+        *("/history", f"/entries/{entry['entry_id']}", "/imports"),
+        f"/imports/{imported['import_id']}",
         *("", "/runs", f"/runs/{runs[0]}", f"/runs/{runs[0]}/episodes/e0001"),
         *("/benchmarks/tabletop", f"/compare?{pair}", "/login", "/nothing"),
         f"/benchmarks/calibration/leaderboard?manifest={published}",
         f"/compare/episode?{pair}&episode=e0000",
+        f"/compare/several?run={runs[0]}&run={runs[1]}",
         *(f"/runs/{one.run_id}" for one in (played, waiting)),
         *("/runs?state=failed", "/benchmarks/calibration/leaderboard"),
     )

@@ -1,0 +1,106 @@
+"""The pages of one entry, of the history of all of them, and of imported records.
+
+They show what the API answers: an entry that its reader may not see is not found.
+"""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from typing import Any
+from urllib.parse import urlencode
+
+import msgspec
+
+from reference_record.pages.page_templates import render_page
+from reference_record.pages.run_page import Document
+from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.page_calls import LINKS, PageCall
+
+LEAVES = 100
+IMPORTS = 100
+# The leaves that are searched for those of one entry.
+LEAVES_SEARCHED_MAX = 5000
+LEAVES_PER_CALL = 1000
+
+
+async def show_entry(call: PageCall) -> str:
+    entry = await call.api.get("entries", call.path("entry_id"))
+    leaves: list[Document] = []
+    searched = 0
+    if entry["is_public"] or entry["state"] == "withdrawn":
+        async for page in call.api.pages("history", limit=LEAVES_PER_CALL):
+            searched += len(page["leaves"])
+            leaves += [
+                leaf
+                for leaf in map(_leaf, page["leaves"])
+                if leaf.get("entry_id") == entry["entry_id"]
+            ]
+            if searched >= LEAVES_SEARCHED_MAX:
+                break
+    return render_page(
+        "entry", LINKS, csrf=call.csrf, entry=entry, leaves=leaves,
+        is_part=searched >= LEAVES_SEARCHED_MAX,
+        run_is_readable=await _is_readable(call.api, entry["run_id"]),
+    )  # fmt: skip
+
+
+async def show_history(call: PageCall) -> str:
+    start = {"cursor": cursor} if (cursor := call.query("cursor")) else {}
+    page = await call.api.get("history", limit=LEAVES, **start)
+    checkpoint = await call.api.get("history", "checkpoint")
+    following = ""
+    if (cursor := page["next_cursor"]) is not None:
+        following = f"?{urlencode({'cursor': cursor})}"
+    return render_page(
+        "history", LINKS, csrf=call.csrf, leaves=list(map(_leaf, page["leaves"])),
+        checkpoint=checkpoint, following=following, is_first=not start,
+    )  # fmt: skip
+
+
+async def show_imports(call: PageCall) -> str:
+    start = {"cursor": cursor} if (cursor := call.query("cursor")) else {}
+    page = await call.api.get("records", limit=IMPORTS, **start)
+    following = ""
+    if (cursor := page["next_cursor"]) is not None:
+        following = f"?{urlencode({'cursor': cursor})}"
+    return render_page(
+        "imports", LINKS, csrf=call.csrf, imports=page["imports"], following=following
+    )
+
+
+async def show_import(call: PageCall) -> str:
+    shown = await call.api.get("records", call.path("import_id"))
+    return render_page("import", LINKS, csrf=call.csrf, shown=shown)
+
+
+async def offered_pages(api: ApiDocuments) -> dict[str, str]:
+    """Title and address of the pages that come with profiles of the server."""
+    try:
+        profiles = (await api.get())["profiles"]
+    except Problem:
+        return {}
+    pages = {
+        "board": ("History of the leaderboards", LINKS.history()),
+        "record_import": ("Imported records", LINKS.imports()),
+    }
+    return dict(pages[profile] for profile in pages if profile in profiles)
+
+
+def _leaf(listed: Document) -> dict[str, Any]:
+    """The members of a leaf, its place in the tree, its text, and its time."""
+    try:
+        leaf = msgspec.json.decode(listed["leaf"], type=dict[str, Any])
+        at = datetime.fromtimestamp(leaf["at_ms"] / 1000, UTC).isoformat()
+    except (msgspec.MsgspecError, KeyError, TypeError, ValueError, OverflowError):
+        leaf, at = {}, ""
+    return leaf | {"index": listed["index"], "text": listed["leaf"], "at": at}
+
+
+async def _is_readable(api: ApiDocuments, run_id: str) -> bool:
+    if not api.token:
+        return False
+    try:
+        await api.get("runs", run_id)
+    except Problem:
+        return False
+    return True

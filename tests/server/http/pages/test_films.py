@@ -1,0 +1,158 @@
+"""Films of episodes: drawn once, when they are asked for, for readers of the run."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from reference_record.pages.recorded_episode import RecordedEpisode
+from reference_server.http.pages import films, page_handlers
+from reference_server.http.pages.films import WAITING_MAX, FilmFailed, FilmSettings
+from tests.support.pages.page_api import (
+    FAILURE,
+    PageApi,
+    client_of,
+    sign_in,
+    text_of,
+)
+from tests.support.pages.page_reader import PageReader, fields_of
+from tests.support.pages.played_runs import submit_and_play
+from tests.support.servers import ReferenceServer
+from tests.support.waiting import wait_until
+
+EPISODE = "/pages/runs/done/episodes/e0000"
+BUTTON = "Draw the film"
+OWN = FilmSettings("own.toml")
+
+
+class Drawing:
+    """What the export of a job does: it waits until it may go on."""
+
+    def __init__(self, folder: Path) -> None:
+        self.jobs: list[Any] = []
+        self.may_go_on = asyncio.Event()
+        self.reason = ""
+        self._path = folder / "0.mp4"
+
+    async def __call__(self, job: Any) -> list[dict[str, Any]]:
+        self.jobs.append(job)
+        await self.may_go_on.wait()
+        if self.reason:
+            raise FilmFailed(self.reason)
+        self._path.write_bytes(b"0123456789")
+        return [{"camera": "front", "path": str(self._path)}]
+
+
+@pytest.fixture
+def drawing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Drawing:
+    export = Drawing(tmp_path)
+    monkeypatch.setattr(films, "_export", export)
+    read = "read_recorded_episode"
+    monkeypatch.setattr(page_handlers, read, lambda *_: RecordedEpisode())
+    return export
+
+
+@asynccontextmanager
+async def reader(
+    settings: FilmSettings | None = OWN,
+) -> AsyncIterator[tuple[PageApi, httpx.AsyncClient]]:
+    api = PageApi()
+    async with client_of(api, films=settings) as client:
+        await sign_in(client, "alice")
+        yield api, client
+
+
+async def ask(client: httpx.AsyncClient, address: str = EPISODE) -> httpx.Response:
+    csrf = fields_of(await text_of(client, "/pages/runs"))["csrf"]
+    return await client.post(f"{address}/film", data={"csrf": csrf})
+
+
+async def settled(client: httpx.AsyncClient) -> str:
+    """The page once nothing is being drawn."""
+    for _ in range(1000):
+        if "data-reload" not in (page := await text_of(client, EPISODE)):
+            return page
+        await asyncio.sleep(0)
+    raise AssertionError("it is drawn for ever")
+
+
+async def test_a_film_is_drawn_once_and_served_in_parts(drawing: Drawing) -> None:
+    async with reader() as (api, client):
+        api.add("done", FAILURE)
+        assert BUTTON in await text_of(client, EPISODE)
+        for _ in range(2):
+            answer = await ask(client)
+            assert (answer.status_code, answer.headers["location"]) == (303, EPISODE)
+        page = await text_of(client, EPISODE)
+        assert "data-reload" in page
+        assert BUTTON not in page
+        drawing.may_go_on.set()
+        page = await settled(client)
+        assert f'src="{EPISODE}/film/0"' in page
+        (job,) = drawing.jobs
+        assert (job["episodes"], job["benchmarks"]) == ([0], "own.toml")
+        part = await client.get(f"{EPISODE}/film/0", headers={"range": "bytes=2-4"})
+        assert (part.status_code, part.content) == (206, b"234")
+        for wrong in ("1", "x", "-1"):
+            assert (await client.get(f"{EPISODE}/film/{wrong}")).status_code == 404
+        await sign_in(client, "bob")
+        for answer in (await client.get(f"{EPISODE}/film/0"), await ask(client)):
+            assert answer.status_code == 404, "the run is not his"
+
+
+async def test_a_film_that_failed_says_why_and_can_be_asked_for_again(
+    drawing: Drawing,
+) -> None:
+    async with reader() as (api, client):
+        api.add("done", FAILURE)
+        drawing.may_go_on.set()
+        drawing.reason = "there is no camera"
+        await ask(client)
+        page = await settled(client)
+        assert "could not be drawn: there is no camera" in page
+        drawing.reason = ""
+        await ask(client)
+        assert "<video" in await settled(client)
+
+
+async def test_only_some_films_wait(drawing: Drawing) -> None:
+    """One is drawn at a time. Expect a refusal that says when to come back."""
+    async with reader() as (api, client):
+        api.add("done", *[FAILURE] * (WAITING_MAX + 1))
+        for index in range(WAITING_MAX + 1):
+            answer = await ask(client, f"/pages/runs/done/episodes/e{index:04}")
+            assert answer.status_code == (303 if index < WAITING_MAX else 503)
+        await asyncio.sleep(0)
+        assert len(drawing.jobs) <= 1
+        drawing.may_go_on.set()
+
+
+@pytest.mark.parametrize("case", ["played", "sealed", "off"])
+async def test_what_cannot_be_drawn_has_no_button(case: str) -> None:
+    settings = None if case == "off" else FilmSettings()
+    async with reader(settings) as (api, client):
+        run = api.add("done", FAILURE, *([None] if case == "played" else []))
+        run.episodes[0].is_sealed = case == "sealed"
+        assert BUTTON not in await text_of(client, EPISODE)
+        assert (await ask(client)).status_code == 404
+
+
+@pytest.mark.slow("a server is started, and a film is drawn")
+def test_a_server_draws_an_episode(tmp_path: Path) -> None:
+    with ReferenceServer(tmp_path) as server:
+        run_id = submit_and_play(server, successes={0}, tasks=["echo"])
+        alice = PageReader(server.url, "alice")
+        page = f"/pages/runs/{run_id}/episodes/e0000"
+        form = {"csrf": alice.csrf()}
+        assert alice.client.post(f"{page}/film", data=form).status_code == 303
+        wait_until(lambda: "data-reload" not in alice.text(page), "it is drawn")
+        assert "could not be drawn" not in alice.text(page)
+        film = alice.get(f"{page}/film/0")
+        assert film.headers["content-type"] == "video/mp4"
+        assert film.content[4:8] == b"ftyp"
