@@ -19,7 +19,6 @@ from tools.locks.complete import (
     HASHES,
     PIN,
     REQUIREMENTS,
-    format_requirement,
     read_hashes,
 )
 from tools.locks.wheel_files import read_pylock
@@ -48,8 +47,9 @@ PUBLISHED = ("kit", "client", "server")
 
 def resolve(name: str, arguments: list[str]) -> list[str]:
     """Write the lock of an environment, give its pins."""
-    annotated = [] if name in PUBLISHED else ["--no-annotate"]
-    options = [*LOCKS[name], *annotated, *arguments]
+    published = name in PUBLISHED
+    origins = ("--annotation-style", "line") if published else ("--no-annotate",)
+    options = [*LOCKS[name], *origins, *arguments]
     _compile(f"{name}.in", "--output-file", f"{name}.txt", *options)
     lines = (REQUIREMENTS / f"{name}.txt").read_text(encoding="utf-8").splitlines()
     pins = [pin[0] for line in lines if (pin := PIN.match(line))]
@@ -67,10 +67,8 @@ def fetch_hashes(name: str) -> dict[str, list[str]]:
 
 
 def write_hashes(hashes: dict[str, list[str]]) -> None:
-    """Write the hashes of every pin, sorted."""
-    text = "".join(
-        format_requirement(pin, hashes[pin]) + "\n" for pin in sorted(hashes)
-    )
+    """Write the hashes of every pin, sorted, a pin a line."""
+    text = "".join(" ".join([pin, *hashes[pin]]) + "\n" for pin in sorted(hashes))
     (REQUIREMENTS / HASHES).write_text(text, encoding="utf-8")
 
 

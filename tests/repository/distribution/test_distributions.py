@@ -180,7 +180,7 @@ def test_a_lock_is_read_with_hashes_and_origins() -> None:
     some, other = parse_lock(
         f"some-name==1.5 ; sys_platform != 'win32' \\\n    --hash=sha256:{digest}\n"
         f"    # via -r some.in\nother==2 \\\n    --hash=sha256:{digest}\n"
-        "    # via\n    #   -r some.in\n    #   some-name\n"
+        "    # via -r some.in, some-name\n"
     )
     assert (some.name, some.version, some.hashes) == ("some-name", "1.5", [digest])
     assert some.marker == 'sys_platform != "win32"'
