@@ -54,13 +54,22 @@ def files() -> dict[str, bytes]:
             ),
         ],
     }
-    text = json.dumps(listed, indent=2, ensure_ascii=False) + "\n"
+    members = ((name, _lines(value)) for name, value in listed.items())
+    text = ",\n".join(f'  "{name}": {lines}' for name, lines in members)
     return {
-        "records.json": text.encode(),
+        "records.json": f"{{\n{text}\n}}\n".encode(),
         "good.proctor": make_archive(),
         "good_replayed.proctor": good_archive_with_verdict(),
         **{f"{name}.proctor": one.archive for name, one in broken.items()},
     }
+
+
+def _lines(value: object) -> str:
+    """JSON of which each item of a list has a line, as in the other vectors."""
+    if not isinstance(value, list):
+        return json.dumps(value, ensure_ascii=False)
+    items = (f"\n    {json.dumps(item, ensure_ascii=False)}" for item in value)
+    return f"[{','.join(items)}\n  ]"
 
 
 def main() -> None:
