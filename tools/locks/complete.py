@@ -15,7 +15,7 @@ from pathlib import Path
 REQUIREMENTS = Path(__file__).resolve().parents[2] / "requirements"
 HASHES = "hashes.txt"
 PIN = re.compile(r"[A-Za-z0-9][\w.-]*==[^\s;]+")
-# What uv writes behind a pin, and what a published lock has in a line below it.
+# uv names behind a pin what requires it; a published lock does so in a line below.
 ORIGINS = re.compile(r" +(?=# via )")
 
 
