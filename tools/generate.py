@@ -1,7 +1,8 @@
 """Write what is generated from the specification: Python messages and clients.
 
 Run inside the generator environment (`make generate`). With --check it writes
-into a scratch directory and fails if the committed files differ from it. With
+into a scratch directory and fails if the committed files differ from it; it writes
+nothing if neither they nor its inputs changed since they were equal. With
 --client it writes one client in any language into build/clients/, or with --to into
 a folder that is new or empty; the programs of clients/ are copied beside it.
 
@@ -15,6 +16,7 @@ not know what the protocol means, only which constructs the generators misread.
 import argparse
 import difflib
 import filecmp
+import hashlib
 import json
 import os
 import re
@@ -23,7 +25,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -51,6 +53,13 @@ VERSIONS = tuple(
 )
 SINGLE_FILES = (MODELS, CATALOGUE, PARAMETERS, TURNS, *VERSIONS)
 CLIENTS = Path("generated_clients")
+# A change of these may change what is generated.
+INPUTS = (
+    *("spec/openapi.yaml", "spec/profiles", "tools/generate.py", "tools/generators"),
+    *("requirements/generate.txt", "pyproject.toml"),
+)
+# The digest of inputs and generated files that were compared and were equal.
+COMPARED = ROOT / ".cache" / "generated.sha256"
 BIN = Path(sys.executable).parent
 STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
 # Beside the generated files: what we write on top of them, and what builds leave.
@@ -453,6 +462,22 @@ def differences(generate: Path) -> list[str]:
     return lines
 
 
+def digest_files(names: Iterable[str]) -> str:
+    """One digest of the paths and contents of files, and of the files in folders."""
+    digest = hashlib.sha256()
+    for name in names:
+        path = ROOT / name
+        for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
+            if file.is_file():
+                content = hashlib.sha256(file.read_bytes()).hexdigest()
+                digest.update(f"{file.relative_to(ROOT)} {content}\n".encode())
+    return digest.hexdigest()
+
+
+def digest_compared() -> str:
+    return digest_files([*INPUTS, *map(str, sorted(generated(ROOT)))])
+
+
 def replace(generate: Path) -> None:
     for path in generated(ROOT) - generated(generate):
         (ROOT / path).unlink()
@@ -484,6 +509,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.client is not None:
         return write_one(options.client, options.to)
     check = options.check
+    if check and COMPARED.exists() and COMPARED.read_text() == digest_compared():
+        print("generate: up to date")
+        return 0
     with tempfile.TemporaryDirectory() as scratch:
         generate = Path(scratch)
         try:
@@ -499,6 +527,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("\n".join(lines[:60]))
         print(f"generate: {files} files differ from spec/; run `make generate`")
         return 1
+    COMPARED.parent.mkdir(exist_ok=True)
+    COMPARED.write_text(digest_compared())
     print(f"generate: {files} files changed" if files else "generate: up to date")
     return 0
 
