@@ -73,7 +73,7 @@ _Owner = dict[Any, Any] | type
 
 
 def _owners() -> Iterator[_Owner]:
-    """What a mutant may patch: modules of the server, their classes and tables."""
+    """Give what mutants patch: modules of the server, their classes and tables."""
     for path, module in list(sys.modules.items()):
         if path.startswith("reference_"):
             yield vars(module)

@@ -315,6 +315,7 @@ async def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
         await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
 
 
+@pytest.mark.slow("simulates for five seconds")
 async def test_a_slow_chunk_that_makes_steps_does_not_time_out() -> None:
     async with opened_pool(turn_timeout_s=5.0) as pool:
         handle = await pool.acquire(WORLD)

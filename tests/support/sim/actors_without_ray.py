@@ -20,14 +20,13 @@ _PREPARE = f"{__name__}:prepare_actor"
 
 
 def prepare_actor() -> Main:
-    """In the fork server: what an actor does, whose secret is its only argument."""
+    """Give the program of an actor; its secret is the only argument."""
 
     def serve(arguments: list[str]) -> int:
         actor = SimulatorActor(make_check(None), "127.0.0.1")
         sys.stdout.write(f"{actor.open()[1]}\n")
         sys.stdout.flush()
         actor.serve(bytes.fromhex(arguments[0]))
-        return 0
 
     return serve
 
