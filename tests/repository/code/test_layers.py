@@ -12,7 +12,6 @@ import typing
 from pathlib import Path
 
 import pytest
-import yaml
 
 from reference_server.generated import problem_codes
 from reference_server.http.dispatch import PATH_PATTERNS
@@ -31,7 +30,7 @@ from tests.support.repository.imports import (
     nodes_of,
     tops,
 )
-from tests.support.repository.specification import DOCUMENT
+from tests.support.repository.specification import DOCUMENT, load
 from tests.support.server.runs import make_run
 
 CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "shelve"}
@@ -303,7 +302,7 @@ def test_statuses_with_retry_after_are_retryable() -> None:
 def test_cited_requirements_exist() -> None:
     rows = [*DOCUMENT["x-requirements"], *DOCUMENT["x-lifecycle"]["transitions"]]
     for profile in (ROOT / "spec" / "profiles").glob("*.yaml"):
-        rows += yaml.safe_load(profile.read_text())["x-requirements"]
+        rows += load(profile.read_text())["x-requirements"]
     known = {row["id"] for row in rows}
     for page in ("scoring.md", "record.md"):
         known |= set(
