@@ -40,6 +40,8 @@ ON_REQUEST = GENERATORS / "on_request"
 REQUESTED = ROOT / "build" / "clients"
 # Examples, interop programs and lock files of the clients that are not committed.
 PROGRAMS = ROOT / "clients"
+# What Maven holds its downloads against: the folder `.mvn` of each client it builds.
+MAVEN = ON_REQUEST / "maven"
 DEFAULTS = {"hideGenerationTimestamp": True, "enumUnknownDefaultCase": True}
 # A short run: what the better compiler makes faster does not last long enough.
 JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
@@ -64,7 +66,7 @@ BIN = Path(sys.executable).parent
 STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
 # Beside the generated files: what we write on top of them, and what builds leave.
 NOT_GENERATED = {
-    *("example", "interop", "Cargo.lock", "package-lock.json", ".mvn"),
+    *("example", "interop", "Cargo.lock", "package-lock.json"),
     *("__pycache__", "build", "dist", "node_modules", "target"),
 }
 PARTS = {"apis": "", "models": "", "supportingFiles": ""} | dict.fromkeys(
@@ -346,6 +348,8 @@ def copy_programs(language: str, client: Path) -> None:
     """
     if (ON_REQUEST / f"{language}.yaml").exists() and (PROGRAMS / language).is_dir():
         shutil.copytree(PROGRAMS / language, client, dirs_exist_ok=True)
+        if (client / "pom.xml").exists():
+            shutil.copytree(MAVEN, client / ".mvn")
 
 
 def known_languages() -> set[str]:
