@@ -1,8 +1,8 @@
 """Write what is generated from the specification: Python messages and clients.
 
-Run inside the generator environment (`make generate`). With --check it writes
-into a scratch directory and fails if the committed files differ from it; it writes
-nothing if neither they nor its inputs changed since they were equal. With
+Runs as `python -m tools generate` in the environment of the generators. With --check it
+writes into a scratch directory and fails if the committed files differ from it; it
+writes nothing if neither they nor its inputs changed since they were equal. With
 --client it writes one client in any language into build/clients/, or with --to into
 a folder that is new or empty; the programs of clients/ are copied beside it.
 
@@ -13,7 +13,6 @@ client that is not committed; a language without a file has the defaults. It mus
 not know what the protocol means, only which constructs the generators misread.
 """
 
-import argparse
 import difflib
 import filecmp
 import hashlib
@@ -25,7 +24,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -40,8 +39,8 @@ ON_REQUEST = GENERATORS / "on_request"
 REQUESTED = ROOT / "build" / "clients"
 # Examples, interop programs and lock files of the clients that are not committed.
 PROGRAMS = ROOT / "clients"
-# What Maven holds its downloads against: the folder `.mvn` of each client it builds.
-MAVEN = ON_REQUEST / "maven"
+# The folder `.mvn` of a client that Maven builds: checksums of what that downloads.
+MAVEN = GENERATORS / "maven"
 DEFAULTS = {"hideGenerationTimestamp": True, "enumUnknownDefaultCase": True}
 # A short run: what the better compiler makes faster does not last long enough.
 JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
@@ -502,17 +501,9 @@ def write_one(language: str, to: Path | None) -> int:
     return 0
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--check", action="store_true", help="write nothing")
-    parser.add_argument("--client", metavar="LANGUAGE", help="write this one alone")
-    parser.add_argument("--to", metavar="FOLDER", type=Path, help="write it there")
-    options = parser.parse_args(arguments)
-    if options.client is not None:
-        return write_one(options.client, options.to)
-    check = options.check
+def main(*, check: bool, client: str | None, to: Path | None) -> int:
+    if client is not None:
+        return write_one(client, to)
     if check and COMPARED.exists() and COMPARED.read_text() == digest_compared():
         print("generate: up to date")
         return 0
@@ -535,7 +526,3 @@ def main(arguments: Sequence[str] | None = None) -> int:
     COMPARED.write_text(digest_compared())
     print(f"generate: {files} files changed" if files else "generate: up to date")
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

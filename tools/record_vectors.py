@@ -1,6 +1,6 @@
 """Writes spec/vectors/record/: good records, and broken ones with what is wrong.
 
-`python -m tools.record_vectors` writes them again; a test compares every byte.
+`python -m tools vectors` writes them again; a test compares every byte.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ def _lines(value: object) -> str:
     return f"[{','.join(items)}\n  ]"
 
 
-def main() -> None:
+def main() -> int:
     FOLDER.mkdir(parents=True, exist_ok=True)
     wanted = files()
     for path in FOLDER.iterdir():
@@ -80,7 +80,4 @@ def main() -> None:
             path.unlink()
     for name, data in wanted.items():
         (FOLDER / name).write_bytes(data)
-
-
-if __name__ == "__main__":
-    main()
+    return 0

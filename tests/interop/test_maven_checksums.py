@@ -23,7 +23,7 @@ PIN = re.compile(
 
 
 SUMMARY = maven_checksums.read_summary(
-    TEMPLATES / "maven" / "checksums" / "checksums.sha256"
+    TEMPLATES.parent / "maven" / "checksums" / "checksums.sha256"
 )
 
 

@@ -51,6 +51,6 @@ def write_client(language: str, folder: Path) -> None:
         return
     stamp.unlink(missing_ok=True)
     shutil.rmtree(folder, ignore_errors=True)
-    generate = (str(GENERATOR), "tools/generate.py")
+    generate = (str(GENERATOR), "-m", "tools", "generate")
     run_step((*generate, "--client", language, "--to", str(folder)), ROOT)
     stamp.write_text(inputs)

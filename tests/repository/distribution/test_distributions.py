@@ -280,10 +280,10 @@ def test_the_client_plays_on_a_server_from_its_wheel(
 def test_the_program_says_what_failed(tmp_path: Path) -> None:
     """A folder that cannot be built. Expect exit code 2 and the reason."""
     program = (
-        "import tools.distributions.__main__ as m, sys\n"
+        "import tools.distributions.release_files as m, sys\n"
+        "from tools.__main__ import main\n"
         "m._BUILD = 'raise SystemExit(\"no room\")'\n"
-        f"sys.argv[1:] = [{str(tmp_path)!r}]\n"
-        "sys.exit(m.main())"
+        f"sys.exit(main(['dist', {str(tmp_path)!r}]))"
     )
     done = subprocess.run(
         [sys.executable, "-c", program],

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from tests.support.paths import ROOT
-from tools.locks.__main__ import LOCKS
 from tools.locks.complete import PIN, complete_lock, read_hashes
+from tools.locks.resolve import LOCKS
 from tools.locks.wheel_files import is_supported, read_pylock
 
 DIGESTS = ["0" * 64, "1" * 64]

@@ -1,7 +1,5 @@
 """Resolves requirements/*.in into locks for every platform: `make lock`.
 
-    python -m tools.locks [--upgrade | --upgrade-package NAME …]
-
 requirements/NAME.txt gets the pins of an environment, and requirements/hashes.txt the
 hashes of all pins. Versions and hashes that are locked stay; --upgrade takes the newest
 of both. A lock names no index, no path and no machine.
@@ -13,6 +11,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from tools.locks.complete import (
@@ -88,9 +87,14 @@ def _compile(*arguments: str) -> None:
     )
 
 
-def main(arguments: list[str]) -> int:
-    """Resolve every environment. The exit code: 1 when one cannot be locked."""
-    hashes = {} if "--upgrade" in arguments else read_hashes()
+def main(*, upgrade: bool, names: Sequence[str]) -> int:
+    """Resolve every environment. The exit code: 1 when one cannot be locked.
+
+    upgrade: all packages. names: of packages to upgrade.
+    """
+    arguments = ["--upgrade"] if upgrade else []
+    arguments += [word for name in names for word in ("--upgrade-package", name)]
+    hashes = {} if upgrade else read_hashes()
     locked: dict[str, list[str]] = {}
     try:
         for name in LOCKS:
@@ -103,7 +107,3 @@ def main(arguments: list[str]) -> int:
         return 1
     write_hashes(locked)
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
