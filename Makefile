@@ -7,7 +7,7 @@ unexport PYTHONPATH  # robot middleware sets it, and its plugins break our pytes
 
 python := .venv/bin/python
 environment = @PYTHON="$(PYTHON)" sh tools/setup.sh
-pytest := $(python) -m pytest tests --dist worksteal --maxprocesses 8 --numprocesses
+pytest := PYTHONDONTWRITEBYTECODE= $(python) -m pytest tests --dist worksteal --maxprocesses 8 --numprocesses# what Python compiles is kept
 waiting := $(shell expr $$(getconf _NPROCESSORS_ONLN || echo 2) \* 3 / 2)# slow tests wait half of their time
 
 help: ## Show this list
@@ -52,12 +52,12 @@ serve: $(serving)/ready ## Run the reference server
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
 	@exec $(serving)/bin/python -m reference_server \
 		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
-cluster: .venv-cluster/ready; @exec .venv-cluster/bin/python -m tools.local_cluster --nodes 3 --database postgresql --simulators ray $(ARGS) ## Run PostgreSQL, Ray and three servers behind a balancer; ARGS='--nodes 5'
+cluster: .venv-cluster/ready; @exec .venv-cluster/bin/python -m tools cluster --nodes 3 --database postgresql --simulators ray $(ARGS) ## Run PostgreSQL, Ray and three servers behind a balancer; ARGS='--nodes 5'
 add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
 metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
 metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
-metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools.measurements.both_ways metaworld ## Play its experts directly and through the protocol
+metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools both-ways metaworld ## Play its experts directly and through the protocol
 aloha: .venv-aloha/ready ## Install gym-aloha apart
 aloha-check: aloha; @.venv-aloha/bin/python -m pytest tests/sim/benchmarks/aloha_checks.py ## Run the tests that need gym-aloha
 robosuite: .venv-robosuite/ready ## Install robosuite apart
@@ -74,24 +74,24 @@ test-all: $(tested); @$(pytest) $(waiting) ## Everything, every mutant by all ro
 lint: setup ## Check style and types
 	@$(python) -m ruff check --quiet . && $(python) -m ruff format --check --quiet .
 	@$(python) -m mypy
-generate: .venv-generate/ready; @.venv-generate/bin/python tools/generate.py ## Rewrite models and clients from spec/
-generate-check: .venv-generate/ready; @.venv-generate/bin/python tools/generate.py --check ## Fail if generated files differ from spec/
+generate: .venv-generate/ready; @.venv-generate/bin/python -m tools generate ## Rewrite models and clients from spec/
+generate-check: .venv-generate/ready; @.venv-generate/bin/python -m tools generate --check ## Fail if generated files differ from spec/
 programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tests
 .venv/proxies/ready: .venv/ready tools/browser.sh tools/debian_packages.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
 client: .venv-generate/ready ## Write a client in LANGUAGE=go or any other into build/clients/, or TO=... a new folder
-	@.venv-generate/bin/python tools/generate.py --client "$(LANGUAGE)" $${TO:+--to "$$TO"}
-docs: setup; @$(python) -m tools.traceability && $(python) -m tools.diagrams ## Rewrite the pictures in docs/, build the table of all rules
-site: .venv-generate/ready; @$(python) -m tools.site ## Build the site of the standard into build/site/html, in minutes
+	@.venv-generate/bin/python -m tools generate --client "$(LANGUAGE)" $${TO:+--to "$$TO"}
+docs: setup; @$(python) -m tools traceability && $(python) -m tools diagrams ## Rewrite the pictures in docs/, build the table of all rules
+site: .venv-generate/ready; @$(python) -m tools site ## Build the site of the standard into build/site/html, in minutes
 interop: setup .venv-generate/ready ## Play every scenario through each language's client
 #                   URL=... TOKEN=... RESTART_CMD='...' LANGUAGES=go,rust ONLY=echo
-	@$(python) -m tools.interop
+	@$(python) -m tools interop
 
 lock: setup ## Resolve requirements/*.in into locks with hashes; ARGS=--upgrade
-	@$(python) -m tools.locks $(ARGS)
-dist: setup .venv-generate/ready; @$(python) -m tools.distributions --clients ## Build the wheels with locks and bills of materials, and archives of clients, into dist/
+	@$(python) -m tools lock $(ARGS)
+dist: setup .venv-generate/ready; @$(python) -m tools dist --clients ## Build the wheels with locks and bills of materials, and archives of clients, into dist/
 
 kill-matrix: setup; @$(python) -m tests.mutants.kill --write ## Judge the kit on broken servers
-false-alarms: setup; @$(python) -m tools.measurements.false_alarms $(ARGS) ## Run the kit on right servers again and again; ARGS='--runs 200 --load busy -j 2'
+false-alarms: setup; @$(python) -m tools false-alarms $(ARGS) ## Run the kit on right servers again and again; ARGS='--runs 200 --load busy -j 2'
 mutation: setup ## Judge the kit on machine-made changes of a server
 #                   SERVER=js or go; SAMPLE=150 (all without it) SEED=1 JOBS=2
 #                   WRITTEN=1 (bugs that people wrote) ARGS='--again survived'
@@ -101,7 +101,7 @@ attack: setup ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1
 	@$(python) -m tests.campaigns attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
 chaos: setup; @$(python) -m tests.campaigns chaos $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; as attack, and ARGS='--simulators ray'
-experts: setup; @$(python) tools/experts.py --write $(ARGS) ## Measure the scripted experts, rewrite their page
+experts: setup; @$(python) -m tools experts --write $(ARGS) ## Measure the scripted experts, rewrite their page
 bench: setup .venv-bench/ready ## Measure beside the alternatives; ARGS='round_trips --try'
 	@$(python) -m benchmarks $(ARGS)
 

@@ -8,7 +8,6 @@ fails when the page is out of date. The other text is written by hand.
 from __future__ import annotations
 
 import ast
-import sys
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -144,7 +143,3 @@ def main() -> int:
     """Write the page."""
     PAGE.write_text(page(PAGE.read_text()))
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,4 +1,4 @@
-"""`python tools/experts.py`: checks that experts solve the tasks, and chance does not.
+"""`python -m tools experts`: checks that experts solve the tasks, and chance does not.
 
 Plays every task and split of every benchmark that has an expert, over many seeds: with
 the expert, without moving, and with random actions. A benchmark is included if its
@@ -15,7 +15,6 @@ MuJoCo.
 
 from __future__ import annotations
 
-import argparse
 import importlib
 import importlib.util
 import multiprocessing
@@ -350,35 +349,31 @@ def _experts_actions(name: str, task: str) -> list[Action]:
     return actions
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("benchmarks", nargs="*", help="all that have an expert if none")
-    parser.add_argument("--seeds", type=int, default=100, help="per task and split")
-    parser.add_argument("--task", help="measure this task alone")
-    parser.add_argument("--draw", action="store_true", help="only the pictures")
-    parser.add_argument("--processes", type=int, default=2)
-    parser.add_argument("--write", action="store_true", help="page and pictures")
-    options = parser.parse_args()
+def main(
+    *,
+    benchmarks: Sequence[str],
+    seeds: int,
+    task: str | None,
+    only_pictures: bool,
+    processes: int,
+    write: bool,
+) -> int:
     # The processes are the parallelism; threads on top make it twice as slow.
     os.environ["OPENBLAS_NUM_THREADS"] = "1"
-    names = options.benchmarks or benchmark_names()
-    if options.write and (names != benchmark_names() or options.task):
-        parser.error("the page shows all benchmarks: --write measures all")
-    if options.task and not any(options.task in tasks_of(name) for name in names):
-        parser.error(f"no task {options.task} in {', '.join(names)}")
-    if options.draw:
+    names = list(benchmarks) or benchmark_names()
+    if write and (names != benchmark_names() or task):
+        sys.exit("experts: the page shows all benchmarks: --write measures all")
+    if task and not any(task in tasks_of(name) for name in names):
+        sys.exit(f"experts: no task {task} in {', '.join(names)}")
+    if only_pictures:
         for name in names:
             draw(name)
         return 0
-    outcomes = measure(names, options.seeds, options.processes, options.task)
-    if options.write:
+    outcomes = measure(names, seeds, processes, task)
+    if write:
         for name in names:
             draw(name)
         PAGE.write_text(page(names, outcomes))
     missed = sum(outcome.is_missed for outcome in outcomes)
     print(f"{len(outcomes)} measured, {missed} missed")
     return 1 if missed else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,7 +1,8 @@
 """Write what is generated from the specification: Python messages and clients.
 
-Run inside the generator environment (`make generate`). With --check it writes
-into a scratch directory and fails if the committed files differ from it. With
+Runs as `python -m tools generate` in the environment of the generators. With --check it
+writes into a scratch directory and fails if the committed files differ from it; it
+writes nothing if neither they nor its inputs changed since they were equal. With
 --client it writes one client in any language into build/clients/, or with --to into
 a folder that is new or empty; the programs of clients/ are copied beside it.
 
@@ -12,9 +13,9 @@ client that is not committed; a language without a file has the defaults. It mus
 not know what the protocol means, only which constructs the generators misread.
 """
 
-import argparse
 import difflib
 import filecmp
+import hashlib
 import json
 import os
 import re
@@ -23,7 +24,7 @@ import subprocess
 import sys
 import tempfile
 import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -38,6 +39,8 @@ ON_REQUEST = GENERATORS / "on_request"
 REQUESTED = ROOT / "build" / "clients"
 # Examples, interop programs and lock files of the clients that are not committed.
 PROGRAMS = ROOT / "clients"
+# The folder `.mvn` of a client that Maven builds: checksums of what that downloads.
+MAVEN = GENERATORS / "maven"
 DEFAULTS = {"hideGenerationTimestamp": True, "enumUnknownDefaultCase": True}
 # A short run: what the better compiler makes faster does not last long enough.
 JAVA_OPTIONS = "-XX:TieredStopAtLevel=1 -XX:+UseSerialGC"
@@ -55,11 +58,19 @@ TRANSPORT = sorted((ROOT / CLIENTS).glob("python/proctor_client/transport/*.py")
 KIT_TRANSPORT = Path("conformance", "client", "connections", "transport")
 COPIES = tuple(KIT_TRANSPORT / path.name for path in TRANSPORT)
 SINGLE_FILES = (MODELS, CATALOGUE, PARAMETERS, TURNS, *VERSIONS, *COPIES)
+# A change of these may change what is generated.
+INPUTS = (
+    *("spec/openapi.yaml", "spec/profiles", "tools/generate.py", "tools/generators"),
+    *("requirements/generate.txt", "pyproject.toml"),
+    "generated_clients/python/proctor_client/transport",
+)
+# The digest of inputs and generated files that were compared and were equal.
+COMPARED = ROOT / ".cache" / "generated.sha256"
 BIN = Path(sys.executable).parent
 STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
 # Beside the generated files: what we write on top of them, and what builds leave.
 NOT_GENERATED = {
-    *("example", "interop", "transport", "Cargo.lock", "package-lock.json", ".mvn"),
+    *("example", "interop", "transport", "Cargo.lock", "package-lock.json"),
     *("__pycache__", "build", "dist", "node_modules", "target"),
 }
 PARTS = {"apis": "", "models": "", "supportingFiles": ""} | dict.fromkeys(
@@ -347,6 +358,8 @@ def copy_programs(language: str, client: Path) -> None:
     """
     if (ON_REQUEST / f"{language}.yaml").exists() and (PROGRAMS / language).is_dir():
         shutil.copytree(PROGRAMS / language, client, dirs_exist_ok=True)
+        if (client / "pom.xml").exists():
+            shutil.copytree(MAVEN, client / ".mvn")
 
 
 def known_languages() -> set[str]:
@@ -466,6 +479,22 @@ def differences(generate: Path) -> list[str]:
     return lines
 
 
+def digest_files(names: Iterable[str]) -> str:
+    """One digest of the paths and contents of files, and of the files in folders."""
+    digest = hashlib.sha256()
+    for name in names:
+        path = ROOT / name
+        for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
+            if file.is_file():
+                content = hashlib.sha256(file.read_bytes()).hexdigest()
+                digest.update(f"{file.relative_to(ROOT)} {content}\n".encode())
+    return digest.hexdigest()
+
+
+def digest_compared() -> str:
+    return digest_files([*INPUTS, *map(str, sorted(generated(ROOT)))])
+
+
 def replace(generate: Path) -> None:
     for path in generated(ROOT) - generated(generate):
         (ROOT / path).unlink()
@@ -486,17 +515,12 @@ def write_one(language: str, to: Path | None) -> int:
     return 0
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    parser.add_argument("--check", action="store_true", help="write nothing")
-    parser.add_argument("--client", metavar="LANGUAGE", help="write this one alone")
-    parser.add_argument("--to", metavar="FOLDER", type=Path, help="write it there")
-    options = parser.parse_args(arguments)
-    if options.client is not None:
-        return write_one(options.client, options.to)
-    check = options.check
+def main(*, check: bool, client: str | None, to: Path | None) -> int:
+    if client is not None:
+        return write_one(client, to)
+    if check and COMPARED.exists() and COMPARED.read_text() == digest_compared():
+        print("generate: up to date")
+        return 0
     with tempfile.TemporaryDirectory() as scratch:
         generate = Path(scratch)
         try:
@@ -512,9 +536,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("\n".join(lines[:60]))
         print(f"generate: {files} files differ from spec/; run `make generate`")
         return 1
+    COMPARED.parent.mkdir(exist_ok=True)
+    COMPARED.write_text(digest_compared())
     print(f"generate: {files} files changed" if files else "generate: up to date")
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

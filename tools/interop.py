@@ -1,6 +1,6 @@
 """Build every client, play every scenario through it, judge: `make interop`.
 
-Runs from the repository's root as `python -m tools.interop`. Without --url it judges
+Runs from the repository's root as `python -m tools interop`. Without --url it judges
 the clients at a reference server of its own. The matrix goes to the console, as JUnit
 to report/interop.xml and to build/interop.md. A scenario that was not run is never
 green; the last line names the languages that were not played. Ends with 1 if something
@@ -9,12 +9,10 @@ failed, 2 if something or all was not run, else with 0.
 
 from __future__ import annotations
 
-import argparse
 import os
 import shlex
 import signal
 import subprocess
-import sys
 import tempfile
 import time
 from collections.abc import Iterable, Iterator
@@ -217,17 +215,17 @@ def last_line(matrix: Matrix, languages: Iterable[str]) -> str:
 
 
 @contextmanager
-def the_server(arguments: argparse.Namespace) -> Iterator[Server]:
+def the_server(url: str) -> Iterator[Server]:
     """The server of --url, or one of our own."""
-    if arguments.url:
+    if url:
         command = shlex.split(os.environ.get("RAW_RESTART_CMD", ""))
 
         def restart() -> str:
             subprocess.run(command, check=True)
-            return str(arguments.url)
+            return url
 
         token = os.environ.get("PROCTOR_TOKEN", "")
-        yield Server(arguments.url.rstrip("/"), token, restart if command else None)
+        yield Server(url.rstrip("/"), token, restart if command else None)
         return
     with tempfile.TemporaryDirectory() as directory:
         reference = ReferenceServer(Path(directory))
@@ -252,26 +250,14 @@ def chosen(text: str, known: list[str]) -> list[str]:
     return wanted
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
-    said = os.environ.get  # `make interop URL=... LANGUAGES=... ONLY=...`
-    for flag, meaning in (
-        ("url", "of another server; PROCTOR_TOKEN is its token"),
-        ("languages", "comma-separated; all when absent"),
-        ("only", "comma-separated scenarios; all when absent"),
-    ):
-        default = said(flag.upper(), "")
-        parser.add_argument(f"--{flag}", default=default, help=meaning)
-    arguments = parser.parse_args()
-    languages = {language.name: language for language in LANGUAGES}
-    rows = chosen(arguments.languages, list(languages))
-    names = chosen(arguments.only, list(SCENARIOS))
+def main(*, url: str, languages: str, only: str) -> int:
+    by_name = {language.name: language for language in LANGUAGES}
+    rows = chosen(languages, list(by_name))
+    names = chosen(only, list(SCENARIOS))
     matrix = Matrix()
-    with the_server(arguments) as server:
+    with the_server(url) as server:
         for name in rows:
-            play(languages[name], server, names, matrix)
+            play(by_name[name], server, names, matrix)
     print("\n".join(["", *table(matrix)]))
     for language, why in sorted(reasons(matrix, NOT_RUN)):
         print(f"{language}: not run: {why}")
@@ -280,9 +266,5 @@ def main() -> int:
     JUNIT.parent.mkdir(exist_ok=True)
     JUNIT.write_bytes(junit(matrix))
     write_page("interop.md", page(matrix))
-    print(last_line(matrix, languages))
+    print(last_line(matrix, by_name))
     return matrix.exit_code()
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,6 +1,6 @@
 """Writes spec/vectors/record/: good records, and broken ones with what is wrong.
 
-`python -m tools.record_vectors` writes them again; a test compares every byte.
+`python -m tools vectors` writes them again; a test compares every byte.
 """
 
 from __future__ import annotations
@@ -59,9 +59,10 @@ def files() -> dict[str, bytes]:
         ],
         "with_other_keys": other_callers(broken["score_raised"]),
     }
-    text = json.dumps(listed, indent=2, ensure_ascii=False) + "\n"
+    members = ((name, _lines(value)) for name, value in listed.items())
+    text = ",\n".join(f'  "{name}": {lines}' for name, lines in members)
     return {
-        "records.json": text.encode(),
+        "records.json": f"{{\n{text}\n}}\n".encode(),
         "good.proctor": make_archive(),
         "good_replayed.proctor": good_archive_with_verdict(),
         **{f"{name}.proctor": one.archive for name, one in broken.items()},
@@ -89,7 +90,15 @@ def other_callers(raised: Broken) -> list[dict[str, Any]]:
     ]
 
 
-def main() -> None:
+def _lines(value: object) -> str:
+    """JSON of which each item of a list has a line, as in the other vectors."""
+    if not isinstance(value, list):
+        return json.dumps(value, ensure_ascii=False)
+    items = (f"\n    {json.dumps(item, ensure_ascii=False)}" for item in value)
+    return f"[{','.join(items)}\n  ]"
+
+
+def main() -> int:
     FOLDER.mkdir(parents=True, exist_ok=True)
     wanted = files()
     for path in FOLDER.iterdir():
@@ -97,7 +106,4 @@ def main() -> None:
             path.unlink()
     for name, data in wanted.items():
         (FOLDER / name).write_bytes(data)
-
-
-if __name__ == "__main__":
-    main()
+    return 0

@@ -26,7 +26,7 @@ install_uv() {
     [ "$python" ] || stop "no Python 3.11 or newer that has the module venv; install one" \
         "(Debian, Ubuntu: apt-get install python3-venv) or name it: make PYTHON=..."
     "$python" -m venv --clear .venv
-    sed -n '/^uv==/,/[^\\]$/p' requirements/hashes.txt > .venv/uv.txt
+    grep '^uv==' requirements/hashes.txt > .venv/uv.txt
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
         --require-hashes --no-deps --only-binary :all: --requirement .venv/uv.txt
 }

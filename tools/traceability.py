@@ -5,7 +5,7 @@ states it in spec/, the functions of the server and the simulators that cite its
 check that judges it and the mutants that break it. `gaps()` lists what is missing in
 either direction; a test fails while there is one.
 
-`python -m tools.traceability PRED-002` prints the places of one rule with their lines;
+`python -m tools traceability PRED-002` prints the places of one rule with their lines;
 `--gaps` prints gaps; `--release-ids` adds the rules that are new to spec/ids.txt.
 
 Python files are read as text and never imported, except the lifecycle table and the
@@ -14,14 +14,13 @@ mutants, which are data. The kit lists its checks itself, in a process of its ow
 
 from __future__ import annotations
 
-import argparse
 import ast
 import json
 import re
 import subprocess
 import sys
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from itertools import groupby
@@ -299,7 +298,7 @@ Written by `make docs`. A test fails when a row has a gap.
 
 Each rule is *stated* in `spec/`, *decided* in `reference_server/` or `reference_sim/`,
 *judged* by one check of the kit, and *broken on purpose* by mutants. `git grep ID`
-shows these places, and `python -m tools.traceability ID` prints their lines. A cell of
+shows these places, and `python -m tools traceability ID` prints their lines. A cell of
 the lifecycle is decided by its key in `TRANSITIONS`, or by that key's absence.
 *Italics* say why a place is missing.
 """
@@ -384,31 +383,21 @@ def release_ids() -> None:
     )
 
 
-def main() -> int:
+def main(*, ids: Sequence[str], only_gaps: bool, is_release: bool) -> int:
     """Write the page, or print the places of rules, or the gaps."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("ids", nargs="*", metavar="ID", help="print its places")
-    parser.add_argument("--gaps", action="store_true", help="print gaps, write nothing")
-    parser.add_argument(
-        "--release-ids", action="store_true", help="add new rules to spec/ids.txt"
-    )
-    arguments = parser.parse_args()
-    if unknown := set(arguments.ids) - set(traces()):
-        parser.error(f"no rule has the id {', '.join(sorted(unknown))}")
-    if arguments.ids:
-        print("\n\n".join(describe(traces()[id_]) for id_ in arguments.ids))
+    if unknown := set(ids) - set(traces()):
+        print(f"no rule has the id {', '.join(sorted(unknown))}", file=sys.stderr)
+        return 2
+    if ids:
+        print("\n\n".join(describe(traces()[id_]) for id_ in ids))
         return 0
-    if arguments.gaps:
+    if only_gaps:
         found = gaps()
         print("\n".join(found))
         print(f"{len(found)} gaps in {len(traces())} rules", file=sys.stderr)
         return 1 if found else 0
-    if arguments.release_ids:
+    if is_release:
         release_ids()
         return 0
     write_page("traceability.md", page())
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -55,7 +55,7 @@ class LocalCluster:
     ) -> None:
         settings = {"PROCTOR_PORT": str(port), "PYTHONPATH": str(ROOT)}
         inherited = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
-        command = [python, "-m", "tools.local_cluster", "--folder", str(folder)]
+        command = [python, "-m", "tools", "cluster", "--folder", str(folder)]
         self._log = folder.with_suffix(".log")
         with self._log.open("wb") as log:
             self.process = subprocess.Popen(

@@ -12,7 +12,6 @@ from typing import Any
 import jsonschema_rs
 import openapi_spec_validator
 import pytest
-import yaml
 from starlette.requests import Request
 
 from conformance.policy.turn_builder import calibration
@@ -24,6 +23,7 @@ from tests.support.client import policy_apps
 from tests.support.client.policy_apps import ACTION, KEY, CountingPolicy, make_app
 from tests.support.kit.run_kit import KitRun, run_policy_kit
 from tests.support.paths import ROOT
+from tests.support.repository.specification import load
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts policy servers and kits")
@@ -270,7 +270,7 @@ def test_a_wrong_key_cannot_be_judged(tmp_path: Path) -> None:
 
 # --- the document ---
 
-DOCUMENT = yaml.safe_load((ROOT / "spec" / "policy.yaml").read_text())
+DOCUMENT = load((ROOT / "spec" / "policy.yaml").read_text())
 
 
 def test_the_document_is_valid_openapi() -> None:

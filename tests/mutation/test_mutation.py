@@ -36,6 +36,7 @@ RECORD = Record(
 )
 
 
+@pytest.mark.slow("parses two servers for each mutant")
 def test_ids_are_unique_and_every_operator_changes_something() -> None:
     """An operator that stopped would make the kit look better than it is."""
     used = set()
@@ -64,6 +65,7 @@ def test_excused_survivors_do_not_count_against_the_kit() -> None:
     assert score([], reasons) is None
 
 
+@pytest.mark.slow("parses two servers for each mutant")
 def test_triage_is_of_mutants_that_exist() -> None:
     """An entry whose place was changed is of no use any more. Expect none."""
     made = {mutant.id for target in TARGETS.values() for mutant in target.mutants()}

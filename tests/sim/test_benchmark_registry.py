@@ -23,6 +23,7 @@ def _catalog_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     )
 
 
+@pytest.mark.slow("plays an episode of each benchmark")
 def test_added_benchmarks_are_offered() -> None:
     built_in = benchmark_registry.benchmark_ids()
     warnings: list[str] = []

@@ -55,6 +55,7 @@ def test_a_schedule_has_what_it_promises() -> None:
     assert sum(outcome.actions for outcome in outcomes) >= 50
 
 
+@pytest.mark.slow("imports the server in a new interpreter")
 def test_a_seed_gives_the_same_schedule_in_another_process() -> None:
     """Other hashes of strings, other schedules before it."""
     program = (

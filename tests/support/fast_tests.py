@@ -20,7 +20,7 @@ import pytest
 
 # Programs that a fast test may not start, and how long it may compute.
 SLOW_PROGRAMS = {"reference_server", "conformance", "conformance.policy"}
-FAST_TEST_MAX_S = 20.0
+FAST_TEST_MAX_S = 10.0
 # A test that is a coroutine function and still waits then fails.
 ASYNC_TEST_MAX_S = 120.0
 # Fixtures that start a server, or build the wheel.

@@ -28,7 +28,7 @@ def write_archive(language: str, to: Path, epoch: int) -> Path:
     name = f"proctor-client-{language}-{VERSION}"
     with tempfile.TemporaryDirectory(prefix="proctor-client-") as directory:
         client = Path(directory) / name
-        command = (_GENERATOR, "tools/generate.py", "--client", language)
+        command = (_GENERATOR, "-m", "tools", "generate", "--client", language)
         done = subprocess.run(
             (*command, "--to", client),
             cwd=ROOT,

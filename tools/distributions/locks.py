@@ -1,7 +1,7 @@
 """Reads a lock that has its hashes: packages, and which packages require them.
 
-Such a lock is what `uv pip compile` writes: a requirement with `==`, its hashes, and
-below it comments that name the packages that require it.
+Such a lock is what `python tools/locks/complete.py NAME` writes: a requirement with
+`==`, its hashes, and below it a comment that names the packages that require it.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 _HASH = re.compile(r"--hash=sha256:([0-9a-f]{64})")
-_VIA = re.compile(r"    #(?: via|  ) (\S.*)")
+_VIA = re.compile(r"    # via (\S.*)")
 
 
 @dataclass
@@ -36,8 +36,8 @@ def parse_lock(text: str) -> list[LockedPackage]:
         elif found := _HASH.search(line):
             packages[-1].hashes.append(found[1])
         elif found := _VIA.fullmatch(line):
-            packages[-1].required_by.append(found[1])
-        elif line.strip() not in ("", "# via"):
+            packages[-1].required_by += found[1].split(", ")
+        elif line.strip():
             raise ValueError(f"a lock has no line such as {line!r}")
     return packages
 

@@ -16,7 +16,6 @@ alarm. Knows no rule and no server but by its command.
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import json
 import os
@@ -281,21 +280,11 @@ def page(results: list[dict[str, Any]], commit: str, date: str) -> str:
     return "\n".join([head, *summarize(results), "", *alarms]) + "\n"
 
 
-def main() -> int:
+def main(*, runs: int, jobs: int, load: str | None, kit: list[str]) -> int:
     """Returns 1 when any run of this commit has a false alarm."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--runs", type=int, default=12)
-    parser.add_argument("--load", choices=[QUIET, BUSY, HALTED], help="of all runs")
-    parser.add_argument("-j", type=int, default=1, help="runs at once")
-    parser.add_argument("kit", nargs="*", help="further options of the kit")
-    options = parser.parse_args()
     commit, date = read_commit(*JUDGED)
-    measure(options.runs, options.j, options.load, options.kit, commit)
+    measure(runs, jobs, load, kit, commit)
     results = results_of(read_results(), commit)
     print("\n".join(summarize(results)))
     write_page("false-alarms.md", page(results, commit, date))
     return int(any(one["alarms"] for one in results))
-
-
-if __name__ == "__main__":
-    sys.exit(main())

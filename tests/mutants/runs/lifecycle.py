@@ -6,10 +6,7 @@ The rows are read from the specification, so that no cell can be forgotten.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
-
-import yaml
 
 from conformance.specification.ledger import load_ledger
 from reference_server.rules import effects
@@ -17,8 +14,7 @@ from reference_server.rules import lifecycle as protocol
 from reference_server.rules.run import Run
 from reference_server.runs.admission.run_admission import RunAdmission
 from tests.mutants import Json, Row, mutants, put
-
-SPEC = Path(__file__).parents[3] / "spec" / "openapi.yaml"
+from tests.support.repository.specification import DOCUMENT
 
 # Cells through which the kit must go to reach anything else. A server that refuses them
 # is seen by their own row; whatever else fails with them stands here.
@@ -42,7 +38,7 @@ NOT_MUTATED = {"LIFE-201", "LIFE-302", "LIFE-801"}
 
 
 def _rows() -> Iterator[Row]:
-    lifecycle = yaml.safe_load(SPEC.read_text())["x-lifecycle"]
+    lifecycle = DOCUMENT["x-lifecycle"]
     for row in lifecycle["transitions"]:
         rule = load_ledger()[row["id"]]
         if not rule.is_observable or rule.id in NOT_MUTATED:

@@ -8,16 +8,16 @@ import re
 from typing import Any
 
 import pytest
-import yaml
 
 from conformance.specification.ledger import load_ledger
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
+from tests.support.repository.specification import load
 
 SPEC = ROOT / "spec"
-DOCUMENT: dict[str, Any] = yaml.safe_load((SPEC / "profiles/ebench.yaml").read_text())
+DOCUMENT = load((SPEC / "profiles/ebench.yaml").read_text())
 NOTHING: Any = None
 TABLE = EbenchHandlers(Handlers(Settings(ebench_prefixes=""), NOTHING)).table()
 DESCRIBED = {
@@ -29,7 +29,7 @@ DESCRIBED = {
 
 @functools.cache
 def read(name: str) -> Any:
-    return yaml.safe_load((SPEC / "profiles" / name).read_text())
+    return load((SPEC / "profiles" / name).read_text())
 
 
 def resolved(node: dict[str, Any]) -> dict[str, Any]:

@@ -168,18 +168,18 @@ def split_words(text: str) -> Iterator[str]:
 def findings() -> list[tuple[str, int, str]]:
     """File, line (0: its name) and word of each banned word."""
     banned = {word for words in BANNED for word in words.split()}
-    # Few lines have these letters at all; only those are split into words.
-    any_banned = re.compile("|".join(banned), re.IGNORECASE)
     found = []
     for name in hand_written():
         try:
-            lines = (ROOT / name).read_text("utf-8").splitlines()
+            text = (ROOT / name).read_text("utf-8")
         except UnicodeDecodeError:  # a picture
-            lines = []
-        for number, line in enumerate([name, *lines]):
-            if any_banned.search(line):
-                words = split_words(line)
-                found += [(name, number, word) for word in words if word in banned]
+            text = ""
+        # Few files have such a word; only their lines are looked at one by one.
+        if banned.isdisjoint(split_words(f"{name}\n{text}")):
+            continue
+        for number, line in enumerate([name, *text.splitlines()]):
+            words = split_words(line)
+            found += [(name, number, word) for word in words if word in banned]
     return found
 
 

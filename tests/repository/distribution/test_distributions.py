@@ -180,7 +180,7 @@ def test_a_lock_is_read_with_hashes_and_origins() -> None:
     some, other = parse_lock(
         f"some-name==1.5 ; sys_platform != 'win32' \\\n    --hash=sha256:{digest}\n"
         f"    # via -r some.in\nother==2 \\\n    --hash=sha256:{digest}\n"
-        "    # via\n    #   -r some.in\n    #   some-name\n"
+        "    # via -r some.in, some-name\n"
     )
     assert (some.name, some.version, some.hashes) == ("some-name", "1.5", [digest])
     assert some.marker == 'sys_platform != "win32"'
@@ -280,10 +280,10 @@ def test_the_client_plays_on_a_server_from_its_wheel(
 def test_the_program_says_what_failed(tmp_path: Path) -> None:
     """A folder that cannot be built. Expect exit code 2 and the reason."""
     program = (
-        "import tools.distributions.__main__ as m, sys\n"
+        "import tools.distributions.release_files as m, sys\n"
+        "from tools.__main__ import main\n"
         "m._BUILD = 'raise SystemExit(\"no room\")'\n"
-        f"sys.argv[1:] = [{str(tmp_path)!r}]\n"
-        "sys.exit(m.main())"
+        f"sys.exit(main(['dist', {str(tmp_path)!r}]))"
     )
     done = subprocess.run(
         [sys.executable, "-c", program],

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from tests.support.paths import ROOT
-from tools.locks.__main__ import LOCKS
 from tools.locks.complete import PIN, complete_lock, read_hashes
+from tools.locks.resolve import LOCKS
 from tools.locks.wheel_files import is_supported, read_pylock
 
 DIGESTS = ["0" * 64, "1" * 64]
@@ -42,15 +42,15 @@ def test_a_lock_is_completed_by_the_standard_library_alone() -> None:
 
 
 def test_hashes_follow_their_pin_and_its_marker(tmp_path: Path) -> None:
-    some = " \\\n    ".join(["some==1", *(f"--hash=sha256:{d}" for d in DIGESTS)])
+    some = " ".join(["some==1", *(f"--hash=sha256:{d}" for d in DIGESTS)])
     (tmp_path / "hashes.txt").write_text(some + "\n")
     lock = tmp_path / "mine.txt"
-    lock.write_text("some==1 ; sys_platform == 'win32'\n    # via -r mine.in\n")
+    lock.write_text("some==1 ; sys_platform == 'win32'    # via -r mine.in, other\n")
     assert complete_lock("mine", tmp_path) == (
         "some==1 ; sys_platform == 'win32' \\\n"
         f"    --hash=sha256:{DIGESTS[0]} \\\n"
         f"    --hash=sha256:{DIGESTS[1]}\n"
-        "    # via -r mine.in\n"
+        "    # via -r mine.in, other\n"
     )
     lock.write_text("some==1.1\n")
     with pytest.raises(ValueError, match=r"no hash of some==1\.1: run `make lock`"):

@@ -12,7 +12,7 @@ import pytest
 
 from conformance.specification.ledger import load_ledger
 from tools import npm_package
-from tools.site import __main__ as site
+from tools.site import build_site as site
 from tools.site import kit_reports
 from tools.site.exchanges import worked_exchanges
 from tools.site.kit_reports import KitReports, judge, summarize

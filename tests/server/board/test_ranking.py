@@ -117,6 +117,7 @@ def distinguished_one_by_one(successes: list[int]) -> tuple[list[int], list[int]
     return better, worse
 
 
+@pytest.mark.slow("ranks for seconds")
 @given(st.randoms(use_true_random=False), st.integers(2, 40), st.integers(1, 300))
 def test_pairs_that_share_a_p_are_distinguished_as_if_each_had_its_own(
     random: Random, count: int, episodes: int

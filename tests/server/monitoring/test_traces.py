@@ -340,6 +340,7 @@ def test_no_traceparent_breaks_a_request(tmp_path: Path, collector: Collector) -
 # --- set up ---
 
 
+@pytest.mark.slow("imports the server in a new interpreter")
 def test_a_server_without_traces_imports_none() -> None:
     program = (
         "import sys, reference_server.__main__\n"

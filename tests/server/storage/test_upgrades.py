@@ -255,6 +255,7 @@ def test_two_servers_that_start_at_once_upgrade_once(database: UsedDatabase) -> 
     assert sorted(map(bool, done)) == [False, True]
 
 
+@pytest.mark.slow("imports the server in a new interpreter")
 def test_a_start_with_nothing_to_do_does_not_import_alembic(tmp_path: Path) -> None:
     program = (
         "import asyncio, sys; from reference_server.storage.store import Store\n"

@@ -1,7 +1,7 @@
 """Tests that need gym-aloha and its MuJoCo: `make aloha-check`, in .venv-aloha.
 
 Not part of `make test`, whose environment has another MuJoCo. All episodes of the split
-`practice` are compared by `python -m tools.measurements.both_ways aloha`.
+`practice` are compared by `python -m tools both-ways aloha`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Tests that need robosuite and its MuJoCo: `make robosuite-check`, in .venv-robosuite.
 
 Not part of `make test`, whose environment has another MuJoCo. All episodes of the split
-`practice` are compared by `python -m tools.measurements.both_ways panda_lift`.
+`practice` are compared by `python -m tools both-ways panda_lift`.
 """
 
 from __future__ import annotations

@@ -11,6 +11,7 @@ from PIL import Image
 
 from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 from tests.support.paths import ROOT
+from tools import __main__ as tools
 from tools import experts
 
 pytestmark = pytest.mark.slow("plays whole episodes")
@@ -26,7 +27,7 @@ SHOWN = [
 def test_experts_solve_every_task_and_random_actions_none() -> None:
     """One seed of each task and split, played for real."""
     done = subprocess.run(
-        [sys.executable, "tools/experts.py", "tabletop", "--seeds", "1"],
+        [sys.executable, "-m", "tools", "experts", "tabletop", "--seeds", "1"],
         cwd=ROOT,
         capture_output=True,
         text=True,
@@ -62,8 +63,7 @@ def test_a_missed_criterion_is_reported_and_fails(
     outcome = experts.TrialResult(trial, (10,) * successes)
     assert ("MISSED" in str(outcome)) == missed
     monkeypatch.setattr(experts, "measure", lambda *_: [outcome])
-    monkeypatch.setattr(sys, "argv", ["experts.py"])
-    assert experts.main() == missed
+    assert tools.main(["experts"]) == missed
     assert f"1 measured, {int(missed)} missed" in capsys.readouterr().out
 
 

@@ -43,6 +43,8 @@ from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.mujoco.task_simulator import PhysicalSimulator
 from tests.support.sim.physical_play import Policy, observation_digest, play
 
+pytestmark = pytest.mark.slow("simulates and draws for seconds")
+
 WIDTH, HEIGHT = 64, 48
 STILL: Action = {
     "joint_position": HOME_RAD * 2,

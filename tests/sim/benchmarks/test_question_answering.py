@@ -180,6 +180,7 @@ def nearest_colour(pixel: np.ndarray[Any, Any]) -> str:
     return min(PALETTE, key=apart)
 
 
+@pytest.mark.slow("draws for a second")
 def test_a_point_is_judged_as_it_is_drawn(simulator: QuestionSimulator) -> None:
     """The target is painted anew: the pixels that change are those it may be found at.
 

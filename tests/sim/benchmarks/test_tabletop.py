@@ -36,6 +36,8 @@ from tests.support.sim.tabletop import (
     tabletop,
 )
 
+pytestmark = pytest.mark.slow("simulates and draws for seconds")
+
 
 @pytest.fixture
 def sim() -> Iterator[Tabletop]:

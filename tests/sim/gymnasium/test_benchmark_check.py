@@ -318,6 +318,7 @@ def test_pictures_of_several_sizes_become_tensors_unless_a_size_is_chosen() -> N
     assert manifest["image_sizes"] == sizes
 
 
+@pytest.mark.slow("draws for a second")
 def test_a_camera_gives_its_size_and_without_pictures_there_is_one_choice() -> None:
     seen = look("ValidEnv", camera={"name": "front"})["manifest"]
     assert set(seen["observation_space"]["images"]) == {"front"}

@@ -26,6 +26,7 @@ from reference_sim.process.encoding import EncodedObservation
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.sim.shared_processes import shared_pool
 
 EXAMPLES = ROOT / "examples" / "benchmarks"
 CLASSICS = ("Acrobot-v1", "CartPole-v1", "MountainCarContinuous-v0", "Pendulum-v1")
@@ -229,7 +230,7 @@ def test_two_processes_play_the_same_episode(
     world = SimulatorConfig("mine", definition.settings(images))
 
     async def twice() -> tuple[list[EncodedObservation], list[EncodedObservation]]:
-        pool = SimulatorPool(spares=0)
+        pool = shared_pool(spares=0)
         await pool.start()
         try:
             return await record_observations(pool, world), await record_observations(
@@ -247,7 +248,7 @@ def test_two_processes_play_the_same_episode(
 async def test_an_environment_that_raises_is_a_fault_of_the_simulator() -> None:
     world = SimulatorConfig("mine", settings_of("RaisesLater", ends_on_success=False))
     still = [{"action": [0.0]}]
-    pool = SimulatorPool(spares=0)
+    pool = shared_pool(spares=0)
     await pool.start()
     try:
         handle = await pool.acquire(world)

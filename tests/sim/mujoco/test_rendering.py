@@ -16,6 +16,8 @@ import pytest
 from reference_sim.mujoco import rendering
 from tests.support.paths import ROOT
 
+pytestmark = pytest.mark.slow("starts an interpreter with MuJoCo for each backend")
+
 COMMAND = ("-m", "reference_sim.mujoco.rendering")
 
 STATE_ONLY = """

@@ -27,6 +27,7 @@ from reference_sim.process.pool import (
 from reference_sim.process.simulator_main import NewFrameMemory
 from reference_sim.process.simulator_process import ForkStarter
 from tests.support.sim.calibration_action import calibration_action as action
+from tests.support.sim.shared_processes import shared_pool
 from tests.support.waiting import wait_in_loop
 
 DEADLINE_S = 30.0
@@ -38,9 +39,17 @@ fork_and_exec = pytest.mark.parametrize("fork", [True, False], ids=["fork", "exe
 
 
 @asynccontextmanager
-async def opened_pool(**settings: Any) -> AsyncIterator[SimulatorPool]:
-    """A pool; expects that none of its processes is left."""
-    pool = SimulatorPool(**settings)
+async def opened_pool(
+    *, fork: bool | None = None, **settings: Any
+) -> AsyncIterator[SimulatorPool]:
+    """A pool; expects that none of its processes is left.
+
+    fork: whether by a fork server of its own; without it, the tests' shared one.
+    """
+    if fork is None:
+        pool = shared_pool(**settings)
+    else:
+        pool = SimulatorPool(fork=fork, **settings)
     await pool.start()
     try:
         yield pool
@@ -306,6 +315,7 @@ async def test_a_hung_process_is_killed_after_the_timeout(fork: bool) -> None:
         await wait_in_loop(lambda: not exists(handle.pid), DEADLINE_S)
 
 
+@pytest.mark.slow("simulates for five seconds")
 async def test_a_slow_chunk_that_makes_steps_does_not_time_out() -> None:
     async with opened_pool(turn_timeout_s=5.0) as pool:
         handle = await pool.acquire(WORLD)

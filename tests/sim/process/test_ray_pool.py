@@ -26,7 +26,6 @@ from reference_sim.process.pool import (
     NoCapacity,
     SimulatorFault,
     SimulatorHandle,
-    SimulatorPool,
 )
 from reference_sim.process.ray import placement_queue
 from reference_sim.process.ray.actor_process import CannotUseRay, LauncherClient
@@ -40,6 +39,7 @@ from reference_sim.process.ray.ray_pool import RayPool, check_cluster
 from reference_sim.process.ray.simulator_actor import SimulatorActor
 from tests.support.sim.actors_without_ray import LauncherWithoutRay
 from tests.support.sim.calibration_action import calibration_action as action
+from tests.support.sim.shared_processes import shared_pool
 from tests.support.waiting import wait_in_loop
 
 DEADLINE_S = 60.0
@@ -74,7 +74,7 @@ async def begin(handle: SimulatorHandle, task: str) -> None:
 async def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
     seen: list[list[bytes]] = []
     async with opened_pool(room=1) as (pool, _):
-        local = SimulatorPool(spares=0)
+        local = shared_pool(spares=0)
         try:
             for lender in (pool, local):
                 handle = await lender.acquire(WORLD)
@@ -300,7 +300,7 @@ async def test_a_simulator_is_placed_by_what_its_benchmark_declares() -> None:
 
 
 async def test_a_local_simulator_needs_no_resources() -> None:
-    pool = SimulatorPool(spares=0)
+    pool = shared_pool(spares=0)
     try:
         first = await pool.acquire(WORLD)
         await first.release()

@@ -26,10 +26,10 @@ from reference_sim.process.pool import (
     RecordingPlan,
     SimulatorFault,
     SimulatorHandle,
-    SimulatorPool,
 )
 from reference_sim.process.recorder import EpisodeRecorder, UnwritableRecording
 from tests.support.sim.calibration_action import calibration_action as action
+from tests.support.sim.shared_processes import shared_pool
 
 
 class StateOf(Calibration):
@@ -48,7 +48,7 @@ class StateOf(Calibration):
 @asynccontextmanager
 async def simulator() -> AsyncIterator[SimulatorHandle]:
     """One of `calibration`, in a process of its own."""
-    pool = SimulatorPool(1, 0)
+    pool = shared_pool(1, 0)
     try:
         yield await pool.acquire(resolve("calibration").world)
     finally:

@@ -1,8 +1,8 @@
 """Policy servers of other projects, as small as their wire allows.
 
 Each speaks what the public sources of that project write and read. `WIRES` has one for
-each mapping of docs/evaluate/policies/policy-servers.md. A server answers the joints that it was
-sent, and notes in `log` what it was asked to do.
+each mapping of docs/evaluate/policies/policy-servers.md. A server answers the joints
+that it was sent, and notes in `log` what it was asked to do.
 """
 
 from __future__ import annotations

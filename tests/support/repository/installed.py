@@ -20,7 +20,7 @@ Done = subprocess.CompletedProcess[str]
 
 def build_wheels(to: Path, *, source: Path = ROOT) -> None:
     """Build all of them as `make dist` does, from a checkout."""
-    command = [sys.executable, "-m", "tools.distributions", str(to)]
+    command = [sys.executable, "-m", "tools", "dist", str(to)]
     done = subprocess.run(
         command, cwd=source, capture_output=True, text=True, check=False
     )

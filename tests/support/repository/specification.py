@@ -12,7 +12,11 @@ Json = dict[str, Any]
 METHODS = ("get", "put", "post", "delete", "patch", "head", "options", "trace")
 
 
-class _StrictLoader(yaml.SafeLoader):
+# The C loader is ten times faster; both are safe ones.
+_SafeLoader: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+class _StrictLoader(_SafeLoader):  # type: ignore[valid-type, misc]
     """YAML with a repeated key as an error; PyYAML keeps the last."""
 
 

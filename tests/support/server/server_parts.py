@@ -31,6 +31,7 @@ from tests.support.server.databases import UsedDatabase
 from tests.support.server.runs import make_run
 from tests.support.servers import TIMEOUT_S
 from tests.support.sim.calibration_action import calibration_action
+from tests.support.sim.shared_processes import shared_pool
 
 
 class BlockedCall:
@@ -122,7 +123,7 @@ async def open_server_parts(
         store = Store(url, recordings.finish_unplayed, recordings.remove_parts)
 
     registry = RunRegistry(store, active_max)
-    pool = pool or SimulatorPool(4, 0, TIMEOUT_S)
+    pool = pool or shared_pool(4, 0, TIMEOUT_S)
     seed_secret = SeedSecret()
     executor = SessionExecutor(registry, pool, seed_secret, recordings=recordings)
     service = make_service(registry, executor, seed_secret)

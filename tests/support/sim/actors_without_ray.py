@@ -10,19 +10,25 @@ from collections.abc import Callable
 
 from reference_sim.process.ray.actor_process import CannotUseRay
 from reference_sim.process.ray.launcher_messages import ActorReady, Room
-from reference_sim.process.ray.simulator_actor import SECRET_BYTES
+from reference_sim.process.ray.machine_check import make_check
+from reference_sim.process.ray.simulator_actor import SECRET_BYTES, SimulatorActor
 from reference_sim.process.simulator_process import ResourceShortage
+from tests.support.forking.fork_server import Main, shared_forks, stand_in
 from tests.support.paths import ROOT
 
-_PROGRAM = """
-import sys
-from reference_sim.process.ray.machine_check import make_check
-from reference_sim.process.ray.simulator_actor import SimulatorActor
+_PREPARE = f"{__name__}:prepare_actor"
 
-actor = SimulatorActor(make_check(None), "127.0.0.1")
-print(actor.open()[1], flush=True)
-actor.serve(bytes.fromhex(sys.stdin.readline()))
-"""
+
+def prepare_actor() -> Main:
+    """Give the program of an actor; its secret is the only argument."""
+
+    def serve(arguments: list[str]) -> int:
+        actor = SimulatorActor(make_check(None), "127.0.0.1")
+        sys.stdout.write(f"{actor.open()[1]}\n")
+        sys.stdout.flush()
+        actor.serve(bytes.fromhex(arguments[0]))
+
+    return serve
 
 
 class LauncherWithoutRay:
@@ -82,20 +88,16 @@ class LauncherWithoutRay:
         self.started.append(resources)
         self._last_number += 1
         number = self._last_number
+        secret = secrets.token_bytes(SECRET_BYTES)
         actor = subprocess.Popen(  # noqa: ASYNC220 - a millisecond
-            [sys.executable, "-c", _PROGRAM],
+            [*stand_in(shared_forks(_PREPARE)), secret.hex()],
             cwd=ROOT,
-            stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
         )
         self.actors[number] = actor
-        assert actor.stdin is not None
         assert actor.stdout is not None
         port = int(await asyncio.to_thread(actor.stdout.readline))
-        secret = secrets.token_bytes(SECRET_BYTES)
-        actor.stdin.write(secret.hex() + "\n")
-        actor.stdin.close()
         return number, ActorReady(number, "127.0.0.1", port, secret)
 
     def kill(self, number: int) -> None:

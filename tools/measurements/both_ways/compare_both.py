@@ -1,6 +1,6 @@
 """A benchmark by the protocol and in a loop of its own: every episode is the same.
 
-`PYTHON -m tools.measurements.both_ways push_t`, `aloha`, `panda_lift` or `metaworld`,
+`PYTHON -m tools both-ways push_t`, `aloha`, `panda_lift` or `metaworld`,
 where PYTHON is that of the environment that has the package. An expert plays a split
 twice. Ends with 1 if the steps, the success, the return or one observation
 of one episode differ.
@@ -8,7 +8,6 @@ of one episode differ.
 
 from __future__ import annotations
 
-import argparse
 import importlib
 import sys
 
@@ -23,17 +22,14 @@ from tools.measurements.both_ways.play import (
 NAMES = ("aloha", "metaworld", "panda_lift", "push_t")
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(
-        prog="python -m tools.measurements.both_ways", description=__doc__
-    )
-    parser.add_argument("compared", choices=NAMES)
-    parser.add_argument("--episodes", type=int, help="only the first ones")
-    chosen = parser.parse_args()
-    module = importlib.import_module(f"tools.measurements.both_ways.{chosen.compared}")
-    compared: ComparedBenchmark = module.COMPARED
-    served = play_by_protocol(compared, chosen.episodes)
-    direct = play_directly(compared, sorted(served.outcomes), max_steps_of(compared))
+def main(*, compared: str, episodes: int | None) -> int:
+    if compared not in NAMES:
+        print(f"both-ways: no {compared}; have {', '.join(NAMES)}", file=sys.stderr)
+        return 2
+    module = importlib.import_module(f"tools.measurements.both_ways.{compared}")
+    benchmark: ComparedBenchmark = module.COMPARED
+    served = play_by_protocol(benchmark, episodes)
+    direct = play_directly(benchmark, sorted(served.outcomes), max_steps_of(benchmark))
     for (task, seed), outcome in direct.outcomes.items():
         print(f"{task}, seed {seed}: {outcome}")
         if outcome != served.outcomes[task, seed]:
@@ -46,7 +42,3 @@ def main() -> int:
         f"{direct.turns_per_s:.1f} directly, {served.turns_per_s:.1f} by protocol"
     )
     return 1 if different or not served.outcomes else 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,7 +1,5 @@
 """Build the wheels of the project into dist/: `make dist`.
 
-    python -m tools.distributions [--clients] [FOLDER]
-
 Beside each wheel: its lock with hashes, its bill of materials (CycloneDX); with
 --clients, an archive of each proven client that is not committed; and
 SHA256SUMS over all; those of an earlier build are removed. The time in them is
@@ -12,7 +10,6 @@ the compressed bytes. Nothing is fetched.
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import os
 import shutil
@@ -104,15 +101,10 @@ def _sha256(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def main() -> int:
+def main(*, folder: Path, clients: bool) -> int:
     """The exit code: 2 when a wheel or an archive was not built."""
-    parser = argparse.ArgumentParser(prog="make dist")
-    parser.add_argument("folder", nargs="?", type=Path, default=ROOT / "dist")
-    parser.add_argument("--clients", action="store_true", help="archive clients too")
-    arguments = parser.parse_args()
-    folder: Path = arguments.folder
     try:
-        built = build_all(folder, clients=arguments.clients)
+        built = build_all(folder, clients=clients)
     except CannotBuild as error:
         print(error, file=sys.stderr)
         return 2
@@ -121,7 +113,3 @@ def main() -> int:
         size = f"{path.stat().st_size / 1e6:.2f} MB"
         print(f"{_sha256(path)[:12]}  {size}  {path.name}")
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -1,7 +1,5 @@
 """Resolves requirements/*.in into locks for every platform: `make lock`.
 
-    python -m tools.locks [--upgrade | --upgrade-package NAME …]
-
 requirements/NAME.txt gets the pins of an environment, and requirements/hashes.txt the
 hashes of all pins. Versions and hashes that are locked stay; --upgrade takes the newest
 of both. A lock names no index, no path and no machine.
@@ -13,13 +11,13 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 from tools.locks.complete import (
     HASHES,
     PIN,
     REQUIREMENTS,
-    format_requirement,
     read_hashes,
 )
 from tools.locks.wheel_files import read_pylock
@@ -48,8 +46,9 @@ PUBLISHED = ("kit", "client", "server")
 
 def resolve(name: str, arguments: list[str]) -> list[str]:
     """Write the lock of an environment, give its pins."""
-    annotated = [] if name in PUBLISHED else ["--no-annotate"]
-    options = [*LOCKS[name], *annotated, *arguments]
+    published = name in PUBLISHED
+    origins = ("--annotation-style", "line") if published else ("--no-annotate",)
+    options = [*LOCKS[name], *origins, *arguments]
     _compile(f"{name}.in", "--output-file", f"{name}.txt", *options)
     lines = (REQUIREMENTS / f"{name}.txt").read_text(encoding="utf-8").splitlines()
     pins = [pin[0] for line in lines if (pin := PIN.match(line))]
@@ -67,10 +66,8 @@ def fetch_hashes(name: str) -> dict[str, list[str]]:
 
 
 def write_hashes(hashes: dict[str, list[str]]) -> None:
-    """Write the hashes of every pin, sorted."""
-    text = "".join(
-        format_requirement(pin, hashes[pin]) + "\n" for pin in sorted(hashes)
-    )
+    """Write the hashes of every pin, sorted, a pin a line."""
+    text = "".join(" ".join([pin, *hashes[pin]]) + "\n" for pin in sorted(hashes))
     (REQUIREMENTS / HASHES).write_text(text, encoding="utf-8")
 
 
@@ -90,9 +87,14 @@ def _compile(*arguments: str) -> None:
     )
 
 
-def main(arguments: list[str]) -> int:
-    """Resolve every environment. The exit code: 1 when one cannot be locked."""
-    hashes = {} if "--upgrade" in arguments else read_hashes()
+def main(*, upgrade: bool, names: Sequence[str]) -> int:
+    """Resolve every environment. The exit code: 1 when one cannot be locked.
+
+    upgrade: all packages. names: of packages to upgrade.
+    """
+    arguments = ["--upgrade"] if upgrade else []
+    arguments += [word for name in names for word in ("--upgrade-package", name)]
+    hashes = {} if upgrade else read_hashes()
     locked: dict[str, list[str]] = {}
     try:
         for name in LOCKS:
@@ -105,7 +107,3 @@ def main(arguments: list[str]) -> int:
         return 1
     write_hashes(locked)
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))

@@ -111,5 +111,6 @@ def build(directory: Path, reports: KitReports, measured: Path) -> Path:
     return html
 
 
-if __name__ == "__main__":
+def main() -> int:
     print(f"site: {build(BUILD, read_reports(), ROOT / MEASURED) / 'index.html'}")
+    return 0

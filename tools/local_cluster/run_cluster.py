@@ -1,4 +1,4 @@
-"""`python -m tools.local_cluster`: a cluster of this machine, behind one address.
+"""`python -m tools cluster`: a cluster of this machine, behind one address.
 
 Starts several reference servers over one database and a load balancer without affinity,
 which leaves out a node that is not ready: kill one and the others go on. With options,
@@ -6,13 +6,12 @@ which `make cluster` gives, a PostgreSQL and a Ray cluster of its own are starte
 The address and the port of the balancer, the tokens and the database are the settings
 of a server (PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS, PROCTOR_DATABASE), so that the
 kit can start it: `make conformance` with ARGS="--start-cmd 'python -m
-tools.local_cluster'". It shows how nodes are put together; a real cluster has its
+tools cluster'". It shows how nodes are put together; a real cluster has its
 balancer and its supervisor.
 """
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import contextlib
 import os
@@ -23,49 +22,6 @@ from typing import Any
 
 from tools.local_cluster.cluster_parts import Parts, Plan, start_cluster
 from tools.local_cluster.part_processes import NotStarted
-from tools.local_cluster.ray_machines import MACHINES
-
-FOLDER = Path("var/cluster")
-
-
-def _read_plan() -> Plan:
-    parser = argparse.ArgumentParser(
-        prog="python -m tools.local_cluster",
-        description=__doc__.partition("\n")[0],
-        epilog="PROCTOR_DATABASE and PROCTOR_SIMULATORS, where they are set, are used "
-        "instead. All settings of the server are passed on to the nodes.",
-    )
-    add = parser.add_argument
-    add("--nodes", type=int, default=2, metavar="N", help="how many servers (2)")
-    add(
-        "--database",
-        choices=["sqlite", "postgresql"],
-        default="sqlite",
-        help="a file, or a PostgreSQL of its own (sqlite)",
-    )
-    add(
-        "--simulators",
-        choices=["local", "ray"],
-        default="local",
-        help=f"processes, or a Ray cluster of its own with {MACHINES} machines (local)",
-    )
-    add(
-        "--folder",
-        type=Path,
-        default=FOLDER,
-        help=f"of PostgreSQL's data, keys and recordings ({FOLDER})",
-    )
-    given = parser.parse_args()
-    if given.nodes < 1:
-        parser.error("--nodes: at least 1")
-    return Plan(
-        host=os.environ.get("PROCTOR_HOST", "127.0.0.1"),
-        port=int(os.environ.get("PROCTOR_PORT", "8460")),
-        nodes=given.nodes,
-        database=given.database,
-        simulators=given.simulators,
-        folder=given.folder,
-    )
 
 
 async def _run(plan: Plan) -> None:
@@ -106,15 +62,22 @@ async def _wait_for_end(parts: Parts) -> str:
     return waits[ended.pop()]
 
 
-def main() -> int:
+def main(*, nodes: int, database: str, simulators: str, folder: Path) -> int:
     """Returns the exit code; a failure is 2 and one line on stderr."""
+    if nodes < 1:
+        print("cluster: --nodes: at least 1", file=sys.stderr)
+        return 2
     try:
-        asyncio.run(_run(_read_plan()))
+        plan = Plan(
+            host=os.environ.get("PROCTOR_HOST", "127.0.0.1"),
+            port=int(os.environ.get("PROCTOR_PORT", "8460")),
+            nodes=nodes,
+            database=database,
+            simulators=simulators,
+            folder=folder,
+        )
+        asyncio.run(_run(plan))
     except (NotStarted, OSError) as problem:
-        print(f"local_cluster: {problem}", file=sys.stderr)
+        print(f"cluster: {problem}", file=sys.stderr)
         return 2
     return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
