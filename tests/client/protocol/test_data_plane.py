@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import socket
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
@@ -167,8 +168,9 @@ def test_a_closed_connection_is_opened_again() -> None:
         for _ in range(3):
             assert predict_once(plane).seq == 1
             # While the policy thinks, the end of the connection arrives.
-            assert plane.http_connection.sock is not None
-            assert wait_for_read(plane.http_connection.sock, TIMEOUT_S)
+            opened = plane.http_connection.sock
+            assert isinstance(opened, socket.socket)
+            assert wait_for_read(opened, TIMEOUT_S)
         assert server.connections == 3
 
 

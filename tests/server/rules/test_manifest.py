@@ -2,10 +2,11 @@
 
 import hashlib
 import json
-from typing import Any
+from typing import Any, cast
 
 from reference_record.formats.strict_json import canonical_json
 from reference_server.rules.manifest import (
+    Manifest,
     is_sealed,
     without_sealed_seeds,
 )
@@ -96,7 +97,7 @@ def test_a_manifest_without_sealed_splits_is_unchanged() -> None:
 
 
 def test_an_episode_knows_whether_its_seed_is_sealed() -> None:
-    found = seal(manifest(), SECRET, 1, SEED_MAX)
+    found = cast(Manifest, seal(manifest(), SECRET, 1, SEED_MAX))
     assert not Episode.of(found, 0).is_sealed
     last = Episode.of(found, 95)
     assert (last.index, last.task, last.split) == (95, "b", "test")

@@ -312,8 +312,13 @@ def test_who_sends_on_after_an_answer_reads_it_and_meets_no_reset(path: bytes) -
 
     Each looks for its answer when it has sent all. Expect one for each.
     """
-    limits = {"small_body_bytes": 1000, "bodies_bytes": 2**18, "body_bytes": 2**17}
-    limits |= {"body_grace_s": 0.2, "close_s": 0.05, "passed_over_rate_min": 2**10}
+    limits: dict[str, float] = {"small_body_bytes": 1000, "bodies_bytes": 2**18}
+    limits |= {
+        "body_bytes": 2**17,
+        "body_grace_s": 0.2,
+        "close_s": 0.05,
+        "passed_over_rate_min": 2**10,
+    }
     size, part = 2**21, b"a" * 2**16
     with contextlib.ExitStack() as stack:
         server = stack.enter_context(bounded_server(**limits))
