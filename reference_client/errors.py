@@ -36,6 +36,8 @@ from reference_client.protocol.connection_advice import (
 UNREACHABLE = "unreachable"
 BAD_ANSWER = "bad_answer"
 NOT_TRUSTED = "not_trusted"
+# What a wrong endpoint of a run may look like.
+ENDPOINT_FAULTS = (UNREACHABLE, BAD_ANSWER, NOT_TRUSTED, "not_found")
 # Two more, of workers in their own processes: the process exited, or the policy raised.
 WORKER_DIED = "worker_died"
 POLICY_FAILED = "policy_failed"
@@ -155,8 +157,7 @@ def from_failure(
     control_url: that of the server that named `url` as the endpoint of a run.
     """
     failure = _from_failure(error, url)
-    misled = failure.code in (UNREACHABLE, BAD_ANSWER, NOT_TRUSTED, "not_found")
-    if misled and control_url not in (None, url):
+    if failure.code in ENDPOINT_FAULTS and control_url not in (None, url):
         return failure.explained(
             f"{url} is the endpoint of the run, which {control_url} has named. If "
             "clients reach the server elsewhere, its operator sets --public-url."

@@ -15,7 +15,13 @@ from typing import Any
 from proctor_client import Assumptions, Benchmark, Run, Score
 
 from reference_client.api.policy import Policy
-from reference_client.errors import ProctorError, RunFailed, RunStopped, how_to_resume
+from reference_client.errors import (
+    ENDPOINT_FAULTS,
+    ProctorError,
+    RunFailed,
+    RunStopped,
+    how_to_resume,
+)
 from reference_client.evaluation.declared_policy import DeclaredPolicy
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
@@ -171,7 +177,7 @@ def run_evaluation(
     `evaluate`.
     """
     board, stop = board or StatusBoard(), threading.Event()
-    abandoned = 0
+    abandoned, runs = 0, list[Run]()
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
@@ -186,6 +192,7 @@ def run_evaluation(
                 lambda: worker_pool.prepare(plan.worker_ids),
                 worker_pool.play_dry_turn,
             )
+            runs.append(run)
             on_run(run)
             board.max_attempts = plan.max_attempts(benchmark)
             board.max_steps = benchmark["max_steps"] if benchmark else None
@@ -208,6 +215,11 @@ def run_evaluation(
             if board.clips.clipped:
                 say(f"Clipped: {board.clips.describe()}.")
             abandoned = score.counts.abandoned
+        except ProctorError as error:
+            if plan.submission is not None and error.code in ENDPOINT_FAULTS and runs:
+                board.is_withdrawn = control_client.withdraw_unplayed(runs[0].run_id)
+            raise
+        else:
             return score
         finally:
             worker_pool.close()
@@ -220,6 +232,8 @@ def _how_to_continue(run: Run, board: StatusBoard) -> str:
     waiting = [
         f"{describe_left(left, board.max_attempts)}." for left in board.left.values()
     ]
+    if board.is_withdrawn:
+        return f"No turn was played, so run {run.run_id} was withdrawn."
     return "\n".join([*waiting, f"Run {run.run_id} remains on the server; {how}."])
 
 

@@ -76,6 +76,8 @@ class StatusBoard:
         # Of an episode, where they are known.
         self.max_attempts: int | None = None
         self.max_steps: int | None = None
+        # The run that failed before its first turn is stopped, and deleted if possible.
+        self.is_withdrawn = False
 
     def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
         """A function that records what `source` waits for; None when it continues."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import uuid
 from collections.abc import Iterator, Sequence
@@ -37,6 +38,7 @@ from reference_client.spelling import did_you_mean
 
 FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
 LONG_POLL_S = 10  # below the read timeout of TIMEOUTS_S
+WITHDRAW_S = 5.0  # for a run that nothing was played of
 UNCHANGED_S = 0.2  # between polls, for servers without long polling
 
 
@@ -129,6 +131,25 @@ class ControlClient:
         self._retry_policy.call(
             lambda: self._control.delete_run(run_id, _request_timeout=TIMEOUTS_S)
         )
+
+    def withdraw_unplayed(self, run_id: str) -> bool:
+        """Stop a run that no worker has played, and delete it where the server can.
+
+        Returns whether it is gone or stopped; False where it was played, or where the
+        server does not answer soon.
+        """
+        soon = replace(self._retry_policy, total_s=WITHDRAW_S)
+        client = ControlClient(self._control, soon)
+        try:
+            progress = client.read(run_id).progress
+            if progress.episodes_pending < progress.episodes_total:
+                return False
+            client.stop(run_id, StopMode.ABORT)
+        except ProctorError:
+            return False
+        with contextlib.suppress(ProctorError):  # not every server deletes runs
+            client.delete(run_id)
+        return True
 
     def resume_if_needed(self, run_id: str) -> Run:
         """Resume the run if it is stopped or failed; waits while it is stopping.

@@ -354,6 +354,9 @@ class _EvaluationCommand:
         if self._run is not None:
             run_id, latest = self._run.run_id, self._progress_display.latest
             value["run_id"] = run_id
+            if self._board.is_withdrawn:
+                say(f"No turn was played, so run {run_id} was withdrawn.")
+                return _EvaluationEnded(code, value | {"withdrawn": True})
             if latest is not None:
                 say(f"Run {run_id}: {scored_text(latest)}")
             left = [*self._board.left.values()]

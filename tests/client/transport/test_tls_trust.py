@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-import shlex
+import re
 import ssl
 import threading
 from collections.abc import Iterator
@@ -90,25 +90,28 @@ def test_the_flag_names_certificates(
 
 
 @pytest.mark.usefixtures("policy_folder")
-def test_an_endpoint_without_tls_has_to_be_mended_before_the_run_goes_on(
+def test_an_endpoint_without_tls_leaves_no_run_behind(
     server: ReferenceServer,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """A proxy speaks TLS, the server behind it has no public URL. Expect the cause,
-    what to do, and that the command which continues comes after it."""
+    """A proxy speaks TLS, the server behind it has no public URL. Expect the cause and
+    what to do, and that the run of which no turn was played is stopped: the proxy
+    forwards no DELETE."""
     monkeypatch.setattr(Gateway, "upstream", server.url)
     with serve_tls(tmp_path, Gateway) as (url, pem):
         flags = ["--url", url, "--ca", str(pem), "--policy", "policies:Graded"]
         code = main(["run", *flags, *options("count")])
         captured = capsys.readouterr()
     assert code == 2
-    refusal, mended, command = captured.err.splitlines()[-3:]
+    refusal, withdrawn = captured.err.splitlines()[-2:]
     assert "is not HTTPS; refusing to send the token" in refusal
     assert refusal.endswith("set the server's public URL. [not_trusted]")
-    assert mended == "When that is done, to continue:"
-    assert "--run-id" in shlex.split(command)
+    (run_id,) = re.findall(r"run_\w+", withdrawn)
+    assert withdrawn == f"No turn was played, so run {run_id} was withdrawn."
+    main(["status", run_id, "--url", server.url])
+    assert "stopped" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("name", VARIABLES)
