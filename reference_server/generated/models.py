@@ -976,7 +976,10 @@ class Problem(BaseModel):
     errors: Annotated[list[ProblemItem] | MISSING, Field(max_length=1000000)] = MISSING
     requirement: Annotated[
         str | MISSING,
-        Field(description="Id of the rule that was enforced.", pattern="[A-Z]+-[0-9]+"),
+        Field(
+            description="Id of the rule that was enforced.",
+            pattern="^[A-Z]{2,6}-[0-9]{3}$",
+        ),
     ] = MISSING
     state: RunState | MISSING = MISSING
     expected_seq: Annotated[int | MISSING, Field(ge=1)] = MISSING

@@ -640,9 +640,9 @@ class Problem(Message):
     """Whether the same request can succeed later."""
     side_effects: SideEffects
     errors: Annotated[list[ProblemItem], Field(max_length=1000000)] | None = None
-    requirement: Annotated[str, Field(strict=True, pattern=r"[A-Z]+-[0-9]+")] | None = (
-        None
-    )
+    requirement: (
+        Annotated[str, Field(strict=True, pattern=r"^[A-Z]{2,6}-[0-9]{3}$")] | None
+    ) = None
     """Id of the rule that was enforced."""
     state: RunState | None = None
     expected_seq: Annotated[int, Field(strict=True, ge=1)] | None = None
