@@ -60,7 +60,8 @@ async def show_leaderboard(call: PageCall) -> str:
     if not ranking["rows"]:
         others, is_part = await _other_manifests(call)
     return render_page(
-        "leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark, ranking=ranking,
+        "board/leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark,
+        ranking=ranking,
         rows=rows, selected=selected, sorts=list(_SORTS),
         others=others, newest=ROWS_MAX if is_part else None,
         groups={kind: names for kind in _GROUPS if (names := _names(rows, kind))[1:]},

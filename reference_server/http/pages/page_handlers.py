@@ -225,7 +225,7 @@ class PageHandlers:
     def _film_of(self, run: Document, episode: Document) -> Film | None:
         """None where none can be drawn: there is no record of it, or no setting.
 
-        A record has no sealed seed, so nobody can simulate its episode.
+        A record has no sealed seed: its episode cannot be simulated.
         """
         is_sealed = "seed" not in (episode.get("result") or {})
         if self._films is None or run["state"] != "completed" or is_sealed:
