@@ -181,7 +181,7 @@ async def find_entry(
 async def level_of(
     api: ApiDocuments, score: Mapping[str, Any], entry: Mapping[str, Any] | None
 ) -> str:
-    """What is known of the score of a run, as its entry says it or would say it."""
+    """The level of the score of a run, as its entry says it or would say it."""
     if entry is not None and entry.get("level") in LEVELS:
         return str(entry["level"])
     try:

@@ -1,4 +1,4 @@
-"""What the page of an episode draws: names and units, constants, stages."""
+"""The content of the page of an episode: names, units, constants, stages."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def plots_of(data: dict[str, Any]) -> list[str]:
 
 
 def test_a_number_that_never_changes_is_listed() -> None:
-    """Of two plays shown together, only if both have the same value."""
+    """Two plays that are shown together: only if both have the same value."""
     first = plot_data(RecordedEpisode([turn(a=1, b=2, c=3), turn(a=1, b=2, c=4)]))
     second = plot_data(RecordedEpisode([turn(a=1, b=5, c=3), turn(a=1, b=5, c=3)]))
     alone = plot_data(RecordedEpisode([turn(a=1, b=2, c=3), turn(a=1, b=2, c=4)]))

@@ -175,7 +175,7 @@ def test_two_runs_are_compared(
 def addresses(
     server: ReferenceServer, runs: tuple[str, str], published: str
 ) -> list[str]:
-    """Of a page of every kind."""
+    """The addresses of a page of every kind."""
     pair = f"baseline={runs[0]}&run={runs[1]}"
     with server.client() as client:
         played, waiting = Played(client), Played(client)
