@@ -271,7 +271,7 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
     """
     run_id = str(run["run_id"])
     title = "Evaluate a policy in the same way"
-    if _has_unknown_options(run, described):
+    if has_unknown_options(run, described):
         title += (
             ". The run had options of the benchmark, which are not known here: without "
             "them, as --options, the command names another manifest"
@@ -286,7 +286,7 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
     return lines
 
 
-def _has_unknown_options(run: Document, described: Document | None) -> bool:
+def has_unknown_options(run: Document, described: Document | None) -> bool:
     if run.get("options") or run.get("select") or described is None:
         return False
     return bool(described.get("manifest_sha256") != run["manifest_sha256"])
