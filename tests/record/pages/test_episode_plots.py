@@ -46,10 +46,6 @@ QUATERNION = [("qw", ""), ("qx", ""), ("qy", ""), ("qz", "")]
             3, space(3, "N"), [(f"v[{i}]", "N") for i in range(3)], id="no-convention"
         ),
         pytest.param(
-            2, space(2, "rad", frame="joint", names=["hip", "knee"]),
-            [("hip", "rad"), ("knee", "rad")], id="names",
-        ),
-        pytest.param(
             2, space(2, "m", rotation="rot6d_columns"), [("x", "m"), ("y", "m")],
             id="a-rotation-that-does-not-fit",
         ),
