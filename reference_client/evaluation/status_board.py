@@ -73,7 +73,7 @@ class StatusBoard:
         self.clips = ClipCount()
         self.left: dict[str, LeftEpisode] = {}
         self.lost: list[LostSession] = []
-        # Of an episode, where they are known.
+        # Bounds of an episode, where they are known.
         self.max_attempts: int | None = None
         self.max_steps: int | None = None
         # The run that failed before its first turn is stopped, and deleted if possible.

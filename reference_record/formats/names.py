@@ -37,7 +37,7 @@ _FIXED_BYTES_MAX: Final = {
 
 
 def record_file_name(run_id: str) -> str:
-    """What the file of a run's record is called where nobody chose a name."""
+    """The name of the file of a run's record, where no other was chosen."""
     prefix = "" if run_id.startswith("run") else "run-"
     return f"{prefix}{run_id}.proctor"
 

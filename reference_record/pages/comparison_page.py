@@ -24,7 +24,7 @@ from reference_record.pages.run_page import (
     task_table,
 )
 
-# What several runs are called on one page, and so how many they are at most.
+# The names of several runs on one page; there are no more than these.
 LETTERS: Final = "ABCDEFGH"
 # The order of the kinds on the page: changed pairs stand first.
 KINDS: Final = {

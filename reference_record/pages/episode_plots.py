@@ -106,7 +106,7 @@ def component_labels(
 ) -> list[tuple[str, str]]:
     """Name and unit of each number of a vector, by the conventions of its space.
 
-    A unit of 1 is an empty text. `names` of the space, if it has them, come first.
+    A unit of 1 is an empty text.
     """
     space = space if space and space.get("size") == size else {}
     rotation = _ROTATIONS.get(str(space.get("rotation")), ())
@@ -118,10 +118,8 @@ def component_labels(
     else:
         units = [parts[0]] * plain + [parts[-1]] * len(rotation)
     units = ["" if unit == "1" else unit for unit in units]
-    names = space.get("names") or []
-    if len(names) != size:
-        names = [*_plain_names(name, plain, space, units), *rotation]
-    return list(zip(map(str, names), units, strict=True))
+    names = [*_plain_names(name, plain, space, units), *rotation]
+    return list(zip(names, units, strict=True))
 
 
 def _plain_names(

@@ -106,7 +106,7 @@ def summary_html(
     score: Document,
     table: run_page.TaskTable,
     *,
-    pace: run_page.Pace,
+    pace: run_page.RunPace,
     latest: Sequence[Document],
     changed: Sequence[Document],
 ) -> str:
@@ -324,7 +324,7 @@ def comparison_html(
 ) -> str:
     """numbers: schema ComparedRun; computed from the pairs where there is none."""
     return render_page(
-        "comparison",
+        "compare/comparison",
         links,
         csrf=csrf,
         baseline=baseline,
@@ -354,7 +354,9 @@ def several_html(
     """Several runs of one manifest, each with its episodes."""
     compared = compare_several(runs)
     tasks = list(dict.fromkeys(task for one in compared for task in one.tasks))
-    return render_page("several", links, csrf=csrf, compared=compared, tasks=tasks)
+    return render_page(
+        "compare/several", links, csrf=csrf, compared=compared, tasks=tasks
+    )
 
 
 def pair_html(
@@ -363,7 +365,7 @@ def pair_html(
     """Two plays of one episode; problem: why one of them cannot be shown."""
     baseline, compared = sides
     return render_page(
-        "pair",
+        "compare/pair",
         links,
         csrf=csrf,
         baseline=baseline.run,

@@ -38,7 +38,6 @@ class _Space(Struct):
     minimum: list[float] | None = None
     maximum: list[float] | None = None
     description: str = ""
-    names: list[str] | None = None
 
 
 class _Image(Struct):

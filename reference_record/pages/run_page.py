@@ -165,7 +165,7 @@ def think_seconds(episodes: Iterable[Document]) -> Quantiles | None:
 
 
 @dataclass(frozen=True, slots=True)
-class Pace:
+class RunPace:
     """The seconds left at the pace of the last results, or since when there is none.
 
     left_s: None while no pace is known, and while the run stands still. still_s: the
@@ -176,26 +176,26 @@ class Pace:
     still_s: float | None = None
 
 
-def pace_of(run: Document, episodes: Iterable[Document], now: datetime) -> Pace:
+def pace_of(run: Document, episodes: Iterable[Document], now: datetime) -> RunPace:
     """now: with a time zone, of the clock that wrote the results."""
     if run["state"] not in ("running", "stopping"):
-        return Pace()
+        return RunPace()
     ends = sorted(
         datetime.fromisoformat(episode["result"]["finished_at"])
         for episode in episodes
         if episode.get("result")
     )[-PACE_EPISODES:]
     if not ends:
-        return Pace()
+        return RunPace()
     still_s = (now - ends[-1]).total_seconds()
     if len(ends) < 2:
-        return Pace(still_s=still_s if still_s > STILL_MIN_S else None)
+        return RunPace(still_s=still_s if still_s > STILL_MIN_S else None)
     pace_s = (ends[-1] - ends[0]).total_seconds() / (len(ends) - 1)
     if still_s > max(STILL_MIN_S, STILL_FACTOR * pace_s):
-        return Pace(still_s=still_s)
+        return RunPace(still_s=still_s)
     progress = run["progress"]
     left: int = progress["episodes_total"] - progress["episodes_scored"]
-    return Pace(left_s=pace_s * left)
+    return RunPace(left_s=pace_s * left)
 
 
 def snapshot(
@@ -271,7 +271,7 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
     """
     run_id = str(run["run_id"])
     title = "Evaluate a policy in the same way"
-    if _has_unknown_options(run, described):
+    if has_unknown_options(run, described):
         title += (
             ". The run had options of the benchmark, which are not known here: without "
             "them, as --options, the command names another manifest"
@@ -286,14 +286,14 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
     return lines
 
 
-def _has_unknown_options(run: Document, described: Document | None) -> bool:
+def has_unknown_options(run: Document, described: Document | None) -> bool:
     if run.get("options") or run.get("select") or described is None:
         return False
     return bool(described.get("manifest_sha256") != run["manifest_sha256"])
 
 
 def _run_options(run: Document, described: Document | None) -> Iterator[str]:
-    """What `proctor run` is told for another run like this one."""
+    """The options of `proctor run` for another run like this one."""
     policy, select = run["policy"], run.get("select") or {}
     server = run.get("policy_server")
     yield from ("--push", server["url"]) if server else ("--policy", "POLICY")

@@ -56,7 +56,13 @@ def make_router(
         seeds = settings.opened_seeds
         films = FilmSettings(settings.benchmarks, "" if "," in seeds else seeds)
     pages = Pages(
-        operations, hosts, settings.public_url, node_id, find_entry_id, films=films
+        operations,
+        hosts,
+        settings.public_url,
+        node_id,
+        find_entry_id,
+        find_options=handlers.service.options_of_run,
+        films=films,
     )
     shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(not_found))
     if node_routes is not None:

@@ -290,6 +290,13 @@ class RunService:
         self.executor.sweep(run)
         return run
 
+    async def options_of_run(self, run_id: str) -> Mapping[str, Any] | None:
+        """The options of its benchmark, for a caller that may see the run."""
+        options: Mapping[str, Any] | None = await self.registry.reader.read_view(
+            run_id, None, lambda run, _episodes: run.submission.get("options")
+        )
+        return options
+
     async def find_run(self, account: str, run_id: str) -> RunHead:
         """As `get_run`; in a cluster that of another node as it is stored."""
         try:

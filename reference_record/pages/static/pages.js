@@ -134,7 +134,7 @@ class Plots {
       legend: {show: false},
       cursor: {show: false},
       series: [{}, ...drawn.map(({line, side}) => ({width: 1.5, stroke: colour(`--side-${side + 1}`),
-        spanGaps: true, dash: side ? [6, 3] : undefined, points: {show: line.steps.length < 40}}))],
+        spanGaps: true, dash: side ? [6, 3] : undefined, points: {show: line.steps.length < 40, size: 3, fill: colour(`--side-${side + 1}`)}}))],
       hooks: {draw: [() => this.drawMark(plot)]},
     }, uPlot.join(drawn.map(({line}) => [line.steps, line.y])), cell.ground);
     cell.mark = add(plot.over, "div");

@@ -60,7 +60,8 @@ async def show_leaderboard(call: PageCall) -> str:
     if not ranking["rows"]:
         others, is_part = await _other_manifests(call)
     return render_page(
-        "leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark, ranking=ranking,
+        "board/leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark,
+        ranking=ranking,
         rows=rows, selected=selected, sorts=list(_SORTS),
         others=others, newest=ROWS_MAX if is_part else None,
         groups={kind: names for kind in _GROUPS if (names := _names(rows, kind))[1:]},
@@ -180,7 +181,7 @@ async def find_entry(
 async def level_of(
     api: ApiDocuments, score: Mapping[str, Any], entry: Mapping[str, Any] | None
 ) -> str:
-    """What is known of the score of a run, as its entry says it or would say it."""
+    """The level of the score of a run, as its entry says it or would say it."""
     if entry is not None and entry.get("level") in LEVELS:
         return str(entry["level"])
     try:

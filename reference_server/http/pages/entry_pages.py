@@ -38,7 +38,7 @@ async def show_entry(call: PageCall) -> str:
             if searched >= LEAVES_SEARCHED_MAX:
                 break
     return render_page(
-        "entry", LINKS, csrf=call.csrf, entry=entry, leaves=leaves,
+        "board/entry", LINKS, csrf=call.csrf, entry=entry, leaves=leaves,
         is_part=searched >= LEAVES_SEARCHED_MAX,
         run_is_readable=await _is_readable(call.api, entry["run_id"]),
     )  # fmt: skip
@@ -52,7 +52,7 @@ async def show_history(call: PageCall) -> str:
     if (cursor := page["next_cursor"]) is not None:
         following = f"?{urlencode({'cursor': cursor})}"
     return render_page(
-        "history", LINKS, csrf=call.csrf, leaves=list(map(_leaf, page["leaves"])),
+        "board/history", LINKS, csrf=call.csrf, leaves=list(map(_leaf, page["leaves"])),
         checkpoint=checkpoint, following=following, is_first=not start,
     )  # fmt: skip
 
@@ -64,13 +64,17 @@ async def show_imports(call: PageCall) -> str:
     if (cursor := page["next_cursor"]) is not None:
         following = f"?{urlencode({'cursor': cursor})}"
     return render_page(
-        "imports", LINKS, csrf=call.csrf, imports=page["imports"], following=following
+        "imports/imports",
+        LINKS,
+        csrf=call.csrf,
+        imports=page["imports"],
+        following=following,
     )
 
 
 async def show_import(call: PageCall) -> str:
     shown = await call.api.get("records", call.path("import_id"))
-    return render_page("import", LINKS, csrf=call.csrf, shown=shown)
+    return render_page("imports/import", LINKS, csrf=call.csrf, shown=shown)
 
 
 async def offered_pages(api: ApiDocuments) -> dict[str, str]:

@@ -179,12 +179,12 @@ async def _export(job: Mapping[str, Any]) -> list[dict[str, Any]]:
         msgspec.json.encode(job).decode(),
         stdin=asyncio.subprocess.DEVNULL,
         stdout=asyncio.subprocess.PIPE,
-        stderr=asyncio.subprocess.DEVNULL,
+        stderr=asyncio.subprocess.PIPE,
         env=child_environment(),
         start_new_session=True,  # a terminal's Ctrl-C is the server's to handle
     )
     try:
-        output, _ = await process.communicate()
+        output, errors = await process.communicate()
     finally:
         if process.returncode is None:
             process.kill()
@@ -193,7 +193,8 @@ async def _export(job: Mapping[str, Any]) -> list[dict[str, Any]]:
         said = msgspec.json.decode(output, type=dict[str, Any])
     except msgspec.DecodeError as error:
         text = f"the process that draws it ended with {process.returncode}"
-        raise FilmFailed(text) from error
+        log.warning("%s: %s", text, errors.decode(errors="replace")[-2000:])
+        raise FilmFailed(f"{text}; the log of the server says why") from error
     if said.get("refused"):
         raise FilmFailed("the replay came to another result than the recorded episode")
     if "error" in said:

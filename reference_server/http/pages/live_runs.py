@@ -162,9 +162,9 @@ class _LiveRun:
     def _add_result(self, result: dict[str, Any]) -> None:
         episode = self._episodes.get(result["index"])
         if episode is not None:
-            told = {name: result[name] for name in ("attempt", "faults")}
+            counted = {name: result[name] for name in ("attempt", "faults")}
             self._episodes[result["index"]] = {
-                **episode, **told, "status": "scored", "result": result,
+                **episode, **counted, "status": "scored", "result": result,
             }  # fmt: skip
 
     async def _render(self, api: ApiDocuments, run: dict[str, Any]) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import io
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from contextlib import aclosing
 from functools import cached_property
 from http import HTTPStatus
@@ -25,7 +25,7 @@ from starlette.responses import (
 
 from reference_record.broken import BrokenRecord
 from reference_record.formats.names import record_file_name
-from reference_record.pages import page_contents
+from reference_record.pages import page_contents, run_page
 from reference_record.pages.comparison_page import KINDS, LETTERS, pair_episodes
 from reference_record.pages.page_contents import ShownVideo, Side, Window, played_view
 from reference_record.pages.page_templates import render_page
@@ -45,6 +45,8 @@ from reference_server.http.pages.entry_pages import offered_pages
 from reference_server.http.pages.films import Film, Films, FilmSettings
 from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import LINKS, PageCall
+from reference_server.rules.refusal import Refused
+from reference_server.storage.store import StoreFailed
 
 ROWS = 100
 EPISODES_PER_CALL = 1000  # the most that the API gives at once
@@ -52,6 +54,10 @@ RUNS_SEARCHED_MAX = 1000
 LATEST_RUNS = 20
 LISTS_KEPT = 4
 RECORDINGS_KEPT = 4
+
+
+# The options of a run, by its id.
+FindOptions = Callable[[str], Awaitable[Mapping[str, Any] | None]]
 
 
 class _EpisodeList:
@@ -76,7 +82,9 @@ class PageHandlers:
         self,
         find_entry_id: FindEntryId | None = None,
         films: FilmSettings | None = None,
+        find_options: FindOptions | None = None,
     ) -> None:
+        self._find_options = find_options
         self._find_entry_id = find_entry_id
         self._films = None if films is None else Films(films)
         self._live = LiveRuns(LINKS)
@@ -140,6 +148,9 @@ class PageHandlers:
             and selected["split"] in ("", episode["split"])
         ]
         window = _window(call, fitting, selected, "#episodes")
+        described = await _benchmark_of(call, run)
+        if run_page.has_unknown_options(run, described):
+            run = {**run, "options": await self._options_of(run_id)}
         runs = await call.api.get("runs", limit=ROWS)
         others = [
             candidate
@@ -153,9 +164,18 @@ class PageHandlers:
             LINKS, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=LINKS.live(run_id) if can_change else "",
-            described=await _benchmark_of(call, run),
+            described=described,
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
+
+    async def _options_of(self, run_id: str) -> Mapping[str, Any] | None:
+        """The options of a run that was just read for the same reader."""
+        if self._find_options is None:
+            return None
+        try:
+            return await self._find_options(run_id)
+        except (Refused, StoreFailed):  # the page is shown without them
+            return None
 
     async def stream_run(self, call: PageCall, is_allowed: Any) -> Response:
         """Changes of a run, for the page of it that is open."""
@@ -225,7 +245,7 @@ class PageHandlers:
     def _film_of(self, run: Document, episode: Document) -> Film | None:
         """None where none can be drawn: there is no record of it, or no setting.
 
-        A record has no sealed seed, so nobody can simulate its episode.
+        A record has no sealed seed: its episode cannot be simulated.
         """
         is_sealed = "seed" not in (episode.get("result") or {})
         if self._films is None or run["state"] != "completed" or is_sealed:

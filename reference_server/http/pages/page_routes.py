@@ -33,7 +33,7 @@ from reference_server.http.pages import board_pages, entry_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_calls import LINKS, PageCall
-from reference_server.http.pages.page_handlers import PageHandlers
+from reference_server.http.pages.page_handlers import FindOptions, PageHandlers
 from reference_server.http.pages.page_links import safe_next
 from reference_server.http.pages.page_sessions import (
     LIFE_S,
@@ -83,7 +83,8 @@ class Pages:
     api: the application with the operations.
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
     node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
-    films: None if none are drawn.
+    find_options: gives those of a run; None: they are not known. films: None if none
+    are drawn.
     """
 
     def __init__(
@@ -94,12 +95,13 @@ class Pages:
         node_id: Callable[[], str] = str,
         find_entry_id: board_pages.FindEntryId | None = None,
         *,
+        find_options: FindOptions | None = None,
         films: FilmSettings | None = None,
     ) -> None:
         self._hosts = hosts
         self._is_https = public_url.startswith("https:")
         self._sessions = PageSessions(node_id=node_id)
-        self._handlers = PageHandlers(find_entry_id, films)
+        self._handlers = PageHandlers(find_entry_id, films, find_options)
         self._api = api
 
     def routes(self) -> list[BaseRoute]:

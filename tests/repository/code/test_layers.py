@@ -63,8 +63,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "rules": {"generated"},
     "settings": {"profiles", "reference_sim", "rules"},
     "storage": {"files", "rules", "telemetry"},
-    "records": {"files", "generated", "reference_record", "reference_sim", "rules"}
-    | {"storage", "telemetry"},
+    "records": {"files", "generated", "process", "reference_record", "reference_sim"}
+    | {"rules", "storage", "telemetry"},
     "files": set(),
     "process": set(),
     "telemetry": set(),

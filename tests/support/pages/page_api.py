@@ -182,7 +182,7 @@ async def signed_in() -> AsyncIterator[tuple[PageApi, httpx.AsyncClient]]:
 
 
 async def text_of(client: httpx.AsyncClient, path: str) -> str:
-    """Of a page that is there."""
+    """The HTML of a page that is there."""
     answer = await client.get(path)
     assert answer.status_code == 200, answer.text
     return answer.text

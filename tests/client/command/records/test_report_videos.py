@@ -116,6 +116,24 @@ def test_the_videos_of_one_run_are_not_shown_beside_another(folder: Path) -> Non
     assert shown(folder, "comparisons/1-2/00000.html") == [first]
 
 
+@pytest.mark.parametrize(
+    ("runs", "has_page"),
+    [(["run_a", "run_b"], False), (["run_a", "run_b", "run_similar"], True)],
+)
+def test_more_than_two_runs_are_compared_on_one_page(
+    folder: Path, runs: list[str], has_page: bool
+) -> None:
+    assert report(*(f"{run}.proctor" for run in runs)) == 0
+    page = folder / "out" / "comparisons" / "several-1.html"
+    assert page.is_file() is has_page
+    about = (folder / "out" / "runs" / "1" / "index.html").read_text("utf-8")
+    assert ("../../comparisons/several-1.html" in about) is has_page
+    if has_page:
+        shown_runs = page.read_text("utf-8")
+        assert all(f"<small>{run}</small>" in shown_runs for run in runs)
+        assert "1-2/index.html" in shown_runs, "each beside the first"
+
+
 def test_two_runs_have_the_videos_of_each(folder: Path) -> None:
     runs = ["run_a", "run_b"]
     assert report(*(f"{run}.proctor" for run in runs), videos=runs) == 0

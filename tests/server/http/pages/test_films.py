@@ -32,7 +32,7 @@ OWN = FilmSettings("own.toml")
 
 
 class Drawing:
-    """What the export of a job does: it waits until it may go on."""
+    """Replaces the export of a job: it waits until it may go on."""
 
     def __init__(self, folder: Path) -> None:
         self.jobs: list[Any] = []

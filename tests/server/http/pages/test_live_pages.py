@@ -159,7 +159,7 @@ async def test_each_part_is_of_one_moment(monkeypatch: pytest.MonkeyPatch) -> No
 async def test_a_run_that_stands_still_says_since_when(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Nothing but comments come. Expect pages to be told all the same."""
+    """Nothing but comments come. Expect a new part for the pages all the same."""
     monkeypatch.setattr(live_runs, "PAUSE_S", 0.0)
     api, live = StreamingApi(), LiveRuns(ServerLinks())
     finished = datetime.fromtimestamp(RESULT.finished_at_wall, UTC)

@@ -25,13 +25,13 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer
 
 @pytest.fixture(scope="module")
 def run_id(server: ReferenceServer) -> str:
-    """Of alice."""
+    """A run of alice."""
     return submit_and_play(server, successes={1})
 
 
 @pytest.fixture(scope="module")
 def own_id(server: ReferenceServer) -> str:
-    """Of bob, who attacks; with the same episodes."""
+    """A run of bob, who attacks; with the same episodes."""
     return submit_and_play(server, successes={0}, account="bob")
 
 

@@ -85,6 +85,22 @@ def test_pages_say_what_the_api_says(server: ReferenceServer, run_id: str) -> No
     assert outcomes == ["failure", "failure", "success"], "failures stand first"
 
 
+def test_an_episode_says_what_was_asked_and_how_it_is_drawn(
+    server: ReferenceServer, run_id: str
+) -> None:
+    page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}/episodes/e0000")
+    assert '<p class="instruction">Calibration task score.</p>' in page
+    assert f"proctor video {run_id} --episode 0" in page
+
+
+def test_a_run_is_repeated_with_its_options(
+    server: ReferenceServer, run_id: str
+) -> None:
+    page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}")
+    assert "--options &#39;{&#34;tasks&#34;: [&#34;score&#34;" in page
+    assert "not known here" not in page
+
+
 def test_filters_select_and_pages_end(server: ReferenceServer, run_id: str) -> None:
     reader = PageReader(server.url, "alice")
     page = reader.text(f"/pages/runs/{run_id}?outcome=success")

@@ -167,7 +167,12 @@ def test_two_runs_are_compared(
     assert browser.evaluate(kinds) == ["lost", "won", "neither"]
     browser.follow("document.querySelector('.pairs tbody a').click()")
     assert "Step 2" in browser.text
-    browser.wait_for("document.querySelectorAll('.plots .uplot').length > 3")
+    browser.wait_for("document.querySelectorAll('.plots .uplot').length > 1")
+    browser.press("End")
+    values = "[...cell.querySelectorAll('output')].map(value => value.innerText)"
+    both = f"[...document.querySelectorAll('.plots > div')].map(cell => {values})"
+    assert browser.evaluate("document.querySelectorAll('.sides .uplot').length") == 0
+    assert ["1", "0"] in browser.evaluate(both), "the last score of each"
     assert browser.errors == []
 
 
@@ -175,7 +180,7 @@ def test_two_runs_are_compared(
 def addresses(
     server: ReferenceServer, runs: tuple[str, str], published: str
 ) -> list[str]:
-    """Of a page of every kind."""
+    """The addresses of a page of every kind."""
     pair = f"baseline={runs[0]}&run={runs[1]}"
     with server.client() as client:
         played, waiting = Played(client), Played(client)

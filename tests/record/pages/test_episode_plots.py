@@ -1,4 +1,4 @@
-"""What the page of an episode draws: names and units, constants, stages."""
+"""The content of the page of an episode: names, units, constants, stages."""
 
 from __future__ import annotations
 
@@ -46,10 +46,6 @@ QUATERNION = [("qw", ""), ("qx", ""), ("qy", ""), ("qz", "")]
             3, space(3, "N"), [(f"v[{i}]", "N") for i in range(3)], id="no-convention"
         ),
         pytest.param(
-            2, space(2, "rad", frame="joint", names=["hip", "knee"]),
-            [("hip", "rad"), ("knee", "rad")], id="names",
-        ),
-        pytest.param(
             2, space(2, "m", rotation="rot6d_columns"), [("x", "m"), ("y", "m")],
             id="a-rotation-that-does-not-fit",
         ),
@@ -73,7 +69,7 @@ def plots_of(data: dict[str, Any]) -> list[str]:
 
 
 def test_a_number_that_never_changes_is_listed() -> None:
-    """Of two plays shown together, only if both have the same value."""
+    """Two plays that are shown together: only if both have the same value."""
     first = plot_data(RecordedEpisode([turn(a=1, b=2, c=3), turn(a=1, b=2, c=4)]))
     second = plot_data(RecordedEpisode([turn(a=1, b=5, c=3), turn(a=1, b=5, c=3)]))
     alone = plot_data(RecordedEpisode([turn(a=1, b=2, c=3), turn(a=1, b=2, c=4)]))

@@ -9,7 +9,8 @@ from typing import Any
 import pytest
 
 from reference_record.pages.page_templates import duration
-from reference_record.pages.run_page import Pace, commands, pace_of
+from reference_record.pages.run_page import RunPace as Pace
+from reference_record.pages.run_page import commands, pace_of
 
 
 @pytest.mark.parametrize(
