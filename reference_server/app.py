@@ -66,7 +66,7 @@ def build(
     if node is not None:
         queue = SharedQueue(node.nodes, node.connections, runs.registry.admission)
         node_routes = NodeRoutes(node, queue, runs.service)
-    imports = make_imports(settings, stored, pools.replays)
+    imports = make_imports(settings, stored, pools.replays, runs.disk_bound)
     streams = SharedStreams(settings.max_event_streams)
     board = make_board(stored, runs.service)
     handlers = Handlers(settings, runs.service, streams, board, imports)
@@ -125,6 +125,8 @@ class _StateReader:
             simulators={"lent": pool.busy, "idle": pool.idle},
             simulators_max=pool.size_max,
             simulator_starts=pool.starts,
+            kept_bytes=self.runs.disk_bound.used_bytes,
+            kept_bytes_max=self.runs.disk_bound.max_bytes,
         )
 
 
@@ -152,7 +154,7 @@ class _Server:
             await stored.store.open()
             secrets.policy_keys.open()
             secrets.seeds.open()
-            await _open_all(self.traces, stored.records, runs.registry)
+            await _open_all(self.traces, stored.records, runs.disk_bound, runs.registry)
             await self.pools.sessions.start()
             runs.driver.open()
             await _open_all(self.imports, self.node, self.queue, self.token_file)
@@ -165,6 +167,7 @@ class _Server:
                 await _close_all(runs.driver, self.imports, runs.executor)
                 # Recordings are written before other nodes may claim their runs.
                 await _close_all(runs.registry, stored.records, self.queue, self.node)
+                await _close_all(runs.disk_bound)
                 await _close_all(self.pools.replays, self.pools.sessions)
                 await _close_all(stored.store, self.traces)
 

@@ -19,6 +19,7 @@ from reference_server.records.record_imports import ImportSettings, RecordImport
 from reference_server.rules.capacity import Quota
 from reference_server.rules.imported_record import ImportUsage
 from reference_server.rules.submission import SubmissionLimits
+from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.board_service import BoardService
 from reference_server.runs.registry import RunRegistry
@@ -83,6 +84,7 @@ class RunParts:
     service: RunService
     driver: Driver
     retention: HourlyWork
+    disk_bound: DiskBound
 
     @classmethod
     def of(
@@ -94,12 +96,14 @@ class RunParts:
         node: ServerNode | None,
     ) -> RunParts:
         """node: this server as one of several; None for one that is alone."""
+        disk_bound = DiskBound(settings.max_disk_bytes, settings.kept_paths)
         registry = RunRegistry(
             stored.store,
             settings.max_active_runs,
             unused_s=settings.unused_s_max,
             quota=_quota_of(settings),
             ownership=None if node is None else node.membership,
+            disk_bound=disk_bound,
         )
         executor = SessionExecutor(
             registry,
@@ -108,6 +112,7 @@ class RunParts:
             unused_s=settings.unused_s_max,
             heartbeat_s_max=settings.heartbeat_s_max,
             recordings=stored.recordings,
+            disk_bound=disk_bound,
         )
         egress = EgressPolicy(settings.allow_private_policies)
         validator = PolicyServerValidator(egress, secrets.policy_keys, tuple(PROTOCOLS))
@@ -129,7 +134,7 @@ class RunParts:
         keys, max_bytes = secrets.policy_keys, settings.max_body_bytes
         driver = Driver(service, egress, keys, max_bytes)
         retention = _retention_of(settings, service)
-        return cls(registry, executor, service, driver, retention)
+        return cls(registry, executor, service, driver, retention, disk_bound)
 
 
 def _quota_of(settings: RunSettings) -> Quota:
@@ -154,7 +159,10 @@ def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
 
 
 def make_imports(
-    settings: ImportedRecordSettings, stored: StoredParts, pool: SimulatorPool
+    settings: ImportedRecordSettings,
+    stored: StoredParts,
+    pool: SimulatorPool,
+    disk_bound: DiskBound,
 ) -> RecordImports | None:
     """The imports of records; None where none are taken in. pool: for their replays."""
     if stored.records is None or not settings.takes_records:
@@ -167,4 +175,5 @@ def make_imports(
         settings.import_replay_s_max,
         [load_opened_seeds(path) for path in settings.opened_seeds_paths],
     )
-    return RecordImports(ImportStore(stored.store), pool, stored.records, imports)
+    store = ImportStore(stored.store)
+    return RecordImports(store, pool, stored.records, imports, disk_bound.check)

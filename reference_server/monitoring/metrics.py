@@ -34,7 +34,7 @@ class ServerState:
 
     runs: numbers of those that have not ended, by state. oldest_queued_s: how long the
     first of the queue has waited; 0 without one. simulators: processes, by `lent` and
-    `idle`.
+    `idle`. kept_bytes: on the disk, measured only if there is a bound.
     """
 
     version: str
@@ -48,6 +48,8 @@ class ServerState:
     simulators: Mapping[str, int]
     simulators_max: int
     simulator_starts: int
+    kept_bytes: int = 0
+    kept_bytes_max: int = 0
 
 
 ReadState = Callable[[], ServerState]
@@ -104,6 +106,12 @@ def _of_state(now: ServerState) -> Iterator[Metric]:
         ("proctor_simulators_max", "Limit of lent simulators.", now.simulators_max),
     ):
         yield GaugeMetricFamily(name, text, value=value)
+    if now.kept_bytes_max:
+        text = "Bytes that the server keeps on its disk."
+        yield GaugeMetricFamily("proctor_kept_bytes", text, value=now.kept_bytes)
+        text = "Bytes that it may keep; then nothing new begins."
+        most = now.kept_bytes_max
+        yield GaugeMetricFamily("proctor_kept_bytes_max", text, value=most)
     runs = "Runs that have not ended, by state."
     yield _gauges("proctor_runs", runs, "state", now.runs)
     processes = "Simulator processes, by use."

@@ -10,7 +10,7 @@ import asyncio
 import secrets
 import time
 from collections import Counter
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -71,7 +71,10 @@ class ImportSettings:
 
 
 class RecordImports:
-    """The records that accounts of this server have handed in."""
+    """The records that accounts of this server have handed in.
+
+    check_room: refuses a new one where the disk has no room for it.
+    """
 
     def __init__(
         self,
@@ -79,7 +82,9 @@ class RecordImports:
         pool: SimulatorPool,
         keys: HostKeys,
         settings: ImportSettings,
+        check_room: Callable[[], None] = lambda: None,
     ) -> None:
+        self._check_room = check_room
         self._store, self._keys, self._settings = store, keys, settings
         self._files = ImportFiles(settings.folder)
         self._verifier = RecordVerifier()
@@ -128,6 +133,7 @@ class RecordImports:
             same = await self._store.find_archive(account, draft.sha256)
             if same is not None:  # REC-119
                 return same
+            self._check_room()
             await self._check_quota(account, draft.size_bytes)
             record_import = await self._examine(account, import_id, draft)
             stored = await self._add(record_import, draft)

@@ -32,6 +32,7 @@ from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.rules.submission import KeyUse, key_conflict
 from reference_server.runs import steady_clock
 from reference_server.runs.admission.account_usage import AccountUsage
+from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.admission.places import Places
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.runs.memory.ended_sessions import EndedSessions
@@ -53,7 +54,8 @@ class RunRegistry:
 
     active_max: places of runs that are played or about to be. unused_s: when others
     wait, how long a run without a worker keeps its place. quota: of each account.
-    ownership: None for a server that has the database for itself.
+    ownership: None for a server that has the database for itself. disk_bound: of all
+    accounts together; None for no bound.
     """
 
     def __init__(
@@ -64,9 +66,10 @@ class RunRegistry:
         unused_s: float = 120.0,
         quota: Quota | None = None,
         ownership: Ownership | None = None,
+        disk_bound: DiskBound | None = None,
     ) -> None:
         self._store, self._ownership = store, ownership
-        self.usage = AccountUsage(quota or Quota())
+        self.usage = AccountUsage(quota or Quota(), disk_bound)
         self.ended_sessions, self.work = EndedSessions(), BackgroundWork()
         self._log, self._changes = RunLog(), RunChanges()
         self._events = RunEvents(

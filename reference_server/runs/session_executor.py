@@ -35,6 +35,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
+from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.run_log import log_attached
@@ -70,7 +71,7 @@ class SessionExecutor(RunFollower):
 
     unused_s: how long a session keeps its simulator without a turn, when it has to be
     shared. heartbeat_s_max: how long heartbeats alone extend a lease. recordings: where
-    episodes are recorded; None records nothing.
+    episodes are recorded; None records nothing. disk_bound: at it no episode begins.
     """
 
     def __init__(
@@ -82,8 +83,9 @@ class SessionExecutor(RunFollower):
         unused_s: float = 120.0,
         heartbeat_s_max: float = 3600.0,
         recordings: Recordings | None = None,
+        disk_bound: DiskBound | None = None,
     ) -> None:
-        self._recordings = recordings
+        self._recordings, self._disk_bound = recordings, disk_bound or DiskBound()
         self._registry, self._writer = registry, registry.writer
         self._admission = registry.admission
         self._heartbeat_s_max = heartbeat_s_max
@@ -335,6 +337,7 @@ class SessionExecutor(RunFollower):
                 queue_s += await self._pause(resources, failed)
             episode = resources.session.episode
             assert episode is not None
+            self._disk_bound.check()
             try:
                 queue_s += await self._resources.acquire_simulator(resources)
                 self._ensure_live(resources)

@@ -49,6 +49,14 @@ class ImportedRecordSettings(RecordSettings):
         allow_inf_nan=False,
         description="Maximum time for the replay of one record that was handed in.",
     )
+    max_disk_bytes: int = Field(
+        0,
+        ge=0,
+        description="Maximum bytes of all that this server keeps on its disk: an "
+        "SQLite database, recordings, records that were handed in. At it no run is "
+        "taken in, no episode begins and no record is handed in; nothing is deleted. "
+        "0 for no bound.",
+    )
     opened_seeds: str = Field(
         "",
         description="Files with the seeds of sealed splits that hosts have opened, "
@@ -60,6 +68,14 @@ class ImportedRecordSettings(RecordSettings):
     def takes_records(self) -> bool:
         """Whether records may be handed in: the key that signs is there, too."""
         return self.record_imports == "on" and self.recordings != "off"
+
+    @property
+    def kept_paths(self) -> list[Path]:
+        """The files and folders of which max_disk_bytes is the bound."""
+        paths = [self.records_path, self.imports_path]
+        if "://" not in self.database and ":memory:" not in self.database:
+            paths += [Path(f"{self.database}{end}") for end in ("", "-wal", "-shm")]
+        return [path for path in paths if path is not None]
 
     @property
     def imports_path(self) -> Path | None:

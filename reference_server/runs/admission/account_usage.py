@@ -16,15 +16,19 @@ from reference_server.rules.capacity import (
 from reference_server.rules.lifecycle import OPEN_STATES, Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
+from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
 
 
 class AccountUsage(RunFollower):
-    """Open runs, Idempotency-Keys and stored bytes of each account."""
+    """Open runs, Idempotency-Keys and stored bytes of each account.
 
-    def __init__(self, quota: Quota) -> None:
-        self.quota = quota
+    disk_bound: of all accounts together.
+    """
+
+    def __init__(self, quota: Quota, disk_bound: DiskBound | None = None) -> None:
+        self.quota, self._disk_bound = quota, disk_bound or DiskBound()
         self._open: dict[str, set[str]] = {}  # ids of open runs
         self._keys: dict[str, int] = {}
         self._bytes: dict[str, int] = {}
@@ -104,11 +108,13 @@ class AccountUsage(RunFollower):
 
     def check_stored(self, has_key: bool, has: Quota) -> None:
         """Refuse if an account that has so much may not have another run."""
+        self._disk_bound.check()
         self.check_open_runs(has.open_runs)
         _raise_if(below_storage_quota(has, self.quota, has_key=has_key))
 
     def check_new(self, account: str, *, has_key: bool) -> None:
         """Refuse if the account may not have another run."""
+        self._disk_bound.check()
         self.check_open(account)
         has = Quota(
             keys=self._keys.get(account, 0), stored_bytes=self._bytes.get(account, 0)

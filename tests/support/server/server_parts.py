@@ -20,6 +20,7 @@ from reference_server.rules.lifecycle import Predict
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Result, Run
 from reference_server.rules.submission import SubmissionLimits
+from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.benchmarks import Benchmarks, digest
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
@@ -113,6 +114,7 @@ async def open_server_parts(
     active_max: int = 10,
     recordings: Recordings | None = None,
     pool: SimulatorPool | None = None,
+    disk_bound: DiskBound | None = None,
 ) -> AsyncIterator[ServerParts]:
     """pool: started; it is closed with the rest. A local one without it."""
     database = where if isinstance(where, UsedDatabase) else UsedDatabase.of_file(where)
@@ -122,10 +124,12 @@ async def open_server_parts(
     else:
         store = Store(url, recordings.finish_unplayed, recordings.remove_parts)
 
-    registry = RunRegistry(store, active_max)
+    registry = RunRegistry(store, active_max, disk_bound=disk_bound)
     pool = pool or shared_pool(4, 0, TIMEOUT_S)
     seed_secret = SeedSecret()
-    executor = SessionExecutor(registry, pool, seed_secret, recordings=recordings)
+    executor = SessionExecutor(
+        registry, pool, seed_secret, recordings=recordings, disk_bound=disk_bound
+    )
     service = make_service(registry, executor, seed_secret)
     parts = ServerParts(database, store, registry, pool, executor, service)
     await store.open()
