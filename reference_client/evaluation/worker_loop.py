@@ -51,8 +51,7 @@ class WorkerLoop:
         self._slot = slot
         self._policy = policy
         self._retry_policy = replace(
-            retry_policy,
-            url=slot.data.endpoint,
+            retry_policy.at_endpoint(slot.data.endpoint),
             report_waiting=board.waiting_reporter(slot.worker_id),
         )
         self._board = board

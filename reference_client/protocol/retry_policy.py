@@ -58,7 +58,8 @@ class RetryPolicy:
 
     def at_endpoint(self, endpoint: str) -> RetryPolicy:
         """The same for requests to the data plane of a run."""
-        return replace(self, url=endpoint.rstrip("/"), control_url=self.url)
+        control_url = self.control_url or self.url
+        return replace(self, url=endpoint.rstrip("/"), control_url=control_url)
 
     def call(
         self, send: Callable[[], Answer], *, limits_s: Mapping[str, float] = _NO_LIMITS
