@@ -54,7 +54,11 @@ def make_router(
     films = None
     if settings.films == "on" and settings.recordings != "off":
         seeds = settings.opened_seeds
-        films = FilmSettings(settings.benchmarks, "" if "," in seeds else seeds)
+        films = FilmSettings(
+            settings.benchmarks,
+            "" if "," in seeds else seeds,
+            lambda: str(settings.seed_secret_path or "") * settings.is_for_one_person,
+        )
     pages = Pages(
         operations,
         hosts,

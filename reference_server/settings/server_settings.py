@@ -48,6 +48,16 @@ class Settings(
         extra="ignore",
     )
 
+    @property
+    def is_for_one_person(self) -> bool:
+        """Whether the token that it has made, for this machine, is the only one."""
+        others = self.tokens_file_path
+        return (
+            is_loopback(self.host)
+            and not (self.tokens or self.public_url or self.cluster == "on")
+            and not (others and others.exists() and others.stat().st_size)
+        )
+
     @model_validator(mode="after")
     def _check_account(self) -> Self:
         """FLE-024: no other machine uses the account without a token."""

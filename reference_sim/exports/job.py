@@ -18,7 +18,8 @@ class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     failures: those alone that failed. cameras: names; None for all. size: width and
     height in pixels; None: as the policy saw it. anyway: keep what left the record.
     force: replace files. benchmarks: the user's own, as for the server. seeds: the file
-    of those that the host has opened; empty: none.
+    of those that the host has opened; empty: none. secret: the file with which the host
+    itself draws them; empty: those that this user's servers keep here are tried.
     """
 
     kind: Kind
@@ -32,6 +33,7 @@ class Job(msgspec.Struct, kw_only=True, forbid_unknown_fields=True):
     force: bool = False
     benchmarks: str = ""
     seeds: str = ""
+    secret: str = ""
     json: bool = False
 
     @property

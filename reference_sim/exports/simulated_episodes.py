@@ -63,7 +63,10 @@ class Simulation:
         except BadBenchmark as error:
             raise UnusableRecord(str(error)) from error
         opened = load_opened_seeds(Path(job.seeds)) if job.seeds else None
-        benchmark = resolve(source.evaluation, source.bundle.read(MANIFEST), opened)
+        secret = Path(job.secret) if job.secret else None
+        benchmark = resolve(
+            source.evaluation, source.bundle.read(MANIFEST), opened, secret
+        )
         self.manifest: Mapping[str, Any] = benchmark.manifest
         self._images: Mapping[str, Any] = benchmark.manifest["observation_space"][
             "images"

@@ -18,9 +18,12 @@ from reference_sim.sealed_seeds import parse_secret
 _BYTES_MAX = 4096
 
 
-def local_secrets() -> Iterator[tuple[Path, bytes]]:
-    """Each file with its secret; files of other users or kinds are left out."""
-    for path in dict.fromkeys(_candidates()):
+def local_secrets(named: Path | None = None) -> Iterator[tuple[Path, bytes]]:
+    """Each file with its secret; files of other users or kinds are left out.
+
+    named: the only one that is wanted; None looks where servers keep them.
+    """
+    for path in [named] if named else dict.fromkeys(_candidates()):
         with suppress(OSError, ValueError):
             yield path, parse_secret(_read_private(path))
 

@@ -92,9 +92,14 @@ class ReplayedBenchmark:
 
 
 def resolve(
-    evaluation: Evaluation, manifest: bytes, opened: OpenedBenchmark | None = None
+    evaluation: Evaluation,
+    manifest: bytes,
+    opened: OpenedBenchmark | None = None,
+    secret_file: Path | None = None,
 ) -> ReplayedBenchmark:
     """opened: seeds of sealed splits that the host of the record has opened.
+
+    secret_file: the host's own; None tries those of this user's servers.
 
     Raises UnusableRecord where this machine has another benchmark, or none, and where
     these are not the seeds to which the record commits its host.
@@ -103,17 +108,17 @@ def resolve(
     benchmark = resolve_choice(choice)
     if opened is not None:
         return benchmark.with_seeds(seeds_for(opened, msgspec.json.decode(manifest)))
-    return _add_seeds_of_this_machine(benchmark, choice)
+    return _add_seeds_of_this_machine(benchmark, choice, secret_file)
 
 
 def _add_seeds_of_this_machine(
-    benchmark: ReplayedBenchmark, choice: BenchmarkChoice
+    benchmark: ReplayedBenchmark, choice: BenchmarkChoice, secret_file: Path | None
 ) -> ReplayedBenchmark:
     """Add sealed seeds where a server of this user is the host of the record."""
     if not benchmark.secret or choice.seeds_sha256 is None:
         return benchmark
     resolved = _resolved(choice)
-    for path, secret in local_secrets():
+    for path, secret in local_secrets(secret_file):
         drawn = seal(resolved.manifest, secret, resolved.seed_block, resolved.seed_max)
         if drawn["seeds_sha256"] == choice.seeds_sha256:
             episodes = selected(dict(drawn), choice.select)["episodes"]

@@ -108,6 +108,30 @@ def settings(*flags: str) -> Settings:
     return Settings(_cli_settings_source=source)
 
 
+@pytest.mark.parametrize(
+    ("others", "is_one"),
+    [
+        ({}, True),
+        ({"host": "::1"}, True),
+        ({"host": "0.0.0.0"}, False),  # noqa: S104
+        ({"public_url": "https://eval.example.org"}, False),
+        ({"tokens": "a:read:secret-of-alice"}, False),
+        ({"tokens_file": "empty"}, True),
+        ({"tokens_file": "tokens"}, False),
+    ],
+)
+def test_a_server_for_one_person_has_made_the_only_token(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    others: dict[str, str],
+    is_one: bool,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("empty").touch()
+    Path("tokens").write_text("a:read:sha256=00\n")
+    assert Settings.model_validate(others).is_for_one_person is is_one
+
+
 @pytest.mark.parametrize("name", Settings.model_fields)
 def test_each_is_a_flag_and_a_variable_as_the_page_says(
     name: str, monkeypatch: pytest.MonkeyPatch

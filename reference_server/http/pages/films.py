@@ -14,7 +14,7 @@ import shutil
 import sys
 import tempfile
 from collections import OrderedDict
-from collections.abc import AsyncGenerator, Mapping, Sequence
+from collections.abc import AsyncGenerator, Callable, Mapping, Sequence
 from contextlib import aclosing
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -53,10 +53,15 @@ class Film:
 
 @dataclass(frozen=True, slots=True)
 class FilmSettings:
-    """benchmarks, opened_seeds: as the server has them, for its own simulator."""
+    """benchmarks, opened_seeds: as the server has them, for its own simulator.
+
+    seed_secret: path of the secret with which episodes of sealed splits are drawn;
+    empty as long as their films are not for who reads the pages.
+    """
 
     benchmarks: str = ""
     opened_seeds: str = ""
+    seed_secret: Callable[[], str] = str
 
 
 @dataclass(slots=True)
@@ -135,6 +140,7 @@ class Films:
             "size": _size(benchmark),
             "benchmarks": self.settings.benchmarks,
             "seeds": self.settings.opened_seeds,
+            "secret": self.settings.seed_secret(),
             "json": True,
         }
 

@@ -245,10 +245,12 @@ class PageHandlers:
     def _film_of(self, run: Document, episode: Document) -> Film | None:
         """None where none can be drawn: there is no record of it, or no setting.
 
-        A record has no sealed seed: its episode cannot be simulated.
+        A record has no sealed seed: its episode is drawn where the host is its reader.
         """
+        if self._films is None or run["state"] != "completed":
+            return None
         is_sealed = "seed" not in (episode.get("result") or {})
-        if self._films is None or run["state"] != "completed" or is_sealed:
+        if is_sealed and not self._films.settings.seed_secret():
             return None
         key = run["run_id"], episode["episode_id"]
         return self._films.find(key) or Film("none")

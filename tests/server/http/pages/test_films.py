@@ -36,12 +36,13 @@ class Drawing:
 
     def __init__(self, folder: Path) -> None:
         self.jobs: list[Any] = []
-        self.may_go_on = asyncio.Event()
+        self.began, self.may_go_on = asyncio.Event(), asyncio.Event()
         self.reason = ""
         self._path = folder / "0.mp4"
 
     async def __call__(self, job: Any) -> list[dict[str, Any]]:
         self.jobs.append(job)
+        self.began.set()
         await self.may_go_on.wait()
         if self.reason:
             raise FilmFailed(self.reason)
@@ -141,6 +142,20 @@ async def test_what_cannot_be_drawn_has_no_button(case: str) -> None:
         run.episodes[0].is_sealed = case == "sealed"
         assert BUTTON not in await text_of(client, EPISODE)
         assert (await ask(client)).status_code == 404
+
+
+async def test_a_host_draws_what_it_has_sealed(drawing: Drawing) -> None:
+    """With the secret of its server, as long as nobody else has a token there."""
+    secrets = ["db.seeds"]
+    async with reader(FilmSettings(seed_secret=lambda: secrets[0])) as (api, client):
+        api.add("done", FAILURE, FAILURE).episodes[0].is_sealed = True
+        assert BUTTON in await text_of(client, EPISODE)
+        assert (await ask(client)).status_code == 303
+        await drawing.began.wait()
+        assert drawing.jobs[0]["secret"] == "db.seeds"
+        secrets[0] = ""
+        assert (await ask(client)).status_code == 404
+        drawing.may_go_on.set()
 
 
 @pytest.mark.slow("a server is started, and a film is drawn")
