@@ -24,6 +24,7 @@ from reference_server.http.auth import (
     hash_of,
     new_secret,
 )
+from reference_server.http.pages import operator_page
 from reference_server.http.tokens.token_file import (
     edited_lines,
     parse,
@@ -55,7 +56,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     args = _parser().parse_args(arguments)
     try:
-        if hasattr(args, "do_with_kept"):
+        if hasattr(args, "do_with_settings"):
+            args.do_with_settings(_settings(), args)
+        elif hasattr(args, "do_with_kept"):
             args.do_with_kept(_kept_files(), args)
         elif hasattr(args, "do_with_files"):
             args.do_with_files(_record_files(), args)
@@ -143,6 +146,7 @@ def _parser() -> argparse.ArgumentParser:
     admin_seeds.add_area(areas)
     database_commands.add_area(areas)
     backup_command.add_command(areas)
+    operator_page.add_command(areas)
     for command in (add, listed, revoke):
         command.add_argument(
             "--file",

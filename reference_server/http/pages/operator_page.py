@@ -1,0 +1,190 @@
+"""`proctor admin page`: all accounts and runs of a server of this machine, as a file.
+
+It is made from the files of the server, so it is for who may read them: no token shows
+the runs of all accounts with their tokens and their share of the disk. The server may
+run meanwhile, or be down.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import shutil
+import time
+from collections import Counter, defaultdict
+from collections.abc import AsyncIterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from reference_record.pages.page_templates import render_page
+from reference_server.files.private_files import create_empty
+from reference_server.http.auth import Caller
+from reference_server.http.pages.page_calls import LINKS
+from reference_server.http.tokens.token_file import parse, read_bytes, token_id
+from reference_server.records.admin_areas import CannotDo, opened_store
+from reference_server.rules.run import RunHead
+from reference_server.runs.admission.disk_bound import size_of
+from reference_server.settings import Settings
+from reference_server.storage.store import Store
+from reference_server.views.run_views import timestamp
+
+RUNS_PER_READ = 200
+
+
+@dataclass(slots=True)
+class AccountRow:
+    """tokens: id and scopes of those in the file; no page has a secret."""
+
+    account: str
+    tokens: list[tuple[str, str]] = field(default_factory=list)
+    states: Counter[str] = field(default_factory=Counter)
+    recording_bytes: int = 0
+    stored_bytes: int = 0
+    changed_at_wall: float = 0.0
+
+    @property
+    def runs(self) -> int:
+        return self.states.total()
+
+    @property
+    def by_state(self) -> str:
+        return ", ".join(f"{n} {state}" for state, n in self.states.most_common())
+
+    @property
+    def changed_at(self) -> str:
+        return timestamp(self.changed_at_wall) if self.changed_at_wall else ""
+
+
+def add_command(areas: Any) -> None:
+    """Add the command to `proctor admin`; `do_with_settings` carries it out."""
+    page = areas.add_parser(
+        "page", help="write a page of all accounts and runs, for a browser here"
+    )
+    page.add_argument(
+        "--output", "-o", type=Path, metavar="FILE", help="(DATABASE.operator.html)"
+    )
+    page.add_argument(
+        "--runs", type=int, default=500, metavar="N", help="the newest N runs (500)"
+    )
+    page.set_defaults(do_with_settings=write_page)
+
+
+def write_page(settings: Settings, args: argparse.Namespace) -> None:
+    """Write it for its owner alone. Raises CannotDo, StoreFailed and OSError."""
+    path = args.output or _default_path(settings)
+    text = asyncio.run(_page_of(settings, args.runs))
+    draft = path.with_name(f"{path.name}.new")
+    draft.unlink(missing_ok=True)
+    create_empty(draft)
+    draft.write_text(text, encoding="utf-8")
+    draft.replace(path)
+    print(path.absolute().as_uri())
+
+
+def _default_path(settings: Settings) -> Path:
+    if ":memory:" in settings.database:
+        raise CannotDo("the database is in memory alone: only its server can read it")
+    name = "postgresql" if "://" in settings.database else Path(settings.database).name
+    folder = Path("var") if "://" in settings.database else _folder(settings)
+    return folder / f"{name}.operator.html"
+
+
+def _folder(settings: Settings) -> Path:
+    return Path(settings.database).parent
+
+
+async def _page_of(settings: Settings, shown: int) -> str:
+    accounts: defaultdict[str, AccountRow] = defaultdict(lambda: AccountRow(""))
+    for hashed, caller in _callers(settings).items():
+        scopes = "+".join(sorted(caller.scopes))
+        accounts[caller.account].tokens.append((token_id(hashed), scopes))
+    runs, total = [], 0
+    async with opened_store(settings.database_url) as store:
+        _, stored = await store.sizes_of_accounts()
+        for account, size in stored.items():
+            accounts[account].stored_bytes = size
+        async for heads in _heads(store):
+            for head in heads:
+                size = _recorded(settings, head.run_id)
+                _count(accounts[head.account], head, size)
+                if total < shown:
+                    runs.append(_run_row(settings, head, size))
+                total += 1
+    for name, row in accounts.items():
+        row.account = name
+    return render_page(
+        "operator",
+        LINKS,
+        database=settings.database.rpartition("@")[2],  # a URL may have a password
+        made_at=timestamp(time.time()),
+        disk=_disk(settings),
+        accounts=sorted(accounts.values(), key=lambda row: -row.changed_at_wall),
+        runs=runs,
+        total=total,
+    )
+
+
+async def _heads(store: Store) -> AsyncIterator[list[RunHead]]:
+    """All runs, newest first, some at a time."""
+    before = None
+    while page := await store.page(None, before, RUNS_PER_READ):
+        heads = await store.heads([run_id for _, run_id in page])
+        yield [heads[run_id] for _, run_id in page if run_id in heads]
+        before = page[-1][0]
+
+
+def _callers(settings: Settings) -> Mapping[str, Caller]:
+    path = settings.tokens_file_path
+    if path is None or not path.exists():
+        return {}
+    return parse(read_bytes(path), path)
+
+
+def _count(row: AccountRow, head: RunHead, recording_bytes: int) -> None:
+    row.states[head.state] += 1
+    row.recording_bytes += recording_bytes
+    row.changed_at_wall = max(row.changed_at_wall, head.updated_at_wall)
+
+
+def _recorded(settings: Settings, run_id: str) -> int:
+    folder = settings.records_path
+    return 0 if folder is None else size_of([folder / run_id])
+
+
+def _run_row(settings: Settings, head: RunHead, recording_bytes: int) -> Any:
+    policy = head.submission.get("policy", {})
+    here = f"http://127.0.0.1:{settings.port}"
+    base = (settings.public_url or here).rstrip("/")
+    is_shown = settings.pages == "on" and (settings.port or settings.public_url)
+    return {
+        "run_id": head.run_id,
+        "link": f"{base}/pages/runs/{head.run_id}" if is_shown else "",
+        "account": head.account,
+        "policy": f"{policy.get('name', '')} {policy.get('version') or ''}".strip(),
+        "benchmark_id": head.manifest["benchmark_id"],
+        "state": head.state,
+        "reason": head.reason,
+        "scored": head.scored,
+        "total": head.total,
+        "submitted_at": timestamp(head.created_at_wall),
+        "changed_at": timestamp(head.updated_at_wall),
+        "recording_bytes": recording_bytes,
+    }
+
+
+def _disk(settings: Settings) -> Sequence[tuple[str, int]]:
+    records, imports = settings.records_path, settings.imports_path
+    files = [path for path in settings.kept_paths if path not in (records, imports)]
+    rows = [("database", size_of(files))] if files else []
+    if records is not None:
+        rows.append(("recordings", size_of([records])))
+    if imports is not None:
+        rows.append(("records that were handed in", size_of([imports])))
+    rows.append(("in all", sum(size for _, size in rows)))
+    if settings.max_disk_bytes:
+        rows.append(("max_disk_bytes", settings.max_disk_bytes))
+    folder = next((p for p in (records, _folder(settings)) if p and p.is_dir()), None)
+    if folder is not None:
+        rows.append(("free on the disk", shutil.disk_usage(folder).free))
+    return rows

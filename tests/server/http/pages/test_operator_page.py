@@ -1,0 +1,52 @@
+"""`proctor admin page`: all accounts and runs of a server, in a file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from reference_server.http.tokens import admin_command as admin
+from tests.support.pages.page_reader import elements_of, inline_code_of
+from tests.support.pages.played_runs import submit_and_play
+from tests.support.server.http_runs import submit
+from tests.support.servers import TOKENS, ReferenceServer
+
+
+@pytest.mark.slow("a server is started")
+def test_a_host_sees_all_accounts_and_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """While the server runs, and with markup in every text of a run."""
+    monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
+    with ReferenceServer(tmp_path) as server, server.client("bob") as bob:
+        played, waiting = submit_and_play(server, successes={1}), submit(bob, "score")
+        assert admin.main(["token", "add", "carol", "--scopes", "read"]) == 0
+        secret = capsys.readouterr().out.strip()
+        monkeypatch.setenv("PROCTOR_MAX_DISK_BYTES", "123456789")
+        assert admin.main(["page", "--runs", "1"]) == 0
+        newest = Path(capsys.readouterr().out.strip().removeprefix("file://"))
+        assert waiting in newest.read_text()
+        assert played not in newest.read_text()
+        assert admin.main(["page", "-o", str(tmp_path / "o.html")]) == 0
+    assert newest == tmp_path / "proctor.sqlite.operator.html"
+    path = tmp_path / "o.html"
+    assert path.stat().st_mode & 0o077 == 0
+    page = path.read_text()
+    for text in (*("alice", "bob", "carol"), played, waiting, "1 completed", "1 ready"):
+        assert text in page
+    for text in ("max_disk_bytes", "123,456,789", "free on the disk"):
+        assert text in page
+    assert inline_code_of(page) == ["style"]
+    assert "<script>alert" not in page
+    assert not [text for text in (secret, *TOKENS.values()) if text in page]
+    links = [one["href"] for name, one in elements_of(page) if name == "a"]
+    assert links == [f"http://127.0.0.1:8460/pages/runs/{i}" for i in (waiting, played)]
+
+
+def test_a_database_in_memory_has_no_page(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("PROCTOR_DATABASE", ":memory:")
+    assert admin.main(["page"]) == 2
+    assert "in memory alone" in capsys.readouterr().err
