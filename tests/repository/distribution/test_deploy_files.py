@@ -104,6 +104,31 @@ def test_kubernetes_changes_neither_settings_nor_keys() -> None:
     assert POD["securityContext"]["fsGroupChangePolicy"] == "OnRootMismatch"
 
 
+def test_own_benchmarks_have_one_place() -> None:
+    """Where a line is a comment, it works when its sign is taken away."""
+    place = "/etc/proctor/benchmarks"
+    environment = (DEPLOY / "systemd" / "server.env").read_text()
+    assert f"#PROCTOR_BENCHMARKS={place}\n" in environment
+    uncommented = re.compile(r"(?m)^(\s*)# (?=PROCTOR_BENCH|- |  configMap)")
+    compose = (DEPLOY / "container" / "compose.yaml").read_text()
+    server = yaml.safe_load(uncommented.sub(r"\1", compose))["services"]["proctor"]
+    assert server["environment"]["PROCTOR_BENCHMARKS"] == place
+    assert f"./benchmarks:{place}:ro" in server["volumes"]
+    text = (DEPLOY / "kubernetes" / "proctor.yaml").read_text()
+    deployment = list(yaml.safe_load_all(uncommented.sub(r"\1", text)))[1]
+    pod = deployment["spec"]["template"]["spec"]
+    (container,) = pod["containers"]
+    given = {one["name"]: one["value"] for one in container["env"]}
+    assert given["PROCTOR_BENCHMARKS"] == place
+    mounts = {one["name"]: one["mountPath"] for one in container["volumeMounts"]}
+    assert mounts["benchmarks"] == place
+    assert {one["name"] for one in pod["volumes"]} == mounts.keys()
+    assert (
+        f"COPY benchmarks {place}\n"
+        in (ROOT / "docs/host/run-for-others.md").read_text()
+    )
+
+
 def test_a_proxy_waits_longer_than_the_server() -> None:
     longest = max(DEFAULTS.turn_timeout_s, DEFAULTS.wait_s_max)
     found = re.findall(r"proxy_(?:read|send)_timeout (\d+)s", NGINX)
