@@ -76,8 +76,21 @@ export function howToResume(runId: string): string {
   return `evaluate({ ..., runId: "${runId}" }) continues it`;
 }
 
-/** The ProctorError for what a request to `url` threw; anything else is thrown again. */
-export async function fromFailure(failure: unknown, url: string): Promise<ProctorError> {
+/** The ProctorError for what a request to `url` threw; anything else is thrown again.
+ *
+ * controlUrl: that of the server that named `url` as the endpoint of a run.
+ */
+export async function fromFailure(failure: unknown, url: string, controlUrl?: string): Promise<ProctorError> {
+  const error = await withoutEndpoint(failure, url);
+  const isMisled = ["unreachable", "bad_answer", "not_found"].includes(error.code);
+  if (!isMisled || controlUrl === undefined || controlUrl === url) return error;
+  const detail =
+    `${error.detail} ${url} is the endpoint of the run, which ${controlUrl} has named. If clients reach the ` +
+    "server elsewhere, its operator sets --public-url.";
+  return new ProctorError(error.code, detail, error);
+}
+
+async function withoutEndpoint(failure: unknown, url: string): Promise<ProctorError> {
   if (failure instanceof ResponseError) return fromAnswer(failure, url);
   if (failure instanceof FetchError || isBroken(failure)) {
     const reason = failure instanceof FetchError ? failure.reason : innermost(failure);

@@ -14,7 +14,10 @@ const DEFECT_S = 10; // a defect of the server seldom disappears by itself
 /* Refusals of a healthy server at its capacity: repeated without a limit of time. */
 const FULL = new Set(["worker_limit", "no_capacity"]);
 
-/** How long failing requests to `url` are repeated; `signal` ends every wait and request. */
+/** How long failing requests to `url` are repeated; `signal` ends every wait and request.
+ *
+ * controlUrl: where `url` is the endpoint of a run, the server that named it.
+ */
 export class RetryPolicy {
   constructor(
     readonly url: string,
@@ -22,6 +25,7 @@ export class RetryPolicy {
     readonly signal: AbortSignal,
     private readonly onWaiting?: (why: string | null) => void,
     private readonly requestS: number = REQUEST_TIMEOUT_S,
+    private readonly controlUrl?: string,
   ) {}
 
   /** The result of `send`, which is called until it succeeds.
@@ -68,7 +72,7 @@ export class RetryPolicy {
       return await send({ signal: request.signal });
     } catch (failure) {
       signal.throwIfAborted();
-      throw await fromFailure(failure, this.url);
+      throw await fromFailure(failure, this.url, this.controlUrl);
     } finally {
       clearTimeout(timer);
       signal.removeEventListener("abort", abort);
@@ -97,7 +101,13 @@ export class RetryPolicy {
     totalS?: number; requestS?: number; signal?: AbortSignal; onWaiting?: (why: string | null) => void;
   }): RetryPolicy {
     const { totalS, requestS, signal, onWaiting } = { ...this, ...other };
-    return new RetryPolicy(this.url, totalS, signal, onWaiting, requestS);
+    return new RetryPolicy(this.url, totalS, signal, onWaiting, requestS, this.controlUrl);
+  }
+
+  /** The same for requests to the data plane of a run. */
+  atEndpoint(endpoint: string): RetryPolicy {
+    const { totalS, requestS, signal, onWaiting } = this;
+    return new RetryPolicy(endpoint.replace(/\/+$/, ""), totalS, signal, onWaiting, requestS, this.url);
   }
 
   private limitS(code: string, limitsS: Record<string, number>): number {

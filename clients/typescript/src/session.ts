@@ -34,8 +34,9 @@ export class Session {
     const address = { runId: run.run_id, workerId };
     const attachWorker = { ...more, attach_key: crypto.randomUUID() };
     const limitsS = { worker_busy: run.idle_timeout_s + MARGIN_S };
-    const turn = await server.retryPolicy.call((init) => data.attachWorker({ ...address, attachWorker }, init), limitsS);
-    return new Session(data, server.retryPolicy, address, turn);
+    const retryPolicy = server.retryPolicy.atEndpoint(run.endpoint);
+    const turn = await retryPolicy.call((init) => data.attachWorker({ ...address, attachWorker }, init), limitsS);
+    return new Session(data, retryPolicy, address, turn);
   }
 
   /** Execute a chunk exactly once; returns the turn. observe: `all` observations, or the `last`. */
