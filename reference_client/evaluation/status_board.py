@@ -56,7 +56,7 @@ class TurnSnapshot:
     actions: Sequence[WireAction] = ()
 
 
-SLOW_S = 5  # a turn is waited for so long before somebody says so
+SLOW_S = 5  # a turn may take so long before it is shown
 
 
 class StatusBoard:

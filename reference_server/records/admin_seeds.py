@@ -24,7 +24,7 @@ from reference_server.rules.manifest import is_sealed
 from reference_server.rules.run import RunHead
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
-from reference_sim.sealed_seeds import salt_of, seal
+from reference_sim.host_seeds import salt_of, seal
 
 
 def add_area(areas: Any) -> None:

@@ -5,7 +5,7 @@ as it is, so members that are not named here stay in it. A submission is validat
 the generated models before it gets this type.
 
 A benchmark declares `sealed_splits`. A host plays secret seeds in them, which
-`reference_sim/sealed_seeds.py` draws, and shows a commitment to them instead.
+`reference_sim/host_seeds.py` draws, and shows a commitment to them instead.
 """
 
 from __future__ import annotations

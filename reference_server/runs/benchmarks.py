@@ -27,7 +27,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
-from reference_sim.sealed_seeds import seal
+from reference_sim.host_seeds import seal
 
 CACHED_CONFIGS_MAX = 256
 

@@ -25,7 +25,7 @@ from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.run_log import log_left
-from reference_server.runs.slow_waits import Wait, WaitLog
+from reference_server.telemetry.slow_waits import LongWait, WaitLog
 from reference_server.telemetry.spans import span
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
@@ -58,12 +58,12 @@ class SessionResources:
     timer: asyncio.TimerHandle | None = None
     fault: dict[str, Any] | None = None
     think_s: float = 0.0
-    wait: Wait = field(init=False)
+    wait: LongWait = field(init=False)
     recorded: tuple[int, int] | None = None
     packed: bytes | None = None
 
     def __post_init__(self) -> None:
-        self.wait = Wait(self.run_id, self.session.worker_id)
+        self.wait = LongWait(self.run_id, self.session.worker_id)
 
     @property
     def run(self) -> Run:
@@ -142,7 +142,7 @@ class ResourceManager:
         self._configs = SimulatorConfigs(seed_secret)
         self._wait_log = WaitLog(self._waits)
 
-    def _waits(self) -> list[Wait]:
+    def _waits(self) -> list[LongWait]:
         return [resources.wait for resources in self._by_session.values()]
 
     def __len__(self) -> int:

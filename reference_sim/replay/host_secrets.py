@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from reference_sim.sealed_seeds import parse_secret
+from reference_sim.host_seeds import parse_secret
 
 _BYTES_MAX = 4096
 

@@ -21,6 +21,7 @@ from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
+from reference_sim.host_seeds import seal
 from reference_sim.interface import Simulator
 from reference_sim.replay.episode_replay import (
     EpisodeReplay,
@@ -34,7 +35,6 @@ from reference_sim.replay.foreign_manifest import (
     without_sealed_seeds,
 )
 from reference_sim.replay.host_secrets import local_secrets
-from reference_sim.sealed_seeds import seal
 
 NONE_SIMULATED: Final = (
     "no episode can be simulated: their seeds are the secret of the host"

@@ -32,7 +32,7 @@ def find_proxy(status: int, headers: Mapping[str, str], body: bytes) -> str | No
     return None
 
 
-# These drop a header whose name has an underscore, unless they are told otherwise.
+# These drop a header whose name has an underscore, unless they are set otherwise.
 _DROPS_UNDERSCORES = re.compile(r"\b(nginx|openresty|tengine)\b", re.IGNORECASE)
 
 

@@ -12,7 +12,7 @@ from reference_server.rules.manifest import (
 )
 from reference_server.rules.run import Episode
 from reference_server.runs.benchmarks import digest
-from reference_sim.sealed_seeds import seal
+from reference_sim.host_seeds import seal
 
 SECRET, OTHER = b"s" * 32, b"o" * 32
 SEED_MAX = 2**32 - 1

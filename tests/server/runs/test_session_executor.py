@@ -1,8 +1,10 @@
 """Sessions and their simulators: what may happen while a turn is carried out."""
 
 import asyncio
+import itertools
 import time
 import types
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +14,7 @@ from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run
 from reference_server.runs import session_executor
+from reference_server.telemetry.slow_waits import LongWait
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -282,3 +285,65 @@ async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
         for text in (run.reason or "", caplog.text):
             assert f"seed {seed}" not in text
             assert f"{seed:x}" not in text
+
+
+# --- a simulator that is away ---
+
+
+class Away:
+    """Lets a method of simulators fail for some seconds from its first call on."""
+
+    def __init__(self, patch: pytest.MonkeyPatch, name: str, seconds: float) -> None:
+        right = getattr(SimulatorHandle, name)
+        self.calls: list[float] = []  # when each was made
+
+        async def call(*arguments: Any, **named: Any) -> Any:
+            self.calls.append(time.monotonic())
+            if self.calls[-1] < self.calls[0] + seconds:
+                raise SimulatorFault("It is away.")
+            return await right(*arguments, **named)
+
+        patch.setattr(SimulatorHandle, name, call)
+
+    def lasted(self, pauses: Sequence[float]) -> bool:
+        """Whether each call came after at least this pause."""
+        steps = zip(itertools.pairwise(self.calls), pauses, strict=False)
+        return all(after - before >= pause for (before, after), pause in steps)
+
+
+@pytest.mark.parametrize("pauses", [(0.05, 0.2), (0.01, 0.02, 0.1, 0.2)])
+async def test_pauses_grow_until_the_simulator_is_back(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts, pauses: tuple[float, ...]
+) -> None:
+    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", pauses)
+    run = calibration_run("count")
+    run.manifest = {**run.manifest, "max_faults": len(pauses) + 1}
+    run = await parts.registry.add(run, None, "")
+    away = Away(monkeypatch, "begin", sum(pauses) * 0.9)
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    assert turn["fault"]["faults"] == run.episodes[0].faults == len(away.calls) - 1
+    assert away.lasted(pauses)
+    assert run.episodes[0].attempt == 1
+
+
+async def test_a_pause_ends_with_its_session(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
+) -> None:
+    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (60.0,))
+    monkeypatch.setattr(session_executor, "LOOK_S", 0.01)
+    paused, begin = asyncio.Event(), LongWait.begin
+
+    def begin_wait(self: LongWait, what: str) -> None:
+        begin(self, what)
+        if what.startswith("another beginning"):
+            paused.set()
+
+    monkeypatch.setattr(LongWait, "begin", begin_wait)
+    run = await parts.registry.add(calibration_run("count"), None, "")
+    away = Away(monkeypatch, "begin", 60.0)
+    attaching = start_task(parts.executor.attach(run, Attach("w", "key")))
+    await paused.wait()
+    stop_run(parts, run)
+    with expect_refusal("session_ended", ended_by="run_stopped"):
+        await attaching
+    assert len(away.calls) == 1

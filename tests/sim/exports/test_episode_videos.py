@@ -15,9 +15,9 @@ import pytest
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main
+from reference_sim.host_seeds import seal
 from reference_sim.interface import Simulator
 from reference_sim.replay.foreign_manifest import without_sealed_seeds
-from reference_sim.sealed_seeds import seal
 from tests.support.record.played_records import Chunk, play_chunks, save_played_record
 from tests.support.sim.echo_records import other_action, other_digest, save_echo
 

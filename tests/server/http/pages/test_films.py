@@ -145,7 +145,7 @@ async def test_what_cannot_be_drawn_has_no_button(case: str) -> None:
 
 
 async def test_a_host_draws_what_it_has_sealed(drawing: Drawing) -> None:
-    """With the secret of its server, as long as nobody else has a token there."""
+    """With the secret of its server, as long as no other account has a token."""
     secrets = ["db.seeds"]
     async with reader(FilmSettings(seed_secret=lambda: secrets[0])) as (api, client):
         api.add("done", FAILURE, FAILURE).episodes[0].is_sealed = True

@@ -23,7 +23,7 @@ log = logging.getLogger("proctor.sessions")
 
 
 @dataclass(slots=True)
-class Wait:
+class LongWait:
     """The thing that a session waits for; nothing while `what` is empty.
 
     since: by the monotonic clock. logged_at_s: how long it waits when it is logged.
@@ -61,7 +61,7 @@ class Wait:
 class WaitLog:
     """Logs the long waits of `waits`, as long as there are sessions."""
 
-    def __init__(self, waits: Callable[[], Iterable[Wait]]) -> None:
+    def __init__(self, waits: Callable[[], Iterable[LongWait]]) -> None:
         self._waits = waits
         self._timer: asyncio.TimerHandle | None = None
 
