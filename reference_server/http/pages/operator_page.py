@@ -8,11 +8,10 @@ run meanwhile, or be down.
 from __future__ import annotations
 
 import argparse
-import asyncio
 import shutil
 import time
 from collections import Counter, defaultdict
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -22,21 +21,19 @@ from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_calls import LINKS
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
-from reference_server.records.admin_areas import CannotDo, opened_store
+from reference_server.records.admin_areas import CannotDo
 from reference_server.rules.run import RunHead
 from reference_server.runs.admission.disk_bound import size_of
 from reference_server.settings import Settings
-from reference_server.storage.store import Store
+from reference_server.storage import run_overview
 from reference_server.views.run_views import timestamp
-
-RUNS_PER_READ = 200
 
 
 @dataclass(slots=True)
 class AccountRow:
     """tokens: id and scopes of those in the file; no page has a secret."""
 
-    account: str
+    account: str = ""
     tokens: list[tuple[str, str]] = field(default_factory=list)
     states: Counter[str] = field(default_factory=Counter)
     recording_bytes: int = 0
@@ -73,7 +70,7 @@ def add_command(areas: Any) -> None:
 def write_page(settings: Settings, args: argparse.Namespace) -> None:
     """Write it for its owner alone. Raises CannotDo, StoreFailed and OSError."""
     path = args.output or _default_path(settings)
-    text = asyncio.run(_page_of(settings, args.runs))
+    text = _page_of(settings, args.runs)
     draft = path.with_name(f"{path.name}.new")
     draft.unlink(missing_ok=True)
     create_empty(draft)
@@ -94,25 +91,25 @@ def _folder(settings: Settings) -> Path:
     return Path(settings.database).parent
 
 
-async def _page_of(settings: Settings, shown: int) -> str:
-    accounts: defaultdict[str, AccountRow] = defaultdict(lambda: AccountRow(""))
+def _page_of(settings: Settings, shown: int) -> str:
+    accounts: defaultdict[str, AccountRow] = defaultdict(AccountRow)
     for hashed, caller in _callers(settings).items():
         scopes = "+".join(sorted(caller.scopes))
         accounts[caller.account].tokens.append((token_id(hashed), scopes))
-    runs, total = [], 0
-    async with opened_store(settings.database_url) as store:
-        _, stored = await store.sizes_of_accounts()
-        for account, size in stored.items():
-            accounts[account].stored_bytes = size
-        async for heads in _heads(store):
-            for head in heads:
-                size = _recorded(settings, head.run_id)
-                _count(accounts[head.account], head, size)
-                if total < shown:
-                    runs.append(_run_row(settings, head, size))
-                total += 1
+    runs: list[Mapping[str, Any]] = []
+    total = 0
+
+    def note(head: RunHead) -> None:
+        nonlocal total
+        size = _recorded(settings, head.run_id)
+        _count(accounts[head.account], head, size)
+        if total < shown:
+            runs.append(_run_row(settings, head, size))
+        total += 1
+
+    stored_bytes = run_overview.read_overview(settings.database_url, note)
     for name, row in accounts.items():
-        row.account = name
+        row.account, row.stored_bytes = name, stored_bytes.get(name, 0)
     return render_page(
         "operator",
         LINKS,
@@ -123,15 +120,6 @@ async def _page_of(settings: Settings, shown: int) -> str:
         runs=runs,
         total=total,
     )
-
-
-async def _heads(store: Store) -> AsyncIterator[list[RunHead]]:
-    """All runs, newest first, some at a time."""
-    before = None
-    while page := await store.page(None, before, RUNS_PER_READ):
-        heads = await store.heads([run_id for _, run_id in page])
-        yield [heads[run_id] for _, run_id in page if run_id in heads]
-        before = page[-1][0]
 
 
 def _callers(settings: Settings) -> Mapping[str, Caller]:
@@ -152,7 +140,9 @@ def _recorded(settings: Settings, run_id: str) -> int:
     return 0 if folder is None else size_of([folder / run_id])
 
 
-def _run_row(settings: Settings, head: RunHead, recording_bytes: int) -> Any:
+def _run_row(
+    settings: Settings, head: RunHead, recording_bytes: int
+) -> Mapping[str, Any]:
     policy = head.submission.get("policy", {})
     here = f"http://127.0.0.1:{settings.port}"
     base = (settings.public_url or here).rstrip("/")
