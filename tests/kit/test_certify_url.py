@@ -29,10 +29,10 @@ def start_server(directory: Path) -> tuple[subprocess.Popen[str], list[str]]:
     )
     assert server.stdout is not None
     lines: list[str] = []
-    while not lines or "make conformance" not in lines[-1]:
+    while not lines or not lines[-1].startswith("pages:"):
         line = server.stdout.readline()
         assert line, "the server ended before it said how to certify it"
-        lines.append(line.strip())
+        lines.append(line.rstrip("\n"))
     return server, lines
 
 
@@ -41,10 +41,13 @@ def test_the_printed_line_certifies_the_server(tmp_path: Path) -> None:
     """No token of another account, no hook, no private networks: still conformant."""
     server, lines = start_server(tmp_path)
     try:
-        command = lines[-1].split()
-        assert command[:2] == ["make", "conformance"]
-        given = dict(word.split("=", 1) for word in command[2:])
-        assert given["TOKEN"] == lines[1].split()[1]
+        printed = "\n".join(lines[lines.index("certify:") + 1 : -1])
+        assert printed.startswith("make conformance ")
+        # The shell puts the token in, which stands in a file.
+        echoed = ["sh", "-c", printed.replace("make", "echo", 1)]
+        words = subprocess.check_output(echoed, cwd=ROOT, text=True).split()
+        given = dict(word.split("=", 1) for word in words[1:])
+        assert given["TOKEN"] == lines[2]
         kit = run_kit(
             tmp_path / "report",
             *("--url", given["URL"]),
