@@ -134,7 +134,7 @@ def _files_of(root: Path) -> Iterator[tuple[str, int]]:
 
 
 def _way_out_of(path: Path, mode: int) -> str:
-    """What a person does about what is no file of a record."""
+    """The advice for a folder, link or device that does not belong to a record."""
     if not stat.S_ISDIR(mode):
         return ""  # no program puts links and devices there by itself
     if (path / STATEMENT).is_file():

@@ -101,7 +101,7 @@ def check_name(name: str, size: int) -> None:
 
 
 def _way_out_of(name: str) -> str:
-    """What a person does about a file that is none of a record's."""
+    """The advice for a file that does not belong to a record."""
     *folders, last = name.split("/")
     if ".." in folders or "\\" in name or name.startswith("/"):
         return ""  # no program of the person's puts that there

@@ -1,4 +1,4 @@
-"""What a path that nothing answers may have been meant to be (ERR-009)."""
+"""The refusal of an unknown path, with the nearest path that exists (ERR-009)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from starlette.types import Receive, Scope, Send
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 
-# What is longer is not compared: it is no typing error.
+# Longer paths are not compared: they are not typing errors.
 PATH_CHARS_MAX = 300
 SEGMENTS_MAX = 16
 LIKENESS_MIN = 0.6

@@ -177,7 +177,7 @@ def _print_broken(path: Path, broken: BrokenRecord, printer: Printer) -> int:
 
 
 def fault_of(broken: BrokenRecord) -> str:
-    """What a person should think of a record: of its content, or of its container."""
+    """The sentence on a fault: the content cannot be trusted, or only the container."""
     if broken.way_out:
         return (
             "this is not how a host packs a record, and its content was not judged: "
