@@ -6,15 +6,24 @@ from __future__ import annotations
 ARCHIVE = "archive"
 
 
+UNPACK = (
+    "Unpack it into an empty folder (unzip FILE -d FOLDER) and name the folder in place"
+    " of the file, or fetch the record again from its host."
+)
+
+
 class BrokenRecord(Exception):
     """A part of a record breaks a rule of spec/profiles/record.md.
 
     file: the name of the file inside of the record, or ARCHIVE.
     rule: the id of the rule.
+    way_out: what a person does where only the container is at fault, such as a zip that
+    was packed again; the content was not looked at then. Empty: the record is broken.
     """
 
-    def __init__(self, file: str, rule: str, detail: str) -> None:
+    def __init__(self, file: str, rule: str, detail: str, *, way_out: str = "") -> None:
         super().__init__(f"{file}: {detail} [{rule}]")
+        self.way_out = way_out
         self.file = file
         self.rule = rule
         self.detail = detail

@@ -39,8 +39,7 @@ from reference_server.process import open_files
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.records.run_records import open_key
 from reference_server.records.shared_folder import NotShared, check_shared
-from reference_server.settings import Settings
-from reference_server.settings.setting_faults import describe_faults
+from reference_server.settings import Settings, describe_faults
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed

@@ -17,7 +17,11 @@ from pydantic import BaseModel
 
 from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
-from reference_client.command.records.record_commands import keys_of, names_of_host
+from reference_client.command.records.record_commands import (
+    fault_of,
+    keys_of,
+    names_of_host,
+)
 from reference_client.command.runs import control
 from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
@@ -58,7 +62,7 @@ def report(args: argparse.Namespace, printer: Printer) -> int:
         with connect(args.url, args.token, args, printer) as connected:
             return _write(folder, _all(args, connected), args, printer)
     except BrokenRecord as broken:
-        printer.say(f"proctor: do not trust it: {broken}")
+        printer.say(f"proctor: {fault_of(broken)}")
         return BROKEN
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import BinaryIO
 
-from reference_record.broken import ARCHIVE, BrokenRecord, UnusableRecord
+from reference_record.broken import ARCHIVE, UNPACK, BrokenRecord, UnusableRecord
 from reference_record.formats.names import (
     ARCHIVE_BYTES_MAX,
     FILES_MAX,
@@ -32,6 +32,7 @@ _CENTRAL = struct.Struct("<4sHHHHHHIIIHHHHHII")
 _END = struct.Struct("<4sHHHHIIH")
 _LOCAL_MAGIC, _CENTRAL_MAGIC, _END_MAGIC = b"PK\x03\x04", b"PK\x01\x02", b"PK\x05\x06"
 _CONSTANTS = (10, 0, 0, 0, 0x21)
+_METHOD = 2  # the place of the compression among them
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,8 +129,14 @@ def _read_local(file: BinaryIO, position: int) -> ArchiveEntry:
     except UnicodeDecodeError:
         name = "?"
     if tuple(constants) != _CONSTANTS or extra or size != size_again:
-        detail = f"the header at byte {position} is not as a record has it"
-        raise BrokenRecord(printable_name(name) or ARCHIVE, "REC-002", detail)
+        is_compressed = constants[_METHOD] != 0
+        detail = (
+            "it is compressed; a record has its files as they are"
+            if is_compressed
+            else f"the header at byte {position} is not as a record has it"
+        )
+        file_name = printable_name(name) or ARCHIVE
+        raise BrokenRecord(file_name, "REC-002", detail, way_out=UNPACK)
     if len(name_bytes) < name_length:
         detail = f"the name of the file at byte {position} is cut or too long"
         raise BrokenRecord(ARCHIVE, "REC-002", detail)
@@ -143,7 +150,7 @@ def _check_next(entries: list[ArchiveEntry], entry: ArchiveEntry, size: int) -> 
     if entries and order(entries[-1].name) >= order(entry.name):
         twice = entries[-1].name == entry.name
         detail = "it stands twice" if twice else "it stands out of order"
-        raise BrokenRecord(entry.name, "REC-002", detail)
+        raise BrokenRecord(entry.name, "REC-002", detail, way_out=UNPACK)
     if entry.data_offset + entry.size > size:
         raise BrokenRecord(
             entry.name, "REC-002", "the archive ends inside of this file"
@@ -158,13 +165,14 @@ def _check_directory(
     actual = file.read(len(expected) + 1)
     if actual == expected:
         return
+    way_out = UNPACK
     if len(actual) < len(expected) and expected.startswith(actual):
-        detail = "it is cut: its directory is not whole"
+        detail, way_out = "it is cut: its directory is not whole", ""
     elif actual.startswith(expected):
         detail = "bytes stand behind its end"
     else:
         detail = f"its directory, at byte {position}, does not fit its files"
-    raise BrokenRecord(ARCHIVE, "REC-002", detail)
+    raise BrokenRecord(ARCHIVE, "REC-002", detail, way_out=way_out)
 
 
 def _local(entry: ArchiveEntry) -> bytes:

@@ -20,6 +20,7 @@ from reference_record.broken import ARCHIVE, BrokenRecord
 from reference_record.formats.archive import BLOCK_BYTES, ArchiveEntry, read_entries
 from reference_record.formats.names import (
     FILES_MAX,
+    STATEMENT,
     check_count,
     check_name,
     order,
@@ -124,6 +125,18 @@ def _files_of(root: Path) -> Iterator[tuple[str, int]]:
                     continue
                 if not stat.S_ISREG(status.st_mode):
                     detail = "a record's directory has regular files alone"
-                    raise BrokenRecord(printable_name(name), "REC-003", detail)
+                    way_out = _way_out_of(Path(entry.path), status.st_mode)
+                    raise BrokenRecord(
+                        printable_name(name), "REC-003", detail, way_out=way_out
+                    )
                 check_name(name, status.st_size)
                 yield name, status.st_size
+
+
+def _way_out_of(path: Path, mode: int) -> str:
+    """The advice for a folder, link or device that does not belong to a record."""
+    if not stat.S_ISDIR(mode):
+        return ""  # no program puts links and devices there by itself
+    if (path / STATEMENT).is_file():
+        return "The record is in that folder: name it in place of this one."
+    return "Remove it from the folder of the record."

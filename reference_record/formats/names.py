@@ -9,13 +9,21 @@ from __future__ import annotations
 import re
 from typing import Final
 
-from reference_record.broken import BrokenRecord
+from reference_record.broken import UNPACK, BrokenRecord
 
 STATEMENT: Final = "statement.dsse.json"
 MANIFEST: Final = "manifest.json"
 EPISODES: Final = "episodes.jsonl"
 FIXED: Final = (STATEMENT, MANIFEST, EPISODES)
 
+# Files that operating systems put into folders that a person looks at.
+_OF_SYSTEMS: Final = {
+    ".DS_Store",
+    "Thumbs.db",
+    "ehthumbs.db",
+    "desktop.ini",
+    ".directory",
+}
 _RECORDING = re.compile(r"episodes/([0-9]{5})\.mcap", re.ASCII)
 _VERDICT = re.compile(r"verdicts/[a-z0-9-]{1,64}\.dsse\.json", re.ASCII)
 NAME_BYTES_MAX: Final = 96
@@ -85,10 +93,23 @@ def check_name(name: str, size: int) -> None:
     elif is_verdict(name):
         most = VERDICT_BYTES_MAX
     else:
-        raise BrokenRecord(shown, "REC-001", "a record has no file of this name")
+        detail, way_out = "a record has no file of this name", _way_out_of(name)
+        raise BrokenRecord(shown, "REC-001", detail, way_out=way_out)
     if size > most:
         detail = f"it has {size} bytes; at most {most} are read"
         raise BrokenRecord(name, "REC-030", detail)
+
+
+def _way_out_of(name: str) -> str:
+    """The advice for a file that does not belong to a record."""
+    *folders, last = name.split("/")
+    if ".." in folders or "\\" in name or name.startswith("/"):
+        return ""  # no program of the person's puts that there
+    if not last:  # a folder, for which programs that pack files have an entry
+        return UNPACK
+    by_itself = last in _OF_SYSTEMS or last.startswith("._") or "__MACOSX" in folders
+    origin = "An operating system put it there. " if by_itself else ""
+    return f"{origin}Remove it from the folder of the record; unpack an archive before."
 
 
 def check_count(names: list[str]) -> None:

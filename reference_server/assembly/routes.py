@@ -7,15 +7,16 @@ import typing
 from starlette.routing import BaseRoute, Route, Router
 from starlette.types import ASGIApp, Scope
 
+from reference_server.assembly.nearest_path import UnknownPath
 from reference_server.cluster.node_routes import NodeRoutes
 from reference_server.cluster.server_node import ServerNode
-from reference_server.http.application import Endpoint, not_found
+from reference_server.http.application import Endpoint
 from reference_server.http.auth import Tokens
 from reference_server.http.handlers import Handlers
 from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_routes import Pages
 from reference_server.http.tokens.open_requests import OpenRequests
-from reference_server.monitoring.health import health_routes
+from reference_server.monitoring.health import HEALTH_PATHS, health_routes
 from reference_server.monitoring.readiness import Readiness
 from reference_server.monitoring.request_spans import RequestSpans
 from reference_server.profiles.operation_tables import profile_tables
@@ -42,6 +43,7 @@ def make_router(
         path: Endpoint(operations, tokens, most, hosts, open_requests)
         for path, operations in table.items()
     }
+    not_found = UnknownPath([*endpoints, *HEALTH_PATHS])
     if node_routes is not None:
         endpoints = node_routes.routed(endpoints)
     routes: list[BaseRoute] = [Route(*endpoint) for endpoint in endpoints.items()]

@@ -984,6 +984,10 @@ class Problem(BaseModel):
     state: RunState | MISSING = MISSING
     expected_seq: Annotated[int | MISSING, Field(ge=1)] = MISSING
     ended_by: SessionEnd | MISSING = MISSING
+    entry_id: Annotated[
+        str | MISSING,
+        Field(description="Of `result_published`: the entry of that result."),
+    ] = MISSING
 
 
 class ProblemItem(BaseModel):

@@ -134,6 +134,13 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "title": "The session is done",
         "act": "Detach; attach again if get_run shows pending episodes.",
     },
+    "result_published": {
+        "status": 409,
+        "retryable": False,
+        "side_effects": "none",
+        "title": "The account has an entry of this result",
+        "act": "Publish the run of `entry_id` again to change its description; a run of another policy names that in `policy`.",
+    },
     "entry_withdrawn": {
         "status": 409,
         "retryable": False,

@@ -105,11 +105,6 @@ class Endpoint:
         return problem_response(Refused("method_not_allowed", detail), allowed)
 
 
-async def not_found(scope: Scope, receive: Receive, send: Send) -> None:
-    refused = Refused("not_found", "Unknown path.")  # ERR-009
-    await problem_response(refused)(scope, receive, send)
-
-
 class Application:
     """Adds the protocol's version to every response, and answers a defect as a problem.
 

@@ -18,12 +18,14 @@ from typing import Any, TypeVar
 import msgspec
 import pybase64
 from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
 from reference_server.http.bodies.malformed_bodies import explain
 from reference_server.rules.refusal import Refused
+from reference_server.views.pattern_words import in_words
 
 JSON = "application/json"
 MSGPACK = "application/msgpack"
@@ -104,7 +106,7 @@ def validate(model: type[Model], data: Any) -> Model:
     try:
         return model.model_validate(data, strict=True)
     except ValidationError as error:
-        faults = error.errors(include_url=False, include_context=False)
+        faults = error.errors(include_url=False)
         if _accept_whole_numbers(data, faults):
             return validate(model, data)
         if _contains_timestamp(data):
@@ -115,8 +117,13 @@ def validate(model: type[Model], data: Any) -> Model:
         raise Refused(
             "invalid_request",
             "The body does not match its schema.",
-            errors=((pointer(_place(data, f["loc"])), f["msg"]) for f in faults),
+            errors=((pointer(_place(data, f["loc"])), _words_of(f)) for f in faults),
         ) from error
+
+
+def _words_of(fault: ErrorDetails) -> str:
+    pattern = fault.get("ctx", {}).get("pattern")
+    return fault["msg"] if pattern is None else in_words(pattern, fault["input"])
 
 
 def pointer(loc: Iterable[str | int]) -> str:

@@ -35,6 +35,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import AllowedHosts
 from reference_server.storage.store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
+from reference_server.views.pattern_words import in_words
 
 _failures = RepeatedFailures(logging.getLogger("proctor.http"))
 
@@ -254,8 +255,8 @@ def _path(request: Request) -> Mapping[str, str]:
         if not re.fullmatch(pattern, value):
             raise Refused(
                 code,
-                f"{name} does not match {pattern}.",
-                errors=[(f"path:{name}", f"must match {pattern}")],
+                f"The {name} of the path {in_words(pattern)}.",
+                errors=[(f"path:{name}", in_words(pattern, value))],
             )
     return request.path_params
 
@@ -278,7 +279,7 @@ def _query(request: Request, operation: Operation) -> Mapping[str, str]:
         elif name in values:
             errors.append((f"query:{name}", "must not be repeated"))
         elif not re.fullmatch(QUERY_PATTERNS[name], value):
-            errors.append((f"query:{name}", f"must match {QUERY_PATTERNS[name]}"))
+            errors.append((f"query:{name}", in_words(QUERY_PATTERNS[name], value)))
         elif name in QUERY_RANGES and not _in_range(name, value):
             least, most = QUERY_RANGES[name]
             errors.append((f"query:{name}", f"must be from {least} to {most}"))
@@ -309,8 +310,8 @@ def _headers(request: Request, operation: Operation) -> Mapping[str, str]:
         if pattern is not None and not re.fullmatch(pattern, value):
             raise Refused(
                 "invalid_request",
-                f"The header {name} does not match {pattern}.",
-                errors=[(f"header:{name}", f"must match {pattern}")],
+                f"The header {name} {in_words(pattern, value)}.",
+                errors=[(f"header:{name}", in_words(pattern, value))],
             )
         values[name] = value
     return values

@@ -15,6 +15,7 @@ from starlette.routing import BaseRoute, Route
 from reference_server.http.problems import PROBLEM_JSON, RETRY_AFTER_S
 from reference_server.monitoring.readiness import Readiness
 
+LIVE_PATH, READY_PATH = HEALTH_PATHS = "/livez", "/readyz"
 _HEADERS = {"Cache-Control": "no-store"}
 _TITLE = "The server cannot do its work now"
 
@@ -39,7 +40,7 @@ def health_routes(readiness: Readiness) -> list[BaseRoute]:
         }
         return _json(problem, 503)
 
-    return [Route("/livez", show_live), Route("/readyz", show_ready)]
+    return [Route(LIVE_PATH, show_live), Route(READY_PATH, show_ready)]
 
 
 def _json(content: object, status: int) -> Response:

@@ -57,8 +57,9 @@ PROTOCOLS: dict[str, Callable[[Run, PolicyServerConfig, HttpCalls], PolicyAdapte
 }
 # How often in a row this server may refuse its own worker before that is taken for a
 # defect. Refusals for lack of capacity do not count: a simulator becomes free in time.
+# Nor does a session that was ended while its policy thought, for others that waited.
 REFUSALS_MAX = 50
-_CAPACITY_CODES = ("no_capacity", "worker_limit")
+_CAPACITY_CODES = ("no_capacity", "worker_limit", "session_ended")
 
 
 class _RunCannotContinue(Exception):

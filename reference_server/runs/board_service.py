@@ -23,7 +23,12 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage.board_store import BoardStore, Changed, RunDeleted
+from reference_server.storage.board_store import (
+    BoardStore,
+    Changed,
+    RunDeleted,
+    SameResult,
+)
 from reference_server.views import board_views
 
 CACHED_RANKINGS_MAX = 64
@@ -80,6 +85,10 @@ class BoardService:
             changed = await self._change(
                 run_id, decide, needs_run=True, check=self._registry.usage.check_kept
             )
+        except SameResult as error:
+            raise Refused.from_verdict(
+                rules.already_published(error.earlier)
+            ) from error
         except RunDeleted as error:
             raise Refused("not_found", f"There is no run {run_id}.") from error
         return await self._view(changed.entry), changed.is_new

@@ -63,7 +63,7 @@ class RunRegistry:
         store: Store,
         active_max: int,
         *,
-        unused_s: float = 120.0,
+        unused_s: float = 10.0,
         quota: Quota | None = None,
         ownership: Ownership | None = None,
         disk_bound: DiskBound | None = None,

@@ -80,7 +80,7 @@ class SessionExecutor(RunFollower):
         pool: SimulatorPool,
         seed_secret: SeedSecret,
         *,
-        unused_s: float = 120.0,
+        unused_s: float = 10.0,
         heartbeat_s_max: float = 3600.0,
         recordings: Recordings | None = None,
         disk_bound: DiskBound | None = None,
@@ -474,7 +474,7 @@ class SessionExecutor(RunFollower):
             return await work
         except NoCapacity as error:
             self._abort(resources)
-            raise Refused("no_capacity", str(error)) from error
+            raise Refused("no_capacity", f"{error}.") from error
         except NoRoomToRecord as error:  # no fault, and no attempt
             self._abort(resources)
             raise Refused("unavailable", f"The server: {error}.") from error

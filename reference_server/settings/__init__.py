@@ -5,6 +5,6 @@ settings in docs/ is generated from it. Only validation here: what a setting doe
 decided where it is used.
 """
 
-from reference_server.settings.server_settings import Settings
+from reference_server.settings.server_settings import Settings, describe_faults
 
-__all__ = ["Settings"]
+__all__ = ["Settings", "describe_faults"]

@@ -54,12 +54,13 @@ class RunSettings(BaseModel):
         description="Maximum time that a session lives on heartbeats without a turn.",
     )
     unused_s_max: float = Field(
-        120.0,
+        10.0,
         ge=1,
         allow_inf_nan=False,
         description="When others wait: time after which a run without a worker may "
         "lose its place, and a session without a turn its simulator to an account that "
-        "has fewer.",
+        "has at least two fewer; heartbeats do not count. Raise it where policies of "
+        "several workers take longer for a turn and simulators are scarce.",
     )
     runs_keep_days: float = Field(
         0,

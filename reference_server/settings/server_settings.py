@@ -11,7 +11,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Self
 
-from pydantic import model_validator
+from pydantic import ValidationError, model_validator
+from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from reference_server.settings.allowed_hosts import is_loopback
@@ -23,6 +24,9 @@ from reference_server.settings.operation_settings import OperationSettings
 from reference_server.settings.profile_settings import ProfileSettings
 from reference_server.settings.run_limit_settings import RunSettings
 from reference_server.settings.simulation_settings import SimulationSettings
+
+# The sentence about a wrong value shows so much of it.
+VALUE_CHARS_MAX = 80
 
 
 class Settings(
@@ -126,3 +130,30 @@ class Settings(
                 "a folder that all machines of the Ray cluster share; or recordings off"
             )
         return self
+
+
+def describe_faults(error: ValidationError) -> str:
+    """One line: each fault with the name of its setting, or those that contradict."""
+    return "; ".join(map(_describe, error.errors(include_url=False)))
+
+
+def _describe(fault: ErrorDetails) -> str:
+    context = fault.get("ctx", {})
+    if fault["type"] == "value_error":
+        text = str(context["error"])
+    elif fault["type"] == "string_pattern_mismatch":
+        text = f"{_shown(fault['input'])} does not fit"
+        field = Settings.model_fields.get(str(fault["loc"][0]))
+        if field is not None:
+            text += f"; it stands for: {field.description}"
+    else:
+        wrong = fault["msg"].partition(", unable to parse")[0]
+        text = wrong.replace("Input should be", f"{_shown(fault['input'])} must be")
+    names = ".".join(map(str, fault["loc"]))
+    # A fault between settings has no place; its text names all of them.
+    return f"{names}: {text}" if names else text
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= VALUE_CHARS_MAX else f"{text[:VALUE_CHARS_MAX]}…"

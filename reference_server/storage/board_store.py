@@ -18,6 +18,7 @@ import sqlalchemy as sa
 from reference_server.rules.board.entry_changes import (
     BoardEntry,
     Change,
+    has_same_result,
     is_of_account,
     withdraw,
 )
@@ -33,6 +34,14 @@ from reference_server.storage.store import RunIsKept, Store
 _NUMBERED = sa.select(_entries.c.number, _entries.c.entry)
 _SIZE = sa.select(sa.func.count()).select_from(_leaves)
 _ENTRY = msgspec.json.Decoder(BoardEntry)
+
+
+class SameResult(Exception):
+    """The account has a public entry of the same result: `earlier`."""
+
+    def __init__(self, earlier: BoardEntry) -> None:
+        super().__init__(earlier.entry_id)
+        self.earlier = earlier
 
 
 class RunDeleted(Exception):
@@ -68,7 +77,8 @@ class BoardStore:
     ) -> Changed:
         """Store what `decide` makes of the entry of a run.
 
-        needs_run: raises RunDeleted if there is no such run any more. check: is called
+        Raises SameResult for a second public entry of one result. needs_run: raises
+        RunDeleted if there is no such run any more. check: is called
         with the usage of the account, if a leaf is added. An exception of `decide` or
         `check` rolls the transaction back. Both run in the thread that writes.
         """
@@ -81,6 +91,8 @@ class BoardStore:
             change = decide(before)
             if change.entry == before:
                 return Changed(before, is_new=False)
+            if _becomes_public(before, change.entry):
+                _refuse_same_result(connection, change.entry)
             number = _store_entry(connection, change.entry)
             kept = 0
             if change.leaf is not None:
@@ -199,6 +211,24 @@ class BoardStore:
 def _keeps_run(entry: BoardEntry, by_host: bool) -> bool:
     """A private entry does not keep a run that the host deletes when it is old."""
     return entry.state == "published" and (entry.is_public or not by_host)
+
+
+def _becomes_public(before: BoardEntry | None, after: BoardEntry) -> bool:
+    was_public = before is not None and before.is_public
+    return after.is_public and after.state == "published" and not was_public
+
+
+def _refuse_same_result(connection: sa.Connection, entry: BoardEntry) -> None:
+    query = _NUMBERED.where(
+        _entries.c.manifest_sha256 == entry.manifest_sha256,
+        _entries.c.account == entry.account,
+        _entries.c.is_listed,
+        _entries.c.is_public,
+    )
+    for row in connection.execute(query.order_by(_entries.c.number)):
+        earlier = _entry_of(*row)
+        if has_same_result(entry, earlier):
+            raise SameResult(earlier)
 
 
 def _entry_of_run(connection: sa.Connection, run_id: str) -> BoardEntry | None:

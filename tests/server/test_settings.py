@@ -19,8 +19,7 @@ from pydantic_settings import CliSettingsSource
 from reference_server.__main__ import HelpFormatter
 from reference_server.http.auth import BadTokens, Tokens, new_secret
 from reference_server.rules.refusal import Refused
-from reference_server.settings import Settings
-from reference_server.settings.setting_faults import describe_faults
+from reference_server.settings import Settings, describe_faults
 from tests.support.paths import ROOT
 
 PAGE = ROOT / "docs" / "host" / "settings.md"

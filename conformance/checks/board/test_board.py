@@ -185,6 +185,28 @@ def test_brd_006_cannot_publish_after_a_withdrawal(context: CheckContext) -> Non
     expect.ok(try_publish(board.play("11")), 201)
 
 
+@requirement("BRD-022")
+def test_brd_022_cannot_publish_one_result_twice(context: CheckContext) -> None:
+    """Two runs of one policy go alike; the second is published, first privately.
+
+    Expect `result_published` with the first's id and one row; another result, another
+    policy and, once the first is withdrawn, the same are accepted.
+    """
+    board = Board(context)
+    first, second = (board.play("10", policy="one policy") for _ in range(2))
+    entry_id = require_entry(first)["entry_id"]
+    expect.ok(try_publish(second, is_public=False), 201)
+    for description in ({}, {"model_name": "Another"}):
+        answer = try_publish(second, **description)
+        expect.refused(answer, "result_published", entry_id=entry_id)
+    expect.equal(board.ranked_ids(), [entry_id], "entries in the ranking")
+    expect.ok(try_publish(first, model_name="Another"))
+    for run in (board.play("11", policy="one policy"), board.play("10")):
+        expect.ok(try_publish(run), 201)
+    context.require(lambda: first.call("withdraw_entry"), 200, "withdraw_entry")
+    expect.ok(try_publish(second))
+
+
 @requirement("BRD-007")
 def test_brd_007_entries_are_listed_newest_first(context: CheckContext) -> None:
     """Three entries are listed: by pages of different lengths, and by benchmark.

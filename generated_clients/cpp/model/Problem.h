@@ -29,6 +29,7 @@ struct Problem {
     std::optional<RunState> state{};
     std::optional<std::int64_t> expected_seq{};
     std::optional<std::string> ended_by{}; // What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
+    std::optional<std::string> entry_id{}; // Of `result_published`: the entry of that result.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("type", self.type);
@@ -43,6 +44,7 @@ struct Problem {
         visitor.optional("state", self.state);
         visitor.optional("expected_seq", self.expected_seq);
         visitor.optional("ended_by", self.ended_by);
+        visitor.optional("entry_id", self.entry_id);
     }
 };
 

@@ -650,6 +650,8 @@ class Problem(Message):
         Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
     ) = None
     """What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended."""
+    entry_id: StrictStr | None = None
+    """Of `result_published`: the entry of that result."""
 
 
 class ProblemItem(Message):

@@ -562,6 +562,8 @@ export interface Problem {
     expected_seq?: number;
     /** What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended. */
     ended_by?: string;
+    /** Of `result_published`: the entry of that result. */
+    entry_id?: string;
 }
 
 export interface ProblemItem {

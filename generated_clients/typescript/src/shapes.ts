@@ -382,6 +382,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         state: optional('string'),
         expected_seq: optional('number'),
         ended_by: optional('string'),
+        entry_id: optional('string'),
     },
     ProblemItem: {
         pointer: 'string',

@@ -162,7 +162,7 @@ def _verify(path: Path, keys: Mapping[str, str], printer: Printer) -> int:
 
 
 def _print_broken(path: Path, broken: BrokenRecord, printer: Printer) -> int:
-    printer.say(f"proctor: {path}: do not trust it: {broken}")
+    printer.say(f"proctor: {path}: {fault_of(broken)}")
     if printer.as_json:
         printer.answer(
             {
@@ -170,9 +170,20 @@ def _print_broken(path: Path, broken: BrokenRecord, printer: Printer) -> int:
                 "file": broken.file,
                 "rule": broken.rule,
                 "detail": broken.detail,
+                **({"way_out": broken.way_out} if broken.way_out else {}),
             }
         )
     return BROKEN
+
+
+def fault_of(broken: BrokenRecord) -> str:
+    """The sentence on a fault: the content cannot be trusted, or only the container."""
+    if broken.way_out:
+        return (
+            "this is not how a host packs a record, and its content was not judged: "
+            f"{broken}. {broken.way_out}"
+        )
+    return f"do not trust it: {broken}"
 
 
 def _facts(path: Path, report: Report) -> TextTable:

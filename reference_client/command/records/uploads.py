@@ -18,7 +18,7 @@ from proctor_client import RecordImport
 from reference_client.command.exit_codes import DONE, NOT_COMPLETE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import TextTable, fact_table
-from reference_client.command.records.record_commands import BROKEN, NOT_SHOWN
+from reference_client.command.records.record_commands import BROKEN, NOT_SHOWN, fault_of
 from reference_client.command.server_connection import retry_policy_of
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
@@ -82,6 +82,11 @@ def _archive_of(path: Path) -> Iterator[Path]:
     if not path.is_dir():
         if not path.is_file():
             raise UsageError(f"{path}: there is no such file")
+        try:
+            open_bundle(path)
+        except BrokenRecord as error:
+            if error.way_out:  # the server would only refuse it
+                raise UsageError(f"{path}: {fault_of(error)}") from error
         yield path
         return
     with tempfile.TemporaryDirectory() as folder:
@@ -90,7 +95,9 @@ def _archive_of(path: Path) -> Iterator[Path]:
             contents = with_verdict(open_bundle(path), "", None)
             save_blocks(packed, stream_archive(contents.items()))
         except (BrokenRecord, UnusableRecord) as error:
-            raise UsageError(f"{path} is no record: {error}") from error
+            way_out = getattr(error, "way_out", "")
+            text = f"{path} is no record: {error}"
+            raise UsageError(f"{text}. {way_out}" if way_out else text) from error
         yield packed
 
 

@@ -1,4 +1,4 @@
-"""What a body is that cannot be decoded, in words for who sent it.
+"""Words for a body that cannot be decoded: what it is, and where it breaks.
 
 Called for a body that was refused. It looks at the first bytes, and for two faults that
 a decoder reports as something else: half of a surrogate pair, and NaN.
@@ -56,7 +56,7 @@ def explain(body: bytes, error: Exception, *, is_json: bool) -> str:
 
 
 def _kind_of(body: bytes, *, is_json: bool) -> str:
-    """What the whole body is; empty if that is not known."""
+    """The kind of the whole body in words; empty if it is not known."""
     if not body:
         return "it is empty"
     for beginning, text in _BEGINNINGS:

@@ -64,7 +64,7 @@ def refuse_repeated_msgpack(body: bytes | msgspec.Raw, depth: int = 0) -> None:
             if not parts or not is_container(parts[0]):
                 return
     except msgspec.ValidationError:
-        return  # a key that is no string: the schema refuses it
+        return  # a key is not a string, and the schema refuses it
     for part in parts:
         if is_container(part):
             refuse_repeated_msgpack(part, depth + 1)

@@ -34,8 +34,7 @@ from reference_server.http.tokens.token_file import (
 )
 from reference_server.records import admin_seeds
 from reference_server.records.admin_areas import AdminFiles, CannotDo, add_areas
-from reference_server.settings import Settings
-from reference_server.settings.setting_faults import describe_faults
+from reference_server.settings import Settings, describe_faults
 from reference_server.storage import backup_command, database_commands
 from reference_server.storage.backup_command import KeptFiles
 from reference_server.storage.store import StoreFailed

@@ -318,7 +318,7 @@ class EbenchHandlers:
     async def _prepare_step(self, run: Run, worker_id: str, chunk: Chunk) -> _Step:
         """Decide what a step does for one worker; nothing is executed yet.
 
-        What changes while a large chunk is converted is noticed by its predict.
+        A change of the session while a large chunk is converted is noticed by predict.
         """
         session = run.workers.get(worker_id)
         if session is None:  # EBE-017: the actions were chosen in an ended session

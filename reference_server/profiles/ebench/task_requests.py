@@ -19,6 +19,7 @@ from reference_server.profiles.ebench import pickle_writer
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
+from reference_server.views.pattern_words import in_words
 
 _HOMEPAGE = re.compile(r"https?://[!-~]{1,490}")  # as `submit_run` takes it
 # Larger pickles and chunks are worked on in a thread.
@@ -145,7 +146,9 @@ def read_worker_ids(named: Sequence[Any], run: Run) -> list[str]:
     pattern, _ = PATH_PATTERNS["worker_id"]
     are_valid = all(re.fullmatch(pattern, worker_id) for worker_id in ids)
     if not are_valid or len(set(ids)) < len(ids):
-        raise schema_error("/worker_ids", f"each must match {pattern} and be unique")
+        raise schema_error(
+            "/worker_ids", f"each {in_words(pattern)}, and must be unique"
+        )
     if len(ids) > run.max_workers:
         raise schema_error("/worker_ids", f"must be at most {run.max_workers}")
     return ids

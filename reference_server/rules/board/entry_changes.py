@@ -6,6 +6,7 @@ own account sees has none, but for a flag of the host that is taken back.
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
@@ -42,6 +43,8 @@ class BoardEntry:
     number: grows with every entry; 0 before it is stored. description: schema
     PublishEntry. score: schema EntryScore. successes: 1 or 0 for each episode, in the
     order of the manifest. changes: how often its description was changed.
+    result_sha256: equal for runs of a manifest that went alike; empty in entries that
+    an earlier version stored.
     """
 
     entry_id: str
@@ -62,6 +65,7 @@ class BoardEntry:
     state: EntryState = "published"
     flag: Flag | None = None
     changes: int = 0
+    result_sha256: str = ""
 
     @property
     def is_public(self) -> bool:
@@ -114,7 +118,46 @@ def new_entry(
         description={},
         published_at_wall=at_wall,
         changed_at_wall=at_wall,
+        result_sha256=_digest_of(episodes),
     )
+
+
+def _digest_of(episodes: Sequence[Episode]) -> str:
+    """BRD-022: of outcome, score, steps and last state of each episode."""
+    results = [
+        (
+            *(e.result.outcome, e.result.score, e.result.steps),
+            e.recording.last_digest if e.recording else None,
+        )
+        for e in episodes
+        if e.result is not None
+    ]
+    return hashlib.sha256(repr(results).encode()).hexdigest()
+
+
+def has_same_result(entry: BoardEntry, earlier: BoardEntry) -> bool:
+    """BRD-022: whether both would be rows for one result of one policy."""
+    return (
+        entry.run_id != earlier.run_id
+        and bool(entry.result_sha256)
+        and (entry.account, entry.manifest_sha256, entry.policy, entry.result_sha256)
+        == (
+            earlier.account,
+            earlier.manifest_sha256,
+            earlier.policy,
+            earlier.result_sha256,
+        )
+    )
+
+
+def already_published(earlier: BoardEntry) -> Refuse:
+    """BRD-022."""
+    detail = (
+        f"{earlier.entry_id} has this result of the same policy already: every episode "
+        "of its run went alike."
+    )
+    members = {"entry_id": earlier.entry_id}
+    return Refuse("result_published", detail, "BRD-022", members=members)
 
 
 def _shown_of(score: Mapping[str, Any]) -> dict[str, Any]:

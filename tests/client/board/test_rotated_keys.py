@@ -18,8 +18,8 @@ from tests.support.servers import ReferenceServer
 pytestmark = pytest.mark.slow("a server that is started twice")
 
 
-def publish_another(client: httpx.Client) -> None:
-    run_id = submit(client, "score")
+def publish_another(client: httpx.Client, policy: str) -> None:
+    run_id = submit(client, "score", policy={"name": policy})
     body = predict_body(attach(client, run_id), score=1, success=1, end=1)
     path = f"{worker_path(run_id)}/predict"
     client.post(path, json=body).raise_for_status()
@@ -43,7 +43,7 @@ def test_old_and_new_checkpoints_are_right_and_the_history_only_grew(
     kept = ["board", "verify", "--state", str(tmp_path / "kept.json")]
     with ReferenceServer(tmp_path) as server, server.client() as client:
         proctor = ProctorCommand(server.url, capsys)
-        publish_another(client)
+        publish_another(client, "first")
         assert proctor.json(*kept)["key_changed"] is False
         old = signed_root(client)
         server.end(signal.SIGTERM)
@@ -51,7 +51,7 @@ def test_old_and_new_checkpoints_are_right_and_the_history_only_grew(
         assert admin.main(["keys", "rotate"]) == 0
         capsys.readouterr()
         server.start()
-        publish_another(client)
+        publish_another(client, "second")
         new = signed_root(client)
         assert new[1] != old[1]
         listed = client.get("/v1/keys").raise_for_status().json()["keys"]

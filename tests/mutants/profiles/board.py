@@ -27,7 +27,7 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService, RankedEntries
-from reference_server.storage import database_tables
+from reference_server.storage import board_store, database_tables
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.record_store import RecordStore
 from reference_server.views import board_views
@@ -130,6 +130,12 @@ def publishes_again_after_a_withdrawal(
     if stored is not None:
         stored = replace(stored, state="published")
     return right(fresh, stored, description)
+
+
+@mutant("BRD-022")
+def takes_one_result_for_several_rows() -> None:
+    """Who publishes ten runs of one policy has the first ten places."""
+    put(board_store, "has_same_result", lambda _entry, _earlier: False)
 
 
 @mutant("BRD-007", through=instead_of(BoardService, "page"))

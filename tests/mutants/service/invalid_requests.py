@@ -22,7 +22,7 @@ from reference_server.runs.service import RunService
 from tests.mutants import Json, instead_of, mutant, put
 
 
-@mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008")
+@mutant("ERR-002", "ERR-006", "ERR-013", "ENC-008", "ENC-013", "ENC-014")
 def calls_a_malformed_body_an_invalid_request() -> None:
     """A user looks for a wrong member where a comma is missing."""
     right = codec.refuse_malformed
@@ -114,7 +114,7 @@ def lets_the_last_of_equal_members_count(_right: Any, body: bytes, _: Any) -> No
 
 
 @mutant("ENC-014", through=instead_of(repeated_members, "refuse_repeated_msgpack"))
-def lets_the_last_of_equal_keys_count(_right: Any, body: bytes) -> None:
+def lets_the_last_of_equal_keys_count(_right: Any, body: Any, _depth: int = 0) -> None:
     """A proxy that reads MessagePack checks other values than the server executes."""
 
 

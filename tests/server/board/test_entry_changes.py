@@ -93,6 +93,28 @@ def test_the_history_has_what_others_could_see(
     assert entry.entry_id == ("entry_2" if stored is None else "entry_1")
 
 
+def test_a_result_is_that_of_one_policy_of_one_account() -> None:
+    """BRD-022. An entry that an earlier version stored has no digest, and is none."""
+    entry = replace(published(), run_id="run_2", result_sha256="a")
+    same = replace(entry, run_id="run_1", entry_id="entry_9", description=PRIVATE)
+    assert entry_changes.has_same_result(entry, same)
+    for other in (
+        replace(same, run_id=entry.run_id),
+        replace(same, account="bob"),
+        replace(same, manifest_sha256="0"),
+        replace(same, policy={"name": "another"}),
+        replace(same, result_sha256="b"),
+    ):
+        assert not entry_changes.has_same_result(entry, other)
+    unknown = replace(entry, result_sha256="")
+    assert not entry_changes.has_same_result(unknown, replace(unknown, run_id="run_1"))
+    refused = entry_changes.already_published(same)
+    assert (refused.code, refused.members) == (
+        "result_published",
+        {"entry_id": "entry_9"},
+    )
+
+
 def test_what_is_kept_for_good_is_bounded() -> None:
     """An account cannot fill the disk with changes; a withdrawal is always possible."""
     entry = replace(published(), changes=entry_changes.CHANGES_MAX - 1)

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from reference_record.broken import BrokenRecord
@@ -24,8 +25,12 @@ from reference_record.formats.envelope import PAYLOAD_TYPE, read_envelope
 from reference_record.formats.mcap_reader import MAGIC, McapReader
 from reference_record.formats.names import recording_name
 from reference_record.formats.strict_json import read_json
+from reference_record.pages.spreadsheet_cells import as_cell
 from reference_record.statement import read_lines
-from reference_server.http.codec import has_unusual_integers
+from reference_server.generated import models
+from reference_server.http.bodies.bounded_parsing import read_structure
+from reference_server.http.bodies.malformed_bodies import explain
+from reference_server.http.codec import JSON, has_unusual_integers
 from reference_server.http.connections.connection_limits import (
     HEADER_BYTES,
     ConnectionLimits,
@@ -34,6 +39,7 @@ from reference_server.http.pages.page_routes import FORM, FORM_BYTES_MAX
 from reference_server.profiles.ebench import pickle_reader
 from reference_server.push.calls_with_retries import ANSWER_BYTES_MAX
 from reference_server.push.chat_calls import read_answer
+from reference_server.rules.refusal import Refused
 from tests.support.parsing.asgi_server import TOKEN, AsgiServer, asgi_server
 from tests.support.parsing.parsing_work import (
     FREE_S,
@@ -144,7 +150,10 @@ def test_headers(server: AsgiServer, name: str, before: str) -> None:
             assert_linear(send, most, f"{method} {path} with {name}: {before}{unit!r}")
 
 
-@pytest.mark.parametrize("before", ["", "a=", "next=", "cursor=", "v=", "page="])
+@pytest.mark.parametrize(
+    "before",
+    ["", "a=", "next=", "cursor=", "v=", "page=", "limit=", "runs=", "request_ids="],
+)
 def test_queries(server: AsgiServer, before: str) -> None:
     for unit in HEADER_UNITS:
         for method, path in REQUESTS:
@@ -213,6 +222,42 @@ def test_json_bodies(server: AsgiServer, path: str, before: str, after: str) -> 
         assert_linear(send, most // 2, f"{path}: {before}{unit!r}")
 
 
+# What is repeated in a body of MessagePack, and what stands before it: nothing, a list
+# and a map that announce more entries than there are, the head of a message.
+PACKED_UNITS = (
+    *(
+        b"\x81\xa1a",
+        b"\x91",
+        b"\x80",
+        b"\x90",
+        b"\xc0",
+        b"\x00",
+        b"\xa1a\x00",
+        b"\xa1a",
+    ),
+    *(b"\xd9\x01a\x00", b"\xc7\x00\x05", b"\xde\x00\x01\xa1a", b"\xdf\x00\x00\x00\x00"),
+    *(b"\x81\xa6values\x81\xa1a\x91\x01", b"\xcb" + bytes(8), b"\xff", b"\xc1"),
+)
+PACKED_BEFORE = (
+    *(b"", b"\xdd\xff\xff\xff\xff", b"\xdf\xff\xff\xff\xff", b"\xdf\x00\x10\x00\x00"),
+    b"\x83\xaasession_id\xa1s\xa3seq\x01\xa7actions\xdd\x00\x00\x10\x00",
+)
+
+
+@pytest.mark.parametrize("before", PACKED_BEFORE)
+def test_messagepack_bodies(server: AsgiServer, before: bytes) -> None:
+    path = "/v1/runs/run_absent/workers/w/predict"
+    headers = [HOST, AUTHORIZED, ("content-type", b"application/msgpack")]
+    for unit in PACKED_UNITS:
+
+        def send(size: int, unit: bytes = unit) -> None:
+            body = before + unit * (size // len(unit))
+            server.answer("POST", path, headers, body=body)
+
+        most = server.settings.max_body_bytes // 2
+        assert_linear(send, most, f"{before!r}{unit!r}")
+
+
 def test_digits_cost_no_more_than_letters() -> None:
     """Numbers that are almost too long are looked at once, as anything else."""
     size = 2**22
@@ -228,6 +273,14 @@ def test_digits_cost_no_more_than_letters() -> None:
             pytest.fail(f"{digits} digits: {numbers_s} s, letters: {letters_s} s")
 
 
+TRUNCATED = msgspec.DecodeError("Input data was truncated")
+
+
+def _refused(read: Callable[..., object], model: object, data: bytes) -> None:
+    with contextlib.suppress(Refused):
+        read(model, data, JSON, closed=False)
+
+
 # Name → what parses bytes, what stands before and after, and the most that is read.
 PARSERS: dict[str, tuple[Callable[[bytes], object], str, str, int]] = {
     "text of a chat model": (
@@ -237,6 +290,16 @@ PARSERS: dict[str, tuple[Callable[[bytes], object], str, str, int]] = {
     "marked text of a chat model": (
         *(lambda data: read_answer(data.decode(errors="replace")), "<answer>", ""),
         ANSWER_BYTES_MAX,
+    ),
+    "answer of a policy server": (
+        *(lambda data: _refused(read_structure, models.Predict, data), "", ""),
+        ANSWER_BYTES_MAX,
+    ),
+    "text that is explained": (
+        *(lambda data: explain(data, TRUNCATED, is_json=True), '{"a":"', '"', 2**22),
+    ),
+    "cell of a spreadsheet": (
+        *(lambda data: as_cell(data.decode("latin-1")), "", "", 2**20),
     ),
     **{
         f"pickle {code}": (pickle_reader.read, code, "\n.", 2**20)

@@ -243,10 +243,10 @@ def is_played(client: httpx.Client, run_id: str) -> bool:
     return client.get(f"/v1/runs/{run_id}").json().get("runs_played_before") is not None
 
 
-def complete(client: httpx.Client) -> str:
+def complete(client: httpx.Client, score: float = 0.5) -> str:
     """The id of a new run that is completed."""
     run_id = submit(client, "score")
-    assert end_episode(client, run_id, attach(client, run_id), score=0.5)["done"]
+    assert end_episode(client, run_id, attach(client, run_id), score=score)["done"]
     return run_id
 
 
@@ -271,7 +271,7 @@ def test_nodes_that_sign_at_once_make_one_chain(
 
 def test_nodes_that_publish_at_once_make_one_history(cluster: Cluster) -> None:
     first, second = cluster.clients
-    run_ids = [complete(first) for _ in range(4)]
+    run_ids = [complete(first, score=number / 4) for number in range(4)]
     body = {"model_name": "m", "is_public": True}
 
     def publish(number: int) -> int:

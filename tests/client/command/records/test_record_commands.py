@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import shutil
+import zipfile
 from pathlib import Path
 
 import msgspec
@@ -63,6 +65,77 @@ def test_a_broken_record_is_named(capsys: pytest.CaptureFixture[str]) -> None:
     said = json.loads(out)
     assert (said["file"], said["rule"]) == ("episodes/00000.mcap", "REC-008")
     assert "do not trust it: episodes/00000.mcap: its SHA-256" in err
+
+
+def unpacked(folder: Path) -> Path:
+    with zipfile.ZipFile(GOOD) as archive:
+        archive.extractall(folder)
+    return folder
+
+
+def packed(folder: Path, path: Path, method: int, before: str = "") -> Path:
+    with zipfile.ZipFile(path, "w", method) as archive:
+        for file in sorted(folder.rglob("*")):
+            archive.write(file, before + file.relative_to(folder).as_posix())
+    return path
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED])
+@pytest.mark.parametrize("before", ["", "run-1/"])
+def test_an_archive_that_was_packed_again_has_a_way_out(
+    method: int, before: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """An honest record. Expect no word against it, and that the way out leads out."""
+    folder = unpacked(tmp_path / "folder")
+    again = str(packed(folder, tmp_path / "again.zip", method, before))
+    assert main(["verify", again, "--json"]) == 1
+    out, err = capsys.readouterr()
+    assert "do not trust" not in err
+    assert "its content was not judged" in err
+    assert "unzip FILE -d FOLDER" in json.loads(out)["way_out"]
+    with zipfile.ZipFile(again) as archive:
+        archive.extractall(tmp_path / "way out")
+    if before:
+        assert main(["verify", str(tmp_path / "way out")]) == 1
+        assert "in that folder: name it in place" in capsys.readouterr().err
+    assert main(["verify", str(tmp_path / "way out" / before)]) == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "way_out"),
+    [
+        (".DS_Store", "An operating system put it there. Remove it from the folder"),
+        ("episodes/.DS_Store", "An operating system put it there."),
+        ("episodes/._00000.mcap", "An operating system put it there."),
+        ("Thumbs.db", "An operating system put it there."),
+        ("__MACOSX/._x", "Remove it from the folder of the record."),
+        ("notes.txt", "Remove it from the folder of the record"),
+    ],
+)
+def test_a_file_beside_a_record_has_a_way_out(
+    name: str, way_out: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = unpacked(tmp_path / "folder")
+    (folder / name).parent.mkdir(exist_ok=True)
+    (folder / name).write_text("x")
+    assert main(["verify", str(folder)]) == 1
+    err = capsys.readouterr().err
+    assert "do not trust" not in err
+    assert way_out in err
+    shutil.rmtree(folder / name.partition("/")[0]) if "MACOSX" in name else (
+        folder / name
+    ).unlink()
+    assert main(["verify", str(folder)]) == 0
+
+
+@pytest.mark.parametrize("changed", ["manifest.json", "episodes.jsonl"])
+def test_changed_content_stays_untrusted_in_any_container(
+    changed: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = unpacked(tmp_path / "folder")
+    (folder / changed).write_bytes((folder / changed).read_bytes().replace(b"1", b"2"))
+    assert main(["verify", str(folder)]) == 1
+    assert f"do not trust it: {changed}" in capsys.readouterr().err
 
 
 def test_another_key_is_no_success(capsys: pytest.CaptureFixture[str]) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gzip
 import json
-import pickle
 import zlib
 from typing import Any
 
@@ -16,6 +15,7 @@ from reference_server.generated import models
 from reference_server.http.bodies.bounded_parsing import WHOLE_BYTES_MAX, read_structure
 from reference_server.http.codec import JSON, MSGPACK, decode, media_type_of
 from reference_server.rules.refusal import Refused
+from tests.support.profiles.ebench_client import dump_pickle
 
 TEXT = b'{"a": 1}'
 
@@ -29,7 +29,7 @@ TEXT = b'{"a": 1}'
         (b"\x28\xb5\x2f\xfd" + TEXT, "compressed with zstd"),
         (b"\xef\xbb\xbf" + TEXT, "it begins with a byte order mark"),
         *((TEXT.decode().encode(code), "UTF-16") for code in ("utf-16", "utf-32")),
-        *((pickle.dumps({"a": 1}, protocol), "a pickle") for protocol in (2, 3, 4, 5)),
+        *((dump_pickle({"a": 1}, protocol), "a pickle") for protocol in (2, 3, 4, 5)),
         (b"\x81\xa1a\x01", "it is MessagePack, not JSON"),
         (b"a=1&b=2", "it is a form, not JSON"),
         (b" <html>", "it is HTML or XML, not JSON"),
@@ -62,7 +62,7 @@ def test_json_that_is_something_else_is_called_that(body: bytes, what: str) -> N
         (b"", "it is empty"),
         (TEXT, "it is JSON, not MessagePack"),
         (gzip.compress(TEXT), "compressed with gzip"),
-        (pickle.dumps({"a": 1}), "it is a pickle"),
+        (dump_pickle({"a": 1}), "it is a pickle"),
         (b"\x81\xa1a", "it ends too early"),
         (b"\xa1\xff", "not UTF-8"),
     ],
