@@ -82,7 +82,7 @@ def evaluate(
     progress: Callable[[Progress], None] | None = None,
     episodes: int | None = None,
     dry_turn: bool = True,
-    log: str | Tracker | None = None,
+    log: str | Sequence[str] | Tracker | None = None,
     log_videos: int = 0,
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.

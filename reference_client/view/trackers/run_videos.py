@@ -25,15 +25,17 @@ def draw_videos(
 ) -> list[Path]:
     """Videos of `count` episodes, failures first, in `folder`.
 
+    Episodes whose seeds are sealed cannot be drawn; they are left out.
+
     fetch: the record of the run, block by block.
     Raises ProctorError where there is no record, UsageError where the program is not
     installed, and RuntimeError with what it says.
     """
     module = programs.require("video")
-    played = [e for e in episodes if e.result and e.result.steps]
+    played = [e for e in episodes if e.result and e.result.seed is not None]
     played.sort(key=lambda e: (e.result is not None and e.result.score, e.index))
     if not played:
-        return []
+        raise RuntimeError("no episode has a seed that is shown to this account")
     record = folder / "run.proctor"
     save_blocks(record, fetch())
     output = folder / "videos"
@@ -53,5 +55,6 @@ def draw_videos(
     videos = sorted(output.glob("*.mp4"))
     if not videos:
         said = made.stderr.strip().splitlines()
-        raise RuntimeError(said[-1] if said else f"exit code {made.returncode}")
+        reason = said[-1] if said else f"exit code {made.returncode}"
+        raise RuntimeError(reason.removeprefix("proctor: "))
     return videos

@@ -19,11 +19,16 @@ from reference_client.view.trackers.tracking import COLUMNS, Tracker
 FORMS = "wandb:PROJECT, tensorboard:FOLDER or mlflow:EXPERIMENT"
 
 
-def make_trackers(log: str | Tracker | None) -> list[Tracker]:
-    """One tracker or none. Raises as `make_tracker`."""
-    if log is None:
-        return []
-    return [make_tracker(log) if isinstance(log, str) else log]
+def make_trackers(log: str | Tracker | Sequence[str] | None) -> list[Tracker]:
+    """The trackers of texts, or one that the caller has. Raises as `make_tracker`."""
+    match log:
+        case None:
+            return []
+        case str():
+            return [make_tracker(log)]
+        case Sequence():
+            return [make_tracker(text) for text in log]
+    return [log]
 
 
 def make_tracker(text: str) -> Tracker:
