@@ -1,4 +1,4 @@
-"""What experiment trackers receive of an evaluation, and what happens without them.
+"""Experiment trackers: the calls that they receive, and evaluations without them.
 
 The libraries here note their calls; with the real ones it was played by hand.
 """
