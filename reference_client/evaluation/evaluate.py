@@ -10,7 +10,9 @@ import logging
 import sys
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
+from urllib.parse import quote
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
@@ -47,8 +49,12 @@ from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.local_token import find_token
+from reference_client.protocol.record_client import fetch_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.silence import summary
+from reference_client.view.trackers.run_videos import draw_videos
+from reference_client.view.trackers.tracker_libraries import make_trackers
+from reference_client.view.trackers.tracking import Tracker, Tracking
 
 _LOG = logging.getLogger("proctor")
 
@@ -76,43 +82,42 @@ def evaluate(
     progress: Callable[[Progress], None] | None = None,
     episodes: int | None = None,
     dry_turn: bool = True,
+    log: str | Sequence[str] | Tracker | None = None,
+    log_videos: int = 0,
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
     token: a bearer token; else PROCTOR_TOKEN, or that of a server on this machine.
-    benchmark: id of the benchmark, for a new run.
-    run_id: continue this run instead. It is resumed if it is stopped or failed.
+    benchmark: its id, for a new run. run_id: continue this run instead.
     workers: number of episodes played at a time, each in a thread.
     worker_prefix: of the worker ids; must differ between programs that share a run.
-    takeover: take over the sessions of a crashed program's workers, and do not wait.
+    takeover: take over the sessions of a crashed program's workers at once.
     assumes: conventions that the policy assumes, as in schema Assumptions.
     name, version: of the policy, which finishes the run; else the name of its class.
-    tasks, splits: of the episodes that are played; the run is then of that part.
-    images, idle_timeout_s, options, any_policy: of a new run, as in schema SubmitRun.
+    tasks, splits, images, idle_timeout_s, options, any_policy: see schema SubmitRun.
     retry_timeout_s: how long an unreachable server is retried, seconds.
-    progress: called in this thread at every change. Without it, progress is one line
-        on stderr if that is a terminal.
+    progress: called in this thread at every change; else a line on a terminal.
     episodes: play only the first ones of the benchmark; the score is then partial.
     dry_turn: call a policy once before the run is created, with a made-up observation.
+    log: wandb:PROJECT, tensorboard:FOLDER or mlflow:EXPERIMENT. log_videos: how many.
 
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
     ValueError for invalid arguments, and whatever the policy raises. The run remains;
-    `run_id` continues it, and `takeover` the episodes in play, at their step. An
-    uncaught ProctorError ends the program with its text; PROCTOR_DEBUG=1 adds more.
+    `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
+    ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
     declared = DeclaredPolicy(_name_of(policy), name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
     chosen |= {"idle_timeout_s": idle_timeout_s, "any_policy": any_policy}
-    chosen["options"] = options
     plan = EvaluationPlan(
         url=url,
         token=find_token(url, token),
         worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
         policy=declared,
-        submission=None
-        if benchmark is None or run_id is not None
-        else submission(benchmark, declared.info, **chosen),
+        submission=submission(benchmark, declared.info, options=options, **chosen)
+        if benchmark is not None and run_id is None
+        else None,
         run_id=run_id,
         benchmark=benchmark,
         takeover=takeover,
@@ -122,13 +127,15 @@ def evaluate(
         episodes=episodes,
         dry_turn=dry_turn,
     )
-    return _evaluate_plan(plan, ThreadWorkerPool(policy), progress)
+    tracking = Tracking(make_trackers(log), _LOG.warning, log_videos)
+    return _evaluate_plan(plan, ThreadWorkerPool(policy), progress, tracking)
 
 
 def _evaluate_plan(
     plan: EvaluationPlan,
     worker_pool: WorkerPool,
     progress: Callable[[Progress], None] | None,
+    tracking: Tracking,
 ) -> Score:
     """`run_evaluation` with a progress line, and a note on how to continue the run."""
     line = terminal_progress_line() if progress is None else None
@@ -142,6 +149,7 @@ def _evaluate_plan(
             on_run=runs.append,
             say=_LOG.warning,
             board=board,
+            tracking=tracking,
         )
     except KeyboardInterrupt:
         if runs:
@@ -169,15 +177,41 @@ def run_evaluation(
     on_run: Callable[[Run], object] = lambda _run: None,
     say: Callable[[str], None] = lambda _line: None,
     board: StatusBoard | None = None,
+    tracking: Tracking | None = None,
 ) -> Score:
     """Submit or resume the run of `plan`, play it with `worker_pool`, return its score.
 
     on_run: called with the run as soon as it exists. say: called with a line about each
-    worker that ended early. board: receives the reports of the workers. Raises as
-    `evaluate`.
+    worker that ended early. board: receives the reports of the workers. tracking:
+    receives the run, its progress and its end. Raises as `evaluate`.
     """
-    board, stop = board or StatusBoard(), threading.Event()
-    abandoned, runs = 0, list[Run]()
+    tracking = tracking or Tracking([], say)
+    try:
+        return _play(
+            plan,
+            worker_pool,
+            progress=tracking.with_progress(progress),
+            on_run=on_run,
+            say=say,
+            board=board or StatusBoard(),
+            tracking=tracking,
+        )
+    except BaseException as error:
+        tracking.fail(str(error) or type(error).__name__)
+        raise
+
+
+def _play(
+    plan: EvaluationPlan,
+    worker_pool: WorkerPool,
+    *,
+    progress: Callable[[Progress], None],
+    on_run: Callable[[Run], object],
+    say: Callable[[str], None],
+    board: StatusBoard,
+    tracking: Tracking,
+) -> Score:
+    stop, abandoned, runs = threading.Event(), 0, list[Run]()
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
@@ -194,6 +228,8 @@ def run_evaluation(
             )
             runs.append(run)
             on_run(run)
+            link = f"{connection.url}/pages/runs/{quote(run.run_id, safe='')}"
+            tracking.begin(run, link, workers)
             board.max_attempts = plan.max_attempts(benchmark)
             board.max_steps = benchmark["max_steps"] if benchmark else None
             run_workers = worker_pool.make_workers(
@@ -215,6 +251,10 @@ def run_evaluation(
             if board.clips.clipped:
                 say(f"Clipped: {board.clips.describe()}.")
             abandoned = score.counts.abandoned
+            if tracking.is_used:
+                rows = control_client.episodes(run.run_id)
+                record = partial(fetch_record, connection, retry_policy, run.run_id)
+                tracking.finish(score, rows, partial(draw_videos, record, rows))
         except ProctorError as error:
             if plan.submission is not None and error.code in ENDPOINT_FAULTS and runs:
                 board.is_withdrawn = control_client.withdraw_unplayed(runs[0].run_id)

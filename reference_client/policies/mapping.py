@@ -9,6 +9,7 @@ docs/evaluate/policies/policies.md. Nothing in such a file is executed.
 
 from __future__ import annotations
 
+import hashlib
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
@@ -33,7 +34,9 @@ def _attempt_id(observation: Observation) -> str:
     turn = observation.turn
     if turn is None or not turn.episode:
         return f"dry-{observation.episode_id}"
-    return f"{turn.session_id}-{observation.episode_id}-{turn.episode.attempt}"
+    # The id of a session is for its server alone.
+    session = hashlib.sha256(turn.session_id.encode()).hexdigest()[:16]
+    return f"{session}-{observation.episode_id}-{turn.episode.attempt}"
 
 
 _WORDS: Mapping[str, Callable[[Observation], Any]] = {

@@ -537,6 +537,15 @@ def _add_policy_options(parser: argparse.ArgumentParser) -> None:
     view.add_argument("--view-port", type=int, default=0, metavar="PORT",
         help="port of the live view (default: a free port)",
     )  # fmt: skip
+    trackers = parser.add_argument_group("experiment trackers")
+    trackers.add_argument(
+        "--log", action="append", metavar="TRACKER",
+        help="wandb:PROJECT, tensorboard:FOLDER or mlflow:EXPERIMENT; repeatable",
+    )  # fmt: skip
+    trackers.add_argument(
+        "--log-videos", type=_count, default=0, metavar="N",
+        help="send videos of N episodes, failures first",
+    )  # fmt: skip
 
 
 def _version() -> str:

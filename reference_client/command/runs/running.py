@@ -70,6 +70,8 @@ from reference_client.policies.policy_loader import server_kind
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
 from reference_client.view.server import View
+from reference_client.view.trackers.tracker_libraries import make_trackers
+from reference_client.view.trackers.tracking import Tracking
 
 RETRY_TIMEOUT_S = 300.0
 _ATTEMPTS = (
@@ -172,6 +174,8 @@ def resume_command(
     if args.assumes:
         command += ["--assumes", json.dumps(args.assumes)]
     command += [f"--{name}" for name in ("processes", "view") if getattr(args, name)]
+    command += [part for log in args.log or () for part in ("--log", log)]
+    command += ["--log-videos", str(args.log_videos)] if args.log_videos else []
     command += ["--takeover"] if takeover else []
     return shlex.join(command)
 
@@ -225,6 +229,8 @@ class _EvaluationCommand:
             # stdout carries only the result: what a policy prints goes to stderr.
             stack.enter_context(contextlib.redirect_stdout(sys.stderr))
             try:
+                trackers = make_trackers(self._args.log)
+                tracking = Tracking(trackers, self._printer.say, self._args.log_videos)
                 board, worker_pool = self._make_worker_pool(mapping, stack)
                 signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
                 score = run_evaluation(
@@ -234,6 +240,7 @@ class _EvaluationCommand:
                     on_run=self._on_run,
                     say=self._printer.say,
                     board=board,
+                    tracking=tracking,
                 )
             except KeyboardInterrupt:
                 raise self._report_end(

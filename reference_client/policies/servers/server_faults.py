@@ -23,7 +23,7 @@ _EXCEPTION = re.compile(r"^[A-Za-z_][\w.]*(: |$)")
 
 def failed(place: str, what: str, whole: str | None = None) -> ProctorError:
     """The failure of the policy server at `place`; whole: its text, for --debug."""
-    detail = f"The policy server at {place} {what}."
+    detail = f"The policy server at {place} {what.rstrip('.')}."
     if whole is None:
         return ProctorError(POLICY_FAILED, detail)
     return PolicyFailed(detail, whole)
@@ -98,4 +98,7 @@ def who_speaks_at(url: str) -> str:
         return "it speaks HTTP/2, as gRPC does, which no source of policies speaks"
     if first:
         return f"it sends {first[:32]!r} first"
-    return "it accepts connections and says nothing; check the port"
+    return (
+        "it accepts connections and says nothing; it is busy with another client, or "
+        "the port is that of another program"
+    )

@@ -191,8 +191,9 @@ class WebsocketClient:
                 greeting = self.read(socket.recv(timeout=self._greeting_s))
             except TimeoutError as error:
                 raise self.failed(
-                    f"sent no greeting within {self._greeting_s:g} s. It may wait for "
-                    "the client to speak first: model servers of vla-eval do "
+                    f"sent no greeting within {self._greeting_s:g} s. It is busy with "
+                    "another client, or waits for this one to speak first: model "
+                    "servers of vla-eval do "
                     "(--policy vla-eval:URL), and others are --policy ws://… with "
                     "`greeting = false` in [server]"
                 ) from error
@@ -251,7 +252,8 @@ def _why_not_connected(error: Exception, url: str) -> tuple[str, bool]:
     if isinstance(error, ssl.SSLError) and error.reason == "WRONG_VERSION_NUMBER":
         return "does not speak TLS there: the URL begins with ws://, not wss://", True
     if isinstance(error, TimeoutError) and "handshake" in str(error):
-        return f"did not answer the WebSocket handshake: {who_speaks_at(url)}", True
+        # A server that computes in its event loop answers later.
+        return f"did not answer the WebSocket handshake: {who_speaks_at(url)}", False
     return f"is unreachable ({innermost_reason(error)})", False
 
 

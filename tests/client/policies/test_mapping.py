@@ -6,14 +6,18 @@ server by a policy that holds still in its own words and checks what it is given
 
 from __future__ import annotations
 
+import io
 import re
 import tomllib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import msgspec
 import numpy as np
+import PIL.Image
 import pytest
 from proctor_client import (
     Action,
@@ -78,6 +82,15 @@ def rows(vector: str, out: Any) -> list[list[float]]:
         ("from = 'first_step'", False),
         ("from = 'episode_id'", "e0001"),
         ("value = 'lift2'", "lift2"),
+        ("from = 'step', scale = 50_000_000", 150_000_000),
+        ("from = 'step', scale = 0.05, offset = 1", 1.15),
+        ("from = 'attempt_id'", "dry-e0001"),
+        ("value = [1, 2], encode = 'json'", "[1,2]"),
+        ("from = 'state.gripper', encode = 'json'", "[0.25]"),
+        (
+            "from = 'state.gripper', encode = 'json-numpy'",
+            '{"__numpy__":"AACAPg==","dtype":"<f4","shape":[1]}',
+        ),
     ],
 )
 def test_text_entries_and_constants_are_mapped(entry: str, value: Any) -> None:
@@ -117,6 +130,40 @@ def test_images_are_resized_and_converted() -> None:
     assert resize_picture(SEEN.images["front"], 4, 8) is SEEN.images["front"]
     gray = resize_picture(SEEN.images["front"][:, :, :1], 2, 2)
     assert gray.shape == (2, 2, 1)
+
+
+@pytest.mark.parametrize("codec", ["jpeg", "png"])
+def test_an_image_may_be_a_file(codec: str) -> None:
+    data = request(f"from = 'images.front', resize = [8, 8], encode = '{codec}'")
+    with PIL.Image.open(io.BytesIO(data)) as picture:
+        assert (picture.format, picture.size) == (codec.upper(), (8, 8))
+
+
+def test_requests_nest_by_dots_without_quotes_and_by_lists() -> None:
+    """Also for sources whose names have dots: there, quotes make no difference."""
+    made = mapping(
+        observation="""
+        a.b = { from = "step" }
+        "c.d" = { from = "step" }
+        list = [{ from = "step" }, { x.y = { value = 1 } }]
+        """
+    )
+    nested = {"a": {"b": 3}, "c.d": 3, "list": [3, {"x": {"y": 1}}]}
+    assert made.request(SEEN) == nested
+    assert list(made.flat().request(SEEN)) == ["a.b", "c.d", "list.0", "list.1.x.y"]
+
+
+def test_the_id_of_an_attempt_differs_and_does_not_show_the_session() -> None:
+    def attempt_id(session: str, attempt: int) -> str:
+        episode = SimpleNamespace(attempt=attempt)
+        turn: Any = SimpleNamespace(session_id=session, episode=episode)
+        made = mapping(observation='k = { from = "attempt_id" }')
+        text: str = made.request(replace(SEEN, turn=turn))["k"]
+        return text
+
+    ids = {attempt_id(s, attempt) for s in ("secret", "other") for attempt in (1, 2)}
+    assert len(ids) == 4
+    assert not any("secret" in text for text in ids)
 
 
 def test_tensors_keep_their_dtype() -> None:

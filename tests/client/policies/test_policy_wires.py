@@ -10,13 +10,13 @@ import contextlib
 import re
 import socket
 import threading
-import time
 import tomllib
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 import pytest
+from websockets.sync.server import serve
 
 from reference_client import Observation, ProctorError
 from reference_client.api.observation import state_vector
@@ -33,6 +33,7 @@ from tests.support.client.policy_wires import (
     vla_eval,
 )
 from tests.support.paths import ROOT
+from tests.support.servers import TIMEOUT_S
 
 PAGE = (ROOT / "docs" / "evaluate" / "policies" / "policy-servers.md").read_text()
 READY = {
@@ -236,6 +237,7 @@ def test_a_model_server_that_restarts_is_sent_the_episode_again() -> None:
 
 # The wrong server, and one that does not answer
 
+SERVERS = "reference_client.policies.servers"
 MAPPING = """
 [observation]
 x = { from = "state.gripper" }
@@ -304,24 +306,23 @@ def start(talk: Any) -> Iterator[str]:
 
 @pytest.fixture
 def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
-    servers = "reference_client.policies.servers"
     for name in ("OPEN_S", "GREETING_S"):
-        monkeypatch.setattr(f"{servers}.websocket_client.{name}", 0.2)
+        monkeypatch.setattr(f"{SERVERS}.websocket_client.{name}", 0.2)
     for name in ("CONNECT_S", "FIRST_ANSWER_S"):
-        monkeypatch.setattr(f"{servers}.http_policy_client.{name}", 0.2)
-        monkeypatch.setattr(f"{servers}.policy_server_client.{name}", 0.2)
+        monkeypatch.setattr(f"{SERVERS}.http_policy_client.{name}", 0.2)
+        monkeypatch.setattr(f"{SERVERS}.policy_server_client.{name}", 0.2)
     for module in ("websocket_client", "http_policy_client", "policy_server_client"):
-        monkeypatch.setattr(f"{servers}.{module}.FIRST_CONTACT_S", 0.0)
-    monkeypatch.setattr(f"{servers}.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0)
-    monkeypatch.setattr(f"{servers}.gr00t.zmq_requester.CONNECT_S", 0.2)
-    monkeypatch.setattr(f"{servers}.server_faults._PROBE_S", 0.1)
+        monkeypatch.setattr(f"{SERVERS}.{module}.FIRST_CONTACT_S", 0.0)
+    monkeypatch.setattr(f"{SERVERS}.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0)
+    monkeypatch.setattr(f"{SERVERS}.gr00t.zmq_requester.CONNECT_S", 0.2)
+    monkeypatch.setattr(f"{SERVERS}.server_faults._PROBE_S", 0.1)
 
 
 @pytest.mark.parametrize(
     ("source", "talk", "said"),
     [
-        ("openpi:ws://{}", waits, "sent no greeting .* speak first: .* vla-eval:URL"),
-        ("openpi:ws://{}", SILENT, "did not answer .* says nothing; check the port"),
+        ("openpi:ws://{}", waits, "no greeting .* to speak first: .* vla-eval:URL"),
+        ("openpi:ws://{}", SILENT, "did not answer .* says nothing; it is busy"),
         ("openpi:ws://{}", CLOSING, "closed the connection|closes connections"),
         ("openpi:ws://{}", ZMQ, "it speaks ZeroMQ, as GR00T's"),
         ("openpi:ws://{}", SSH, "it speaks SSH"),
@@ -356,7 +357,7 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ("proctor:http://{}", waits, "is a WebSocket server"),
         ("proctor:http://{}", SILENT, "did not answer within 0.2 s"),
         ("proctor:http://{}", ZMQ, "it speaks ZeroMQ"),
-        ("gr00t:{}", waits, "is no ZeroMQ server|sent no greeting of ZeroMQ"),
+        ("gr00t:{}", waits, "is no ZeroMQ server|no greeting of ZeroMQ"),
         ("gr00t:{}", SILENT, "no greeting of ZeroMQ within 0.2 s"),
         ("gr00t:{}", SSH, "is no ZeroMQ server: it sent b'SSH-2.0"),
     ],
@@ -383,9 +384,11 @@ def test_another_protocol_is_recognised_in_time(
 def test_an_answer_has_a_limit(source: str) -> None:
     """Expect the limit, its name in the file, and that the late answer is not read."""
 
+    is_over = threading.Event()
+
     def never(path: str, *_: Any) -> tuple[int, Any]:
         if not path.startswith("GET"):
-            time.sleep(0.3)
+            is_over.wait(TIMEOUT_S)
         return 200, {}
 
     text = MAPPING + "[server]\nanswer_s = 0.1\n"
@@ -394,6 +397,7 @@ def test_an_answer_has_a_limit(source: str) -> None:
         policy.reset("x")
         with pytest.raises(ProctorError, match=r"did not answer within 0\.1 s"):
             policy.act(observation())
+        is_over.set()
 
 
 @pytest.mark.parametrize(
@@ -432,3 +436,37 @@ def test_each_format_reads_what_it_writes(wire_format: str) -> None:
     assert np.asarray(read["a"]).tolist() == array.tolist()
     with pytest.raises((TypeError, ValueError), match="not supported"):
         pack({"a": np.array([object()])}, wire_format)
+
+
+def test_a_busy_server_is_waited_for_within_an_episode(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It closes, and then does not answer two handshakes. Expect the answer all the
+    same: a server that computes in its event loop answers later."""
+    handshakes: list[threading.Event] = []
+
+    def busy(_connection: Any, _request: Any) -> None:
+        """Keeps the second and the third waiting until the next one comes."""
+        handshakes.append(threading.Event())
+        number = len(handshakes)
+        for earlier in handshakes[:-1]:
+            earlier.set()
+        if number in (2, 3):
+            handshakes[number - 1].wait(TIMEOUT_S)
+
+    monkeypatch.setattr(f"{SERVERS}.websocket_client.OPEN_S", 0.1)
+    monkeypatch.setattr(f"{SERVERS}.websocket_client.PAUSE_S", 0.0)
+    monkeypatch.setattr(f"{SERVERS}.server_faults._PROBE_S", 0.01)
+    with serve(answer_one, "127.0.0.1", 0, process_request=busy) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        address = f"127.0.0.1:{server.socket.getsockname()[1]}"
+        with connected(f"openpi:ws://{address}", MAPPING) as policy:
+            for step in range(2):
+                assert len(policy.act(observation(step=step))) == 1
+    assert len(handshakes) == 4
+
+
+def answer_one(connection: Any) -> None:
+    connection.send(b"\x80")
+    connection.recv()
+    connection.send(b"\x80")

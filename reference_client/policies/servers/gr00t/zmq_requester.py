@@ -67,14 +67,14 @@ class ZmqRequester:
     def _shake_hands(self) -> None:
         self._socket.sendall(_GREETING)
         # Something else, such as HTTP, may send less than a greeting.
-        try:
+        first = b""
+        with contextlib.suppress(TimeoutError):
             first = self._receive(1)
-        except TimeoutError as error:
-            raise NotZeroMq(
-                f"sent no greeting of ZeroMQ within {CONNECT_S:g} s; it may speak "
-                "another protocol, such as WebSocket (openpi:ws://…), or serve another "
-                "client"
-            ) from error
+        if not first:
+            raise TimeoutError(
+                f"no greeting of ZeroMQ within {CONNECT_S:g} s; it may speak another "
+                "protocol, such as WebSocket (openpi:ws://…)"
+            )
         if first != b"\xff":
             self._socket.settimeout(_REST_S)
             with contextlib.suppress(TimeoutError):
