@@ -116,7 +116,12 @@ class WorkerProcess:
             text=True,
             # A terminal sends Ctrl-C to its process group; the parent decides instead.
             start_new_session=True,
-            env=os.environ | {"PYTHONPATH": os.pathsep.join([root, *_python_path()])},
+            env={
+                # What a policy prints never ends it, whatever the encoding.
+                "PYTHONIOENCODING": ":backslashreplace",
+                **os.environ,
+                "PYTHONPATH": os.pathsep.join([root, *_python_path()]),
+            },
         )
 
     @property

@@ -68,6 +68,7 @@ from reference_client.policies.error_origin import policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_loader import server_kind
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
+from reference_client.printable_text import LenientStream
 from reference_client.protocol.control_client import ControlClient
 from reference_client.view.server import View
 
@@ -223,7 +224,8 @@ class _EvaluationCommand:
             stack.enter_context(signals)
             stack.enter_context(self._progress_display)
             # stdout carries only the result: what a policy prints goes to stderr.
-            stack.enter_context(contextlib.redirect_stdout(sys.stderr))
+            to_stderr = LenientStream(sys.stderr)
+            stack.enter_context(contextlib.redirect_stdout(to_stderr))
             try:
                 board, worker_pool = self._make_worker_pool(mapping, stack)
                 signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
