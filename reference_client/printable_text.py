@@ -23,7 +23,7 @@ _UNPRINTABLE = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f"
     "\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
 )
-# What is written where an encoding lacks a character of ours; others are escaped.
+# Replacements for characters that an encoding lacks; others are escaped.
 _ASCII = {
     "…": "...",
     "–": "-",

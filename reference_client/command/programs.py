@@ -42,7 +42,7 @@ PROGRAMS = {
 def start(command: str, arguments: Sequence[str]) -> int:
     """Replaces this process by the program. Raises UsageError if it is missing."""
     module = require(command)
-    # What it prints never ends it, whatever the encoding of a terminal or a pipe.
+    # Printing never ends the program, whatever the encoding of a terminal or a pipe.
     os.environ.setdefault("PYTHONIOENCODING", ":backslashreplace")
     os.execv(sys.executable, [sys.executable, "-m", module, *arguments])  # noqa: S606
 

@@ -117,7 +117,7 @@ class WorkerProcess:
             # A terminal sends Ctrl-C to its process group; the parent decides instead.
             start_new_session=True,
             env={
-                # What a policy prints never ends it, whatever the encoding.
+                # Printing never ends a policy, whatever the encoding.
                 "PYTHONIOENCODING": ":backslashreplace",
                 **os.environ,
                 "PYTHONPATH": os.pathsep.join([root, *_python_path()]),

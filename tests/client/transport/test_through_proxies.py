@@ -13,8 +13,8 @@ from reference_client.protocol import http_connection
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.http_connection import HttpConnection
 from tests.support.client.command import options
-from tests.support.client.forward_proxy import run_forward_proxy
-from tests.support.client.tls_gateway import CannedHandler, serve_tls
+from tests.support.network.forward_proxy import run_forward_proxy
+from tests.support.network.tls_gateway import CannedHandler, serve_tls
 from tests.support.server.certificates import create_certificate
 from tests.support.servers import ReferenceServer
 

@@ -1,4 +1,4 @@
-"""What is printed never ends a run: encodings that lack it, disks that are full."""
+"""Printing never ends a run: encodings that lack a character, disks that are full."""
 
 from __future__ import annotations
 
