@@ -31,6 +31,7 @@ from reference_client.command.exit_codes import (
     WRONG_USAGE_OR_NO_SERVER,
     exit_code_of,
     message_of,
+    with_flag_names,
 )
 from reference_client.command.output import answer_tables
 from reference_client.command.output.episode_facts import players_of
@@ -55,6 +56,7 @@ from reference_client.evaluation.status_board import (
     StatusBoard,
     describe_left,
 )
+from reference_client.evaluation.wait_reminder import EVERY_S, remind_of_waits
 from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool
 from reference_client.policies import (
@@ -229,6 +231,8 @@ class _EvaluationCommand:
             try:
                 board, worker_pool = self._make_worker_pool(mapping, stack)
                 signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
+                reminder = remind_of_waits(board, self._say_wait, EVERY_S)
+                stack.enter_context(reminder)
                 score = run_evaluation(
                     plan,
                     worker_pool,
@@ -286,6 +290,9 @@ class _EvaluationCommand:
         self._printer.say(f"Run {run.run_id}: {policy}")
         if self._view is not None:
             self._view.title = policy
+
+    def _say_wait(self, line: str) -> None:
+        self._printer.say(with_flag_names(line))
 
     def _on_progress(self, progress: Progress) -> None:
         self._progress_display(progress)
