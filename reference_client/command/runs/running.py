@@ -22,6 +22,7 @@ from types import FrameType
 from typing import Any, Self
 
 from proctor_client import Assumptions, Benchmark, Episode, Run, Score
+from proctor_client.transport.server_address import without_user
 
 from reference_client.api.policy import Policy
 from reference_client.command.command_line.arguments import DEFAULT_URL
@@ -150,11 +151,12 @@ def _repeat(
 def resume_command(
     args: argparse.Namespace, run_id: str, *, takeover: bool = False
 ) -> str:
-    """The command that continues the run, without the token, which is secret.
+    """The command that continues the run, without what is secret.
 
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
-    command = [_own_name(), "run", "--run-id", run_id, "--policy", args.policy]
+    policy = without_user(args.policy)  # of a policy server, with a password
+    command = [_own_name(), "run", "--run-id", run_id, "--policy", policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
