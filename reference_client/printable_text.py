@@ -68,7 +68,9 @@ def prepare_output() -> None:
             nowhere = os.open(os.devnull, os.O_WRONLY)
             setattr(sys, name, os.fdopen(nowhere, "w", encoding="utf-8"))
         elif isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors=_ERRORS)
+            # The file behind a stream may be another one than when it was opened.
+            with contextlib.suppress(OSError):
+                stream.reconfigure(errors=_ERRORS)
 
 
 @contextlib.contextmanager

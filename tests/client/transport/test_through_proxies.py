@@ -144,7 +144,7 @@ def test_this_machine_is_reached_past_the_proxy(
         )
         monkeypatch.setenv("PROCTOR_PROXY", proxy.url)
         assert main(["status", "--url", server.url]) == 0
-        assert len(proxy.requests) == 1
+        assert proxy.requests[0] == f"GET {server.url}/v1/runs"
 
 
 @pytest.mark.parametrize("is_secure_proxy", [False, True])
