@@ -89,6 +89,7 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
         language.build()
     except (BuildFailed, subprocess.TimeoutExpired) as error:
         row |= {name: Cell(FAILED, f"the build: {error}") for name in names}
+        print(f"{language.name}: failed: the build: {error}", flush=True)
         return
     print(f"{language.name}: built in {time.monotonic() - started:.0f} s", flush=True)
     program = program_of(language)
