@@ -475,7 +475,7 @@ def wrong_answers(server: Server, program: Program) -> None:
     """Successes that are no message; the client's own error says so for each."""
     server.submit()
     page = server.read("/v1/runs?limit=1")
-    with wrong_server(page, redirects=program.language != "python") as url:
+    with wrong_server(page) as url:
         errors = program.play("wrong_answers", url, server.token)["errors"]
     taken = TAKEN.get(program.language, set())
     wanted = {

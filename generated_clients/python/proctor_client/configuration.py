@@ -12,6 +12,7 @@ from typing import Any
 
 import urllib3
 
+from .interim_answers import past_interim_answers
 from .transport.copied_text import read_token
 from .transport.proxy_route import ProxyRoute, find_route, proxy_of
 
@@ -81,13 +82,14 @@ class Configuration:
             return SOCKSProxyManager(self.proxy, headers=self.proxy_headers, **options)
         route = self.route()
         if not route.url:
-            return urllib3.PoolManager(**options)
-        return urllib3.ProxyManager(
+            return past_interim_answers(urllib3.PoolManager(**options))
+        manager = urllib3.ProxyManager(
             route.url,
             proxy_headers=dict(route.headers) | dict(self.proxy_headers or {}),
             proxy_ssl_context=self.proxy_ssl_context,
             **options,
         )
+        return past_interim_answers(manager)
 
     def route(self) -> ProxyRoute:
         """How the server is reached. Raises BadProxy, a ValueError."""
