@@ -14,7 +14,7 @@ import struct
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +43,9 @@ LIMITS = {
 }
 # Wrong answers that a language takes for right.
 TAKEN = {"go": {"empty", "missing"}}
+PROXIES = dict.fromkeys(
+    ("http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"), "http://127.0.0.1:9"
+)
 # Of the generated clients alone, and of what is written on top of them alone.
 MESSAGES_ONLY = {"vectors"}
 EVALUATION_ONLY = {"heartbeat"}
@@ -397,7 +400,11 @@ def spelling(server: Server, program: Program) -> None:
 
 
 def settings(server: Server, program: Program) -> None:
-    """The example cleans or refuses a URL and a token, and says what it waits for."""
+    """The example cleans or refuses a URL and a token, and says what it waits for.
+
+    No proxy of the environment is asked for this machine.
+    """
+    program = replace(program, env={**program.env, **PROXIES})
     with closed_port() as port, program.start_example(port) as waiting:
         settings_that_work(server, program)
         settings_that_do_not(server, program)
