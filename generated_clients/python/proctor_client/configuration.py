@@ -15,6 +15,7 @@ import urllib3
 from .interim_answers import past_interim_answers
 from .transport.copied_text import read_token
 from .transport.proxy_route import ProxyRoute, find_route, proxy_of
+from .transport.server_address import check_base_url
 
 
 @dataclass
@@ -57,6 +58,7 @@ class Configuration:
     socket_options: list[tuple[int, int, int]] | None = None
 
     def __post_init__(self) -> None:
+        self.host = check_base_url(self.host)
         self.access_token = read_token(self.access_token or "", "access_token")
 
     def pool_manager(self) -> urllib3.PoolManager:
