@@ -1,4 +1,4 @@
-"""What every client must see, and the judgement on what its program said.
+"""The scenarios: each judges the output of the program of a client.
 
 A program plays a scenario and prints what it saw; here stands what it should have seen:
 computed from the specification, or read from the server with a client that is none of
@@ -32,7 +32,7 @@ from tests.support.sim.calibration_action import SIZES
 TIMEOUT_S = 120.0
 VECTORS = Path(__file__).resolve().parents[2] / "spec" / "vectors" / "wire"
 VECTOR = [-0.0, 0.1, 5e-324, 1.7976931348623157e308, 2.0**53 - 1, 1 / 3, -2.5e-8, 1e22]
-# What a language cannot do, with the reason; the matrix shows it.
+# The matrix shows why a language cannot do something.
 LOST_SIGN = "JSON.stringify writes −0 as `0`: its sign is lost"
 LIMITS = {
     ("typescript", "echo"): LOST_SIGN,
@@ -46,7 +46,7 @@ TAKEN = {"go": {"empty", "missing"}}
 PROXIES = dict.fromkeys(
     ("http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"), "http://127.0.0.1:9"
 )
-# Of the generated clients alone, and of what is written on top of them alone.
+# The generated clients alone play these, and the packages of clients/ those.
 MESSAGES_ONLY = {"vectors"}
 EVALUATION_ONLY = {"heartbeat"}
 
@@ -113,7 +113,7 @@ class Program:
     example: Sequence[str] = ()
 
     def play(self, scenario: str, url: str, token: str) -> dict[str, Any]:
-        """What the program saw; UnexpectedResult has its last words if it failed."""
+        """Return the program's output; UnexpectedResult has its last words if it failed."""
         done = self._run([*self.command, scenario, url, token])
         if done.returncode != 0:
             raise UnexpectedResult(

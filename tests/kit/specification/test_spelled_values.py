@@ -1,4 +1,4 @@
-"""What http.md leaves out of the spellings of a value is a fault, in JSON alone."""
+"""A value of JSON in a spelling that http.md does not allow is a fault."""
 
 from __future__ import annotations
 
