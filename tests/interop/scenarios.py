@@ -113,7 +113,7 @@ class Program:
     example: Sequence[str] = ()
 
     def play(self, scenario: str, url: str, token: str) -> dict[str, Any]:
-        """Return the program's output; UnexpectedResult has its last words if it failed."""
+        """Return its output; UnexpectedResult has its last words if it failed."""
         done = self._run([*self.command, scenario, url, token])
         if done.returncode != 0:
             raise UnexpectedResult(
