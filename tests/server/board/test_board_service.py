@@ -60,7 +60,7 @@ async def completed(parts: ServerParts, run_id: str, account: str = "alice") -> 
     """The manifest of a run that is completed."""
     run = calibration_run("score", run_id=run_id, account=account, state="completed")
     # A policy of its own: an account has one entry of one result of a policy.
-    run.submission["policy"]["name"] = run_id
+    run.submission = {**run.submission, "policy": {"name": run_id}}
     assert await parts.store.insert(run, None, "")
     run.episodes[0].result = RESULT
     run.changed = {0}
