@@ -4,8 +4,14 @@ The client is installed from the same wheel without the kit's dependencies. Ther
 report the missing one in one line. This module must not import what may be missing.
 """
 
+import contextlib
 import importlib
 import sys
+
+from conformance.client.connections.transport.printable_text import (
+    output_that_may_end,
+    prepare_output,
+)
 
 
 def main() -> int:
@@ -19,6 +25,7 @@ def main_policy() -> int:
 
 
 def _start(module: str) -> int:
+    prepare_output()
     try:
         begin = importlib.import_module(module).main
     except ModuleNotFoundError as missing:
@@ -28,7 +35,11 @@ def _start(module: str) -> int:
             file=sys.stderr,
         )
         return 2
-    code: int = begin()
+    code = 2
+    with contextlib.suppress(BrokenPipeError):  # `proctor-conformance --list | head`
+        code = int(begin())
+    with output_that_may_end(sys.stdout):
+        sys.stdout.flush()
     return code
 
 

@@ -54,7 +54,11 @@ VERSIONS = tuple(
 )
 CLIENTS = Path("generated_clients")
 # Written by hand for the clients, and copied to the kit, which imports no client.
-TRANSPORT = sorted((ROOT / CLIENTS).glob("python/proctor_client/transport/*.py"))
+TRANSPORT = (
+    *sorted((ROOT / CLIENTS).glob("python/proctor_client/transport/*.py")),
+    ROOT / "reference_client" / "printable_text.py",
+    ROOT / "reference_record" / "command_line" / "text_file.py",
+)
 KIT_TRANSPORT = Path("conformance", "client", "connections", "transport")
 COPIES = tuple(KIT_TRANSPORT / path.name for path in TRANSPORT)
 SINGLE_FILES = (MODELS, CATALOGUE, PARAMETERS, TURNS, *VERSIONS, *COPIES)

@@ -29,7 +29,6 @@ from tests.interop.scenarios import (
     LIMITS,
     MESSAGES_ONLY,
     SCENARIOS,
-    SETTINGS_ONLY,
     Program,
     ScenarioNotRunnable,
     Server,
@@ -89,6 +88,7 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
         language.build()
     except (BuildFailed, subprocess.TimeoutExpired) as error:
         row |= {name: Cell(FAILED, f"the build: {error}") for name in names}
+        print(f"{language.name}: failed: the build: {error}", flush=True)
         return
     print(f"{language.name}: built in {time.monotonic() - started:.0f} s", flush=True)
     program = program_of(language)
@@ -100,8 +100,6 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
 def scenarios_of(language: Language) -> list[str]:
     """The scenarios that its programs have a part in."""
     absent = MESSAGES_ONLY if language.evaluates else EVALUATION_ONLY
-    if language.language == "python":
-        absent = absent | SETTINGS_ONLY
     return [name for name in SCENARIOS if name not in absent]
 
 

@@ -14,6 +14,7 @@ from conformance.cli.reached_server import (
     read_base_url,
     read_secret,
 )
+from conformance.client.connections.transport.text_file import NotText, read_text_file
 from conformance.reports.attestation import CannotAttest, load_key, read_subject
 from conformance.run_settings import Settings
 from conformance.specification.document import spec_name
@@ -351,10 +352,11 @@ def read_known_failures(path: str | None) -> set[str]:
     if path is None:
         return set()
     try:
-        with open(path, encoding="utf-8") as file:  # noqa: PTH123 - as the user gave it
-            lines = file.read().splitlines()
+        lines = read_text_file(path).splitlines()
     except OSError as error:
         raise BadArguments(f"--known-failures {path}: {error.strerror}") from error
+    except NotText as error:
+        raise BadArguments(f"--known-failures {path}: {error}") from error
     rule_ids: set[str] = set()
     for number, line in enumerate(lines, 1):
         requirement_id, _, comment = line.partition("#")

@@ -4,7 +4,6 @@ Eighty columns, colour only on a terminal, one line per rule, one card per failu
 """
 
 import itertools
-import re
 import sys
 import textwrap
 import time
@@ -12,6 +11,12 @@ import time
 from rich.console import Console
 from rich.text import Text
 
+from conformance.client.connections.transport.printable_text import (
+    discard_output,
+    output_that_may_end,
+    prepare_output,
+    printable,
+)
 from conformance.reports.failure_card import CARD_WIDTH, OUTCOME_WORDS, card
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
@@ -21,12 +26,6 @@ from conformance.verdicts.verdict import Outcome, Verdict
 _EVERY_S = 3.0
 _IDS_SHOWN = 12
 _NO_BREAK = "\N{NO-BREAK SPACE}"
-# Texts of a server that a terminal would obey: control characters but tab and line
-# feed, marks of direction, and surrogates, which cannot be written.
-_UNPRINTABLE = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f"
-    "\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]"
-)
 _STYLES = {
     Outcome.PASSED: "green",
     Outcome.FAILED: "bold red",
@@ -37,12 +36,21 @@ _STYLES = {
 }
 
 
+class _Console(Console):
+    """A console whose end, as of `| head`, does not end the kit."""
+
+    def on_broken_pipe(self) -> None:
+        """Write no more; the library would exit with 1, as for a violation."""
+        discard_output(self.file)
+
+
 class Terminal:
     """Writes progress while checks run, and the report at the end."""
 
     def __init__(self) -> None:
+        prepare_output()
         # No hard line breaks: commands must survive copying.
-        self._console = Console(
+        self._console = _Console(
             highlight=False, markup=False, emoji=False, soft_wrap=True
         )
         self._seen = 0
@@ -51,7 +59,7 @@ class Terminal:
 
     def say(self, text: str, style: str = "") -> None:
         """Write one line."""
-        self._console.print(Text(_printable(text), style=style), soft_wrap=True)
+        self._print(Text(printable(text), style=style))
 
     def progress(self, verdict: Verdict, total: int) -> None:
         """Report that a check has ended: on one line, or every few seconds in a log."""
@@ -60,8 +68,9 @@ class Terminal:
         of = f"/{total}" if total else ""
         line = f"{self._seen}{of} checked, {self._failed} failed"
         if self._console.is_terminal:
-            sys.stdout.write(f"\r\x1b[K{line}  {verdict.requirement_id}")
-            sys.stdout.flush()
+            with output_that_may_end(sys.stdout):
+                sys.stdout.write(f"\r\x1b[K{line}  {verdict.requirement_id}")
+                sys.stdout.flush()
         elif time.monotonic() - self._last_line_at > _EVERY_S:
             self._last_line_at = time.monotonic()
             self.say(line)
@@ -69,7 +78,8 @@ class Terminal:
     def report(self, result: Result) -> None:
         """Write rows, failure cards and the conclusion."""
         if self._console.is_terminal and self._seen:
-            sys.stdout.write("\r\x1b[K")
+            with output_that_may_end(sys.stdout):
+                sys.stdout.write("\r\x1b[K")
         if result.problem is None or self._seen:
             self._rows(result)
             for first, *others in result.causes(Outcome.FAILED, Outcome.KIT_ERROR):
@@ -109,8 +119,13 @@ class Terminal:
         line.append(f"{word:<13}", _STYLES[verdict.outcome])
         is_plain = verdict.outcome == Outcome.PASSED or not verdict.reason
         summary = row.text if is_plain else verdict.reason.split("\n")[0]
-        line.append(_cut(_printable(summary), CARD_WIDTH - len(line)))
-        self._console.print(line, soft_wrap=True)
+        line.append(_cut(printable(summary), CARD_WIDTH - len(line)))
+        self._print(line)
+
+    def _print(self, text: Text) -> None:
+        with output_that_may_end(sys.stdout):
+            self._console.print(text, soft_wrap=True)
+            sys.stdout.flush()
 
     def _open_rules(self, result: Result) -> None:
         """Name the rules that are not green, except those of profiles not announced."""
@@ -136,8 +151,3 @@ def _unbroken(text: str) -> str:
 
 def _cut(text: str, length: int) -> str:
     return text if len(text) <= length else text[: length - 1].rstrip() + "…"
-
-
-def _printable(text: str) -> str:
-    """The text with an escape, such as \\x1b, for each character that acts."""
-    return _UNPRINTABLE.sub(lambda match: ascii(match[0])[1:-1], text)

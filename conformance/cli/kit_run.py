@@ -6,9 +6,11 @@ a server is inspected nor which checks run.
 
 import contextlib
 import signal
+import tempfile
 import time
 from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
+from pathlib import Path
 from types import FrameType
 
 from conformance.cli.arguments import BadArguments
@@ -32,6 +34,7 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
     began_at = time.monotonic()
     signal.signal(signal.SIGTERM, _raise_interrupt)
     try:
+        _require_place(Path(result.settings.report))
         judge()
     except BadArguments as error:
         result.problem = f"{error} (see --help)"
@@ -51,6 +54,15 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
             result.notes.append(f"no statement was written: {error}")
     terminal.report(result)
     return result.exit_code
+
+
+def _require_place(folder: Path) -> None:
+    """Refuse a folder that cannot be written, before minutes of checks."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError as error:
+        raise BadArguments(f"--report {folder}: {error.strerror}") from error
 
 
 @contextlib.contextmanager

@@ -5,7 +5,11 @@ All of it before the first request, so that no check fails for one of these.
 
 import os
 
-from conformance.client.connections.transport.copied_text import BadToken, read_token
+from conformance.client.connections.transport.copied_text import (
+    BadToken,
+    read_token,
+    token_of,
+)
 from conformance.client.connections.transport.proxy_route import find_route
 from conformance.client.connections.transport.server_address import check_base_url
 from conformance.client.connections.transport.tls_trust import client_context
@@ -24,8 +28,7 @@ def read_base_url(option: str, text: str) -> str:
 def read_secret(given: str | None, option: str, variable: str) -> str | None:
     """Read a token, or that of the environment. Raises ValueError, never with it."""
     try:
-        token = read_token(given or "", option)
-        return token or read_token(os.environ.get(variable, ""), variable)
+        return read_token(given or "", option) or token_of(variable)
     except BadToken as error:
         raise ValueError(str(error)) from None
 

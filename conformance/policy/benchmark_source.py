@@ -18,6 +18,7 @@ from conformance.client.connections.failure_texts import (
     describe_other_answer,
 )
 from conformance.client.connections.kept_connection import HttpRequest
+from conformance.client.connections.transport.text_file import read_text_file
 from conformance.policy.turn_builder import calibration
 from conformance.specification.document import load_policy_spec
 
@@ -51,7 +52,7 @@ def read_benchmark(
 
 def _from_file(path: str) -> Any:
     try:
-        return json.loads(Path(path).read_text(encoding="utf-8"))
+        return json.loads(read_text_file(path))
     except (OSError, ValueError) as error:
         raise BadArguments(f"--benchmark {path}: {error}") from error
 

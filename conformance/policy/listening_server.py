@@ -3,6 +3,8 @@
 import socket
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
+from conformance.client.connections.loopback import in_url
+
 
 class ListeningServer(ThreadingHTTPServer):
     """Listens at a free port of a host; `origin` is the URL without a path."""
@@ -13,5 +15,4 @@ class ListeningServer(ThreadingHTTPServer):
         is_ipv6 = ":" in host
         self.address_family = socket.AF_INET6 if is_ipv6 else socket.AF_INET
         super().__init__((host, 0), handler)
-        place = f"[{host}]" if is_ipv6 else host
-        self.origin = f"http://{place}:{self.server_port}"
+        self.origin = f"http://{in_url(host)}:{self.server_port}"

@@ -10,6 +10,7 @@ from urllib.parse import urlsplit
 
 from conformance.client.adaptive_timeouts import GrowingPauses
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.loopback import loopback
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.policy.scripted_chat import ScriptedChat
@@ -94,7 +95,8 @@ def require_permitted(answer: Answer, url: str) -> None:
             f"server refuses policy server URL {url}: "
             f"{expect.describe_answer(answer)} "
             "Allow it to call that address (the reference server: "
-            "`--allow-private-policies 127.0.0.1`), or let the kit start the server.",
+            f"`--allow-private-policies {urlsplit(url).hostname}`), or let the kit "
+            "start the server.",
             allowed=True,
         )
 
@@ -144,7 +146,8 @@ def own_address(url: str) -> str:
     """Give the address of this machine by which the server at a URL can reach it."""
     parts = urlsplit(url)
     if is_local(url):
-        return "127.0.0.1"
+        host = parts.hostname or ""
+        return host if ":" in host else loopback()
     port = parts.port or (443 if parts.scheme == "https" else 80)
     try:
         places = socket.getaddrinfo(parts.hostname, port, type=socket.SOCK_DGRAM)

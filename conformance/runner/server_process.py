@@ -24,6 +24,8 @@ from typing import IO
 
 import httpx
 
+from conformance.client.connections.loopback import in_url, loopback, probing_socket
+
 _START_S = 60.0
 _STOP_S = 5.0
 _POLL_S = 0.02
@@ -109,7 +111,7 @@ class ServerProcess:
         port: int,
         log: Path,
     ) -> None:
-        self.url = f"http://127.0.0.1:{port}"
+        self.url = f"http://{in_url(loopback())}:{port}"
         self._command = shlex.split(command)
         self._tokens = tokens
         self._database = directory / "conformance.sqlite3"
@@ -132,12 +134,12 @@ class ServerProcess:
         self._log.parent.mkdir(parents=True, exist_ok=True)
         self._output = self._log.open("ab")
         environment = os.environ | {
-            "PROCTOR_HOST": "127.0.0.1",
+            "PROCTOR_HOST": loopback(),
             "PROCTOR_PORT": str(self._port),
             "PROCTOR_TOKENS": self._tokens.as_setting(),
             "PROCTOR_DATABASE": str(self._database),
             # The address of the policy server of the kit, for the profile push.
-            "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.1",
+            "PROCTOR_ALLOW_PRIVATE_POLICIES": loopback(),
         }
         if public_url is not None:
             environment["PROCTOR_PUBLIC_URL"] = public_url or self.url
@@ -260,8 +262,8 @@ class ServerProcess:
 
 
 def _is_listening(port: int) -> bool:
-    with socket.socket() as probe:
-        return probe.connect_ex(("127.0.0.1", port)) == 0
+    with probing_socket() as probe:
+        return probe.connect_ex((loopback(), port)) == 0
 
 
 def _is_free(port: int) -> bool:
@@ -269,17 +271,17 @@ def _is_free(port: int) -> bool:
 
     Binds, for a connection would wait in the queue of a server that accepts no more.
     """
-    with socket.socket() as probe:
+    with probing_socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
-            probe.bind(("127.0.0.1", port))
+            probe.bind((loopback(), port))
         except OSError:
             return False
     return True
 
 
 def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
+    with probing_socket() as probe:
+        probe.bind((loopback(), 0))
         port: int = probe.getsockname()[1]
         return port

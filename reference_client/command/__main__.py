@@ -8,9 +8,12 @@ may be missing.
 import os
 import sys
 
+from reference_client.printable_text import prepare_output
+
 
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
+    prepare_output()
     try:
         if "_ARGCOMPLETE" in os.environ:  # set by a shell at Tab, which shall not wait
             from reference_client.command.command_line.completion import complete

@@ -42,6 +42,8 @@ PROGRAMS = {
 def start(command: str, arguments: Sequence[str]) -> int:
     """Replaces this process by the program. Raises UsageError if it is missing."""
     module = require(command)
+    # Printing never ends the program, whatever the encoding of a terminal or a pipe.
+    os.environ.setdefault("PYTHONIOENCODING", ":backslashreplace")
     os.execv(sys.executable, [sys.executable, "-m", module, *arguments])  # noqa: S606
 
 

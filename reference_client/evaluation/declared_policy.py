@@ -7,6 +7,7 @@ announce them refuses these members, so nothing is sent there.
 from __future__ import annotations
 
 import importlib.metadata
+import sys
 from dataclasses import dataclass
 
 from proctor_client import Player, PolicyInfo, Run, RunPolicy, Service, SubmitRun
@@ -32,6 +33,12 @@ class DeclaredPolicy:
     @property
     def info(self) -> PolicyInfo:
         """The policy as a new run declares it."""
+        for text in (self.name, self.program, self.version):
+            if text is not None and any("\ud800" <= char <= "\udfff" for char in text):
+                raise ValueError(
+                    f"{text!r:.60} is not text in the encoding of this shell "
+                    f"({sys.getfilesystemencoding()}); set LC_ALL=C.UTF-8"
+                )
         return PolicyInfo(name=self.name or self.program, version=self.version)
 
     @property

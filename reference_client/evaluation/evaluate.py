@@ -6,6 +6,7 @@ its own worker pool and messages. rounds.py plays the run once it is submitted.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import sys
 import threading
@@ -38,6 +39,7 @@ from reference_client.evaluation.status_board import (
     terminal_progress_line,
 )
 from reference_client.evaluation.uncaught_errors import shorten_report
+from reference_client.evaluation.wait_reminder import remind_of_waits
 from reference_client.evaluation.worker_pool import (
     EvaluationContext,
     ThreadWorkerPool,
@@ -142,15 +144,18 @@ def _evaluate_plan(
     runs: list[Run] = []
     board = StatusBoard()
     try:
-        return run_evaluation(
-            plan,
-            worker_pool,
-            progress=progress or line,
-            on_run=runs.append,
-            say=_LOG.warning,
-            board=board,
-            tracking=tracking,
-        )
+        with contextlib.ExitStack() as stack:
+            if progress is None and line is None:
+                stack.enter_context(remind_of_waits(board, _LOG.warning))
+            return run_evaluation(
+                plan,
+                worker_pool,
+                progress=progress or line,
+                on_run=runs.append,
+                say=_LOG.warning,
+                board=board,
+                tracking=tracking,
+            )
     except KeyboardInterrupt:
         if runs:
             sys.stderr.write(f"\n{printable(_how_to_continue(runs[0], board))}\n")

@@ -16,7 +16,7 @@ from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.api.policy import WireAction
 from reference_client.generated.messages import Turn
-from reference_client.printable_text import printable
+from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode
 
@@ -230,14 +230,17 @@ class ProgressLine:
             parts.append(left)
         columns = shutil.get_terminal_size().columns
         line = printable("  ".join(parts))[: columns - 1]
-        self._stream.write(f"\r\x1b[2K{line}")
-        self._stream.flush()
+        with output_that_may_end(self._stream):
+            self._stream.write(f"\r\x1b[2K{line}")
+            self._stream.flush()
 
     def end(self) -> None:
-        self._stream.write("\n")
-        self._stream.flush()
+        with output_that_may_end(self._stream):
+            self._stream.write("\n")
+            self._stream.flush()
 
 
 def terminal_progress_line() -> ProgressLine | None:
     """A progress line on stderr, if that is a terminal."""
-    return ProgressLine(sys.stderr) if sys.stderr.isatty() else None
+    is_terminal = sys.stderr is not None and sys.stderr.isatty()
+    return ProgressLine(sys.stderr) if is_terminal else None

@@ -116,7 +116,12 @@ class WorkerProcess:
             text=True,
             # A terminal sends Ctrl-C to its process group; the parent decides instead.
             start_new_session=True,
-            env=os.environ | {"PYTHONPATH": os.pathsep.join([root, *_python_path()])},
+            env={
+                # Printing never ends a policy, whatever the encoding.
+                "PYTHONIOENCODING": ":backslashreplace",
+                **os.environ,
+                "PYTHONPATH": os.pathsep.join([root, *_python_path()]),
+            },
         )
 
     @property

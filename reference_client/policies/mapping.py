@@ -25,6 +25,7 @@ from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.policies.image_resize import compress_picture, resize_picture
 from reference_client.policies.servers.wire_formats import pack
+from reference_record.command_line.text_file import NotText, read_text_file
 
 Array = npt.NDArray[Any]
 
@@ -186,10 +187,10 @@ class PolicyMapping:
     def read(cls, path: str | Path, *, is_partial: bool = False) -> Self:
         """is_partial: tables may be missing. Raises BadMapping."""
         try:
-            document = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+            document = tomllib.loads(read_text_file(path))
         except OSError as error:
             raise BadMapping(f"cannot read {path}: {error.strerror}") from error
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        except (tomllib.TOMLDecodeError, NotText) as error:
             raise BadMapping(f"{path} is not valid TOML: {error}") from error
         return cls.of(document, str(path), is_partial=is_partial)
 

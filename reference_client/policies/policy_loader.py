@@ -23,6 +23,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, Protocol
 
+from proctor_client.transport.copied_text import token_of
+
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
 from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
@@ -85,7 +87,7 @@ def _openpi(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     _require_scheme("openpi", url, ("ws", "wss"))
     readable = {"expect", "answer_s", "new_connection"}
     settings = ServerSettings.of(mapping.server, "openpi:", readable)
-    key = os.environ.get("OPENPI_API_KEY")
+    key = token_of("OPENPI_API_KEY")
     authorization = f"Api-Key {key}" if key else None
     return _websocket_policies(url, mapping, settings, authorization)
 

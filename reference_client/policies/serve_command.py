@@ -7,11 +7,11 @@ example.
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from collections.abc import Sequence
 
 import uvicorn
+from proctor_client.transport.copied_text import token_of
 
 from reference_client.policies import BadMapping, BadPolicy, load, read_mapping
 from reference_client.policies.policy_http_app import PolicyApp
@@ -56,7 +56,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (BadPolicy, BadMapping) as error:
         sys.stderr.write(f"proctor: {error}\n")
         return 2
-    key = os.environ.get("PROCTOR_POLICY_KEY") or None
+    key = token_of("PROCTOR_POLICY_KEY")
     served = PolicyApp(
         lambda: first.pop() if first else make(),
         args.name or args.policy,

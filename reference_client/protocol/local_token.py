@@ -21,11 +21,11 @@ def find_token(url: str, given: str | None = None) -> str | None:
     Raises BadToken, a ValueError, for one that cannot be sent.
     """
     # Imported late: completion at a Tab imports this module, and often ends here.
-    from proctor_client.transport.copied_text import read_token
+    from proctor_client.transport.copied_text import read_token, token_of
 
     return (
         read_token(given or "", "this call (`token`)")
-        or read_token(os.environ.get("PROCTOR_TOKEN", ""), "PROCTOR_TOKEN")
+        or token_of("PROCTOR_TOKEN")
         or _token_of_local_server(url)
     )
 

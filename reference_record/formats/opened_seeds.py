@@ -6,6 +6,7 @@ seeds is true: it needs no signature.
 
 from __future__ import annotations
 
+import codecs
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
@@ -56,7 +57,9 @@ def load_opened_seeds(path: Path) -> OpenedBenchmark:
     if len(data) > FILE_BYTES_MAX:
         raise UnusableRecord(f"{path} has more than {FILE_BYTES_MAX} bytes [REC-030]")
     try:
-        return read_json(str(path), data, OpenedBenchmark)
+        # People hand it on, and an editor may add a byte order mark.
+        text = data.removeprefix(codecs.BOM_UTF8)
+        return read_json(str(path), text, OpenedBenchmark)
     except BrokenRecord as broken:
         raise UnusableRecord(
             f"{path} is no file of opened seeds: {broken.detail} [REC-015]"

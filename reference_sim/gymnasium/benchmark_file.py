@@ -21,6 +21,7 @@ from pydantic import (
     model_validator,
 )
 
+from reference_record.command_line.text_file import NotText, read_text_file
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.ray_resources import check_resources
 
@@ -291,10 +292,10 @@ def _registered(name: str) -> Benchmark:
 
 def _read_file(path: Path) -> tuple[Benchmark, Path]:
     try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
+        content = tomllib.loads(read_text_file(path))
     except OSError as error:
         raise BadBenchmark(f"{path}: {error.strerror}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+    except (tomllib.TOMLDecodeError, NotText) as error:
         raise BadBenchmark(f"{path}: invalid TOML: {error}") from error
     content.setdefault("benchmark_id", legal_id(path.stem))
     try:

@@ -1,4 +1,4 @@
-"""What every client must see, and the judgement on what its program said.
+"""The scenarios: each judges the output of the program of a client.
 
 A program plays a scenario and prints what it saw; here stands what it should have seen:
 computed from the specification, or read from the server with a client that is none of
@@ -14,7 +14,7 @@ import struct
 import subprocess
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +32,7 @@ from tests.support.sim.calibration_action import SIZES
 TIMEOUT_S = 120.0
 VECTORS = Path(__file__).resolve().parents[2] / "spec" / "vectors" / "wire"
 VECTOR = [-0.0, 0.1, 5e-324, 1.7976931348623157e308, 2.0**53 - 1, 1 / 3, -2.5e-8, 1e22]
-# What a language cannot do, with the reason; the matrix shows it.
+# The matrix shows why a language cannot do something.
 LOST_SIGN = "JSON.stringify writes −0 as `0`: its sign is lost"
 LIMITS = {
     ("typescript", "echo"): LOST_SIGN,
@@ -43,11 +43,12 @@ LIMITS = {
 }
 # Wrong answers that a language takes for right.
 TAKEN = {"go": {"empty", "missing"}}
-# Of the generated clients alone, and of what is written on top of them alone.
+PROXIES = dict.fromkeys(
+    ("http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"), "http://127.0.0.1:9"
+)
+# The generated clients alone play these, and the packages of clients/ those.
 MESSAGES_ONLY = {"vectors"}
 EVALUATION_ONLY = {"heartbeat"}
-# Python's is reference_client, which has tests of its own.
-SETTINGS_ONLY = {"settings"}
 
 
 class UnexpectedResult(Exception):
@@ -112,7 +113,7 @@ class Program:
     example: Sequence[str] = ()
 
     def play(self, scenario: str, url: str, token: str) -> dict[str, Any]:
-        """What the program saw; UnexpectedResult has its last words if it failed."""
+        """Return its output; UnexpectedResult has its last words if it failed."""
         done = self._run([*self.command, scenario, url, token])
         if done.returncode != 0:
             raise UnexpectedResult(
@@ -397,7 +398,11 @@ def spelling(server: Server, program: Program) -> None:
 
 
 def settings(server: Server, program: Program) -> None:
-    """The example cleans or refuses a URL and a token, and says what it waits for."""
+    """The example cleans or refuses a URL and a token, and says what it waits for.
+
+    No proxy of the environment is asked for this machine.
+    """
+    program = replace(program, env={**program.env, **PROXIES})
     with closed_port() as port, program.start_example(port) as waiting:
         settings_that_work(server, program)
         settings_that_do_not(server, program)
@@ -419,14 +424,14 @@ def settings_that_do_not(server: Server, program: Program) -> None:
     new = "https://new.example/base"
     with moved_server(new) as old:
         for url, token, reason in (
-            (server.url, f"{secret}\u200b{secret}", "the token has an invisible"),
-            (server.url, f"{secret} {secret}", "the token has a space at"),
-            (server.url, f"{secret}é", "the token has a character that is not ASCII"),
-            (f"http://me:{secret}@127.0.0.1", "t", "has a user or a password"),
+            (server.url, f"{secret}\u200b{secret}", "has an invisible"),
+            (server.url, f"{secret} {secret}", "has a space at"),
+            (server.url, f"{secret}é", "has a character that is not ASCII"),
+            (f"http://me:{secret}@127.0.0.1", "t", "a password"),
             (f"http://127.0.0.1/?key={secret}", "t", "ends with a query"),
             ("http://[fe80::1%25eth0]:8460", "t", "a zone id"),
             ("http://::1:8460", "t", "an IPv6 address without brackets"),
-            ("127.0.0.1:8460", "t", "the base URL must be like http://"),
+            ("127.0.0.1:8460", "t", "must be like http://"),
             (f"{server.url}/v1", server.token, "The base URL ends with /v1"),
             (old, secret, f"The server has moved to {new}: give that as the base URL"),
         ):
@@ -475,7 +480,7 @@ def wrong_answers(server: Server, program: Program) -> None:
     """Successes that are no message; the client's own error says so for each."""
     server.submit()
     page = server.read("/v1/runs?limit=1")
-    with wrong_server(page, redirects=program.language != "python") as url:
+    with wrong_server(page) as url:
         errors = program.play("wrong_answers", url, server.token)["errors"]
     taken = TAKEN.get(program.language, set())
     wanted = {

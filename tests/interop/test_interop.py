@@ -281,7 +281,7 @@ def test_lock_files_name_no_address() -> None:
 
 @pytest.fixture(scope="module")
 def faults(built: Callable[[Language], Program]) -> dict[str, Any]:
-    """What the package did at servers that are silent or answer wrongly."""
+    """The output of the package at servers that are silent or answer wrongly."""
     package = PACKAGES["typescript"]
     file = "clients/typescript/interop/faults.js"
     command = package.start(package.directory, file)

@@ -43,7 +43,7 @@ def answers(run: Mapping[str, Any]) -> dict[str, tuple[str, bytes]]:
 
 
 @contextmanager
-def wrong_answers(page: Mapping[str, Any], *, redirects: bool) -> Iterator[str]:
+def wrong_answers(page: Mapping[str, Any]) -> Iterator[str]:
     """The URL of such a server. page: a RunList with a run at least."""
     run = page["runs"][0]
     wrong = answers(run)
@@ -55,7 +55,7 @@ def wrong_answers(page: Mapping[str, Any], *, redirects: bool) -> Iterator[str]:
 
         def do_GET(self) -> None:
             path = self.path.partition("?")[0]
-            if redirects and not path.startswith(MOVED):
+            if not path.startswith(MOVED):
                 self.send_response_only(307)
                 self.send_header("Location", MOVED + self.path)
                 self.send_header("Content-Length", "0")
@@ -71,7 +71,7 @@ def wrong_answers(page: Mapping[str, Any], *, redirects: bool) -> Iterator[str]:
             self.wfile.write(body)
 
         def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
-            """What was asked is of no interest."""
+            """Requests are not logged."""
 
     server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
     server.daemon_threads = True

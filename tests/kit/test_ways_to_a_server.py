@@ -9,10 +9,10 @@ from pathlib import Path
 import pytest
 
 from conformance.cli.main import main
-from tests.support.client.forward_proxy import run_forward_proxy
-from tests.support.client.tls_gateway import CannedHandler, serve_plainly, serve_tls
 from tests.support.kit.null_servers import always, run_server
 from tests.support.kit.run_kit import run_kit
+from tests.support.network.forward_proxy import run_forward_proxy
+from tests.support.network.tls_gateway import CannedHandler, serve_plainly, serve_tls
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers and kits")

@@ -37,8 +37,10 @@ impl fmt::Display for Failure {
 
 impl<T> From<Error<T>> for Failure {
     fn from(error: Error<T>) -> Self {
-        let Error::ResponseError(answer) = error else {
-            return Failure::Lost(reasons(&error));
+        let answer = match error {
+            Error::ResponseError(answer) => answer,
+            Error::Reqwest(cause) => return Failure::Lost(reasons(&cause)),
+            cause => return Failure::Lost(cause.to_string()),
         };
         let location = answer.headers.get("location").and_then(|text| text.to_str().ok());
         if let (300..=399, Some(place)) = (answer.status.as_u16(), location) {

@@ -16,19 +16,10 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
 import urllib3
+from calibration import act
 from proctor_client import (
-    Action, ApiClient, ApiException, AttachWorker,
-    CalibrationOptions,
-    Configuration,
-    ControlApi,
-    DataApi,
-    EpisodeResult,
-    PolicyInfo,
-    Predict,
-    Problem,
-    Run,
-    SubmitRun,
-    Turn,
+    Action, ApiClient, ApiException, AttachWorker, CalibrationOptions, Configuration, ControlApi,
+    DataApi, EpisodeResult, PolicyInfo, Predict, Problem, Run, SubmitRun, Turn,
 )
 
 T = TypeVar("T")
@@ -41,6 +32,10 @@ class Refused(Exception):
     def __init__(self, status: int, problem: Problem, retry_after_s: float | None) -> None:
         super().__init__(f"{problem.detail} [{problem.code}]")
         self.status, self.problem, self.retry_after_s = status, problem, retry_after_s
+
+
+class Moved(Exception):
+    """The server is elsewhere, and the message says where."""
 
 
 class Server:
@@ -61,24 +56,30 @@ class Server:
         try:
             return request()
         except ApiException as error:
+            if error.location:
+                place = error.location.partition("/v1")[0]
+                raise Moved(f"The server has moved to {place}: give that as the base URL.") from error
             if not isinstance(error.data, Problem):
                 raise
             raise Refused(error.status, error.data, error.retry_after_s) from error
 
     def ask(self, request: Callable[[], T]) -> T:
         """Send a request until it is answered: a repeat executes nothing twice."""
-        deadline, pause = time.monotonic() + RETRY_TIMEOUT_S, 0.1
+        start, pause = time.monotonic(), 0.1
+        next_report = start + 2.0  # and then every 10 s
         while True:
             try:
                 return self.once(request)
-            except Refused as error:
-                if not error.problem.retryable or time.monotonic() > deadline:
+            except (Refused, ApiException, urllib3.exceptions.HTTPError) as error:
+                is_final = isinstance(error, Refused) and not error.problem.retryable
+                now = time.monotonic()
+                if is_final or now > start + RETRY_TIMEOUT_S:
                     raise
-                time.sleep(error.retry_after_s or pause)
-            except (ApiException, urllib3.exceptions.HTTPError):
-                if time.monotonic() > deadline:
-                    raise
-                time.sleep(pause)
+                wait = (error.retry_after_s if isinstance(error, Refused) else None) or pause
+                if now + wait >= next_report:
+                    print(f"waiting: {error}", file=sys.stderr, flush=True)
+                    next_report = now + 10.0
+            time.sleep(wait)
             pause = min(2 * pause, 2.0)
 
     def play(self, run_id: str, worker_id: str, policy: Callable[[Turn], list[Action]],
@@ -110,14 +111,6 @@ class Server:
         return run
 
 
-def act(score: float, **values: list[float]) -> Action:
-    """One action of `calibration`; its success is a score above one half."""
-    still = {"end": [0.0], "delay_s": [0.0], "fault": [0.0],
-             "vector": [0.0] * 8, "clipped": [0.0] * 2}
-    return Action(values={**still, "score": [score],
-                          "success": [float(score > 0.5)], **values})
-
-
 def main(url: str, token: str, run_id: str | None = None) -> None:
     server = Server(url, token)
     if run_id is None:
@@ -145,5 +138,7 @@ if __name__ == "__main__":
         sys.exit(f"usage: {sys.argv[0]} URL TOKEN [RUN_ID]")
     try:
         main(*sys.argv[1:])
-    except Refused as error:
-        sys.exit(str(error))
+    except (Refused, Moved, ValueError) as error:
+        ends_with_v1 = isinstance(error, Refused) and sys.argv[1].rstrip("/").endswith("/v1")
+        hint = "The base URL ends with /v1, which every request adds. " if ends_with_v1 else ""
+        sys.exit(f"{hint}{error}")

@@ -19,7 +19,8 @@ from typing import Any
 sys.path[:0] = [str(Path(__file__).parents[1] / part) for part in (".", "example")]
 
 import proctor_client as pc
-from worker import Refused, Server, act
+from calibration import act
+from worker import Refused, Server
 
 VECTOR = [-0.0, 0.1, 5e-324, 1.7976931348623157e308, 9007199254740991.0, 1 / 3, -2.5e-8, 1e22]
 

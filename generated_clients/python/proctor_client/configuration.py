@@ -12,8 +12,10 @@ from typing import Any
 
 import urllib3
 
+from .interim_answers import past_interim_answers
 from .transport.copied_text import read_token
 from .transport.proxy_route import ProxyRoute, find_route, proxy_of
+from .transport.server_address import check_base_url
 
 
 @dataclass
@@ -56,6 +58,7 @@ class Configuration:
     socket_options: list[tuple[int, int, int]] | None = None
 
     def __post_init__(self) -> None:
+        self.host = check_base_url(self.host)
         self.access_token = read_token(self.access_token or "", "access_token")
 
     def pool_manager(self) -> urllib3.PoolManager:
@@ -81,13 +84,14 @@ class Configuration:
             return SOCKSProxyManager(self.proxy, headers=self.proxy_headers, **options)
         route = self.route()
         if not route.url:
-            return urllib3.PoolManager(**options)
-        return urllib3.ProxyManager(
+            return past_interim_answers(urllib3.PoolManager(**options))
+        manager = urllib3.ProxyManager(
             route.url,
             proxy_headers=dict(route.headers) | dict(self.proxy_headers or {}),
             proxy_ssl_context=self.proxy_ssl_context,
             **options,
         )
+        return past_interim_answers(manager)
 
     def route(self) -> ProxyRoute:
         """How the server is reached. Raises BadProxy, a ValueError."""

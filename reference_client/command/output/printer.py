@@ -18,10 +18,23 @@ from rich.progress import Progress as Bars
 
 from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.output.text_tables import TablePrinter, TextTable
+from reference_client.command.usage_error import UsageError
 from reference_client.evaluation.status_board import Pace, Progress
-from reference_client.printable_text import printable
+from reference_client.printable_text import (
+    discard_output,
+    output_that_may_end,
+    printable,
+)
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
+
+
+class MessageConsole(Console):
+    """A console whose end, as of `2>&1 | head`, does not end the program."""
+
+    def on_broken_pipe(self) -> None:
+        """Write no more; the library would exit."""
+        discard_output(self.file)
 
 
 class Printer:
@@ -34,18 +47,33 @@ class Printer:
         self.as_json = as_json
         # Kept from now: during an evaluation, sys.stdout is redirected to stderr.
         self._out = TablePrinter(sys.stdout, style)
-        self.err = Console(stderr=True, highlight=False, markup=False, emoji=False)
+        self.err = MessageConsole(
+            stderr=True, highlight=False, markup=False, emoji=False
+        )
 
     def say(self, line: str) -> None:
         """Print a message to stderr."""
-        self.err.print(printable(line), soft_wrap=True)
+        with output_that_may_end(self.err.file):
+            self.err.print(printable(line), soft_wrap=True)
 
     def answer(self, value: Any, *tables: TextTable | str) -> None:
-        """Print the result to stdout: `value` as JSON, or the tables."""
-        if self.as_json:
-            self._out.print_json(value)
-        else:
-            self._out.print(tables)
+        """Print the result to stdout: `value` as JSON, or the tables.
+
+        Raises UsageError if that cannot be written.
+        """
+        try:
+            if self.as_json:
+                self._out.print_json(value)
+            else:
+                self._out.print(tables)
+        except BrokenPipeError:  # `proctor results | head`
+            raise
+        except OSError as error:
+            discard_output(self._out.stream)
+            raise UsageError(
+                f"the standard output cannot be written ({error.strerror or error}); "
+                "`proctor results RUN` shows a score again"
+            ) from error
 
 
 class ProgressDisplay:

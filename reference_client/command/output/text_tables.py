@@ -72,7 +72,7 @@ class TablePrinter:
     """Prints results to `stream`: JSON, texts, tables in one of arguments.FORMATS."""
 
     def __init__(self, stream: TextIO, style: str = "text") -> None:
-        self._stream = stream
+        self.stream = stream
         self._style = style
         fixed = os.environ.get("COLUMNS", "").isdecimal()
         self._console = Console(
@@ -84,21 +84,21 @@ class TablePrinter:
         )
 
     def print_json(self, value: Any) -> None:
-        self._stream.write(json.dumps(to_jsonable_python(value)) + "\n")
-        self._stream.flush()
+        self.stream.write(json.dumps(to_jsonable_python(value)) + "\n")
+        self.stream.flush()
 
     def print(self, parts: Sequence[TextTable | str]) -> None:
         for number, part in enumerate(parts):
             if number:
-                self._stream.write("\n")
+                self.stream.write("\n")
             if isinstance(part, str):
-                self._stream.write(f"{printable(part)}\n")
+                self.stream.write(f"{printable(part)}\n")
             elif self._style == "text":
                 self._print_text(part)
             else:
                 write = {"markdown": markdown, "latex": latex}[self._style]
-                self._stream.write(write(part))
-        self._stream.flush()
+                self.stream.write(write(part))
+        self.stream.flush()
 
     def _print_text(self, table: TextTable) -> None:
         width = self._console.width
@@ -108,7 +108,7 @@ class TablePrinter:
         with self._console.capture() as capture:
             self._console.print(_rich(shown))
         lines = (line.rstrip() for line in capture.get().splitlines())
-        self._stream.write("\n".join(lines) + "\n")
+        self.stream.write("\n".join(lines) + "\n")
 
 
 def markdown(table: TextTable) -> str:

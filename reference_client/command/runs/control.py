@@ -9,13 +9,13 @@ from __future__ import annotations
 import argparse
 import contextlib
 import itertools
-import os
 import re
 import time
 from dataclasses import asdict
 from typing import Any
 
 from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
+from proctor_client.transport.copied_text import token_of
 
 from reference_client.command.exit_codes import (
     DONE,
@@ -314,7 +314,7 @@ def _policy_server(args: argparse.Namespace) -> dict[str, Any] | None:
             raise UsageError(f"--{flag} needs --push URL: where the server calls it")
         return None
     order.setdefault("protocol", "openai_chat" if args.model else "proctor")
-    key = os.environ.get("PROCTOR_POLICY_KEY")
+    key = token_of("PROCTOR_POLICY_KEY")
     return order | {"url": url} | ({"api_key": key} if key else {})
 
 

@@ -22,6 +22,7 @@ from types import FrameType
 from typing import Any, Self
 
 from proctor_client import Assumptions, Benchmark, Episode, Run, Score
+from proctor_client.transport.server_address import without_user
 
 from reference_client.api.policy import Policy
 from reference_client.command.command_line.arguments import DEFAULT_URL
@@ -31,6 +32,7 @@ from reference_client.command.exit_codes import (
     WRONG_USAGE_OR_NO_SERVER,
     exit_code_of,
     message_of,
+    with_flag_names,
 )
 from reference_client.command.output import answer_tables
 from reference_client.command.output.episode_facts import players_of
@@ -55,6 +57,7 @@ from reference_client.evaluation.status_board import (
     StatusBoard,
     describe_left,
 )
+from reference_client.evaluation.wait_reminder import EVERY_S, remind_of_waits
 from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.worker_processes import ProcessWorkerPool
 from reference_client.policies import (
@@ -68,6 +71,7 @@ from reference_client.policies.error_origin import policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_loader import server_kind
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
+from reference_client.printable_text import LenientStream
 from reference_client.protocol.control_client import ControlClient
 from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
@@ -149,11 +153,12 @@ def _repeat(
 def resume_command(
     args: argparse.Namespace, run_id: str, *, takeover: bool = False
 ) -> str:
-    """The command that continues the run, without the token, which is secret.
+    """The command that continues the run, without what is secret.
 
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
-    command = [_own_name(), "run", "--run-id", run_id, "--policy", args.policy]
+    policy = without_user(args.policy)  # of a policy server, with a password
+    command = [_own_name(), "run", "--run-id", run_id, "--policy", policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
@@ -227,12 +232,15 @@ class _EvaluationCommand:
             stack.enter_context(signals)
             stack.enter_context(self._progress_display)
             # stdout carries only the result: what a policy prints goes to stderr.
-            stack.enter_context(contextlib.redirect_stdout(sys.stderr))
+            to_stderr = LenientStream(sys.stderr)
+            stack.enter_context(contextlib.redirect_stdout(to_stderr))
             try:
                 trackers = make_trackers(self._args.log)
                 tracking = Tracking(trackers, self._printer.say, self._args.log_videos)
                 board, worker_pool = self._make_worker_pool(mapping, stack)
                 signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
+                reminder = remind_of_waits(board, self._say_wait, EVERY_S)
+                stack.enter_context(reminder)
                 score = run_evaluation(
                     plan,
                     worker_pool,
@@ -291,6 +299,9 @@ class _EvaluationCommand:
         self._printer.say(f"Run {run.run_id}: {policy}")
         if self._view is not None:
             self._view.title = policy
+
+    def _say_wait(self, line: str) -> None:
+        self._printer.say(with_flag_names(line))
 
     def _on_progress(self, progress: Progress) -> None:
         self._progress_display(progress)

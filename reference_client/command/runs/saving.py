@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,7 @@ def check_folder(folder: str | Path) -> None:
     """Make the folder, before an evaluation. Raises UsageError if that fails."""
     try:
         Path(folder).mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()  # as in a folder that is read-only
     except OSError as error:
         raise UsageError(f"--save {folder}: {error.strerror}") from error
 
@@ -52,14 +54,14 @@ def save_result(
     }
     text = json.dumps(to_jsonable_python(value), indent=2)
     try:
-        Path(folder, "result.json").write_text(text + "\n")
+        Path(folder, "result.json").write_text(text + "\n", encoding="utf-8")
         _write_episodes(score.run_id, episodes, Path(folder, "episodes.csv"))
     except OSError as error:
         raise UsageError(f"--save {folder}: {error.strerror}") from error
 
 
 def _write_episodes(run_id: str, episodes: list[Episode], path: Path) -> None:
-    with path.open("w", newline="") as file:
+    with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
         players = [f"player_{name}" for name in PLAYER_COLUMNS]
         writer.writerow(["run_id", *EPISODE_COLUMNS, *RESULT_COLUMNS, *players])

@@ -7,13 +7,13 @@ repeated.
 from __future__ import annotations
 
 import contextlib
-import os
 import time
 from collections.abc import Mapping
 from typing import Any, Self
 from urllib.parse import urljoin
 
 import urllib3
+from proctor_client.transport.copied_text import token_of
 
 from reference_client.errors import innermost_reason
 from reference_client.policies.servers.server_faults import (
@@ -171,7 +171,7 @@ def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
     headers = {"Accept": media_type}
     if content:
         headers["Content-Type"] = media_type
-    key = os.environ.get("PROCTOR_POLICY_KEY")
+    key = token_of("PROCTOR_POLICY_KEY")
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 

@@ -7,13 +7,13 @@ answers as before, without executing it again.
 
 from __future__ import annotations
 
-import os
 import time
 from typing import Any
 
 import msgspec
 import urllib3
 from proctor_client import Benchmark
+from proctor_client.transport.copied_text import token_of
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
@@ -166,7 +166,7 @@ def _headers(content: bytes | None) -> dict[str, str]:
     headers = {"Accept": "application/json"}
     if content is not None:
         headers["Content-Type"] = "application/json"
-    key = os.environ.get("PROCTOR_POLICY_KEY")
+    key = token_of("PROCTOR_POLICY_KEY")
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 

@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from typing import Any
 from urllib.parse import urlsplit
 
+from proctor_client.transport.server_address import without_user
+
 from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
 
 _TEXT_MAX = 500
@@ -23,7 +25,7 @@ _EXCEPTION = re.compile(r"^[A-Za-z_][\w.]*(: |$)")
 
 def failed(place: str, what: str, whole: str | None = None) -> ProctorError:
     """The failure of the policy server at `place`; whole: its text, for --debug."""
-    detail = f"The policy server at {place} {what.rstrip('.')}."
+    detail = f"The policy server at {without_user(place)} {what.rstrip('.')}."
     if whole is None:
         return ProctorError(POLICY_FAILED, detail)
     return PolicyFailed(detail, whole)

@@ -16,6 +16,7 @@ from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
+from reference_record.command_line.text_file import NotText, read_text_file
 from reference_sim.benchmarks.question_answering.items import NO_ANSWER, NUMBER_MAX
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Action
@@ -66,11 +67,11 @@ def read_questions(path: Path) -> Sequence[FileQuestion]:
     try:
         if path.stat().st_size > FILE_BYTES_MAX:
             raise BadBenchmark(f"{path}: has more than {FILE_BYTES_MAX} bytes")
-        text = path.read_text(encoding="utf-8")
+        text = read_text_file(path)
     except OSError as error:
         raise BadBenchmark(f"{path}: {error.strerror}") from error
-    except UnicodeDecodeError as error:
-        raise BadBenchmark(f"{path}: is not UTF-8") from error
+    except NotText as error:
+        raise BadBenchmark(f"{path}: {error}") from error
     # Not splitlines: a question may contain other separators of lines.
     numbered = enumerate(text.split("\n"), start=1)
     questions = [

@@ -6,6 +6,7 @@ What it says, what it leaves behind, and how it goes on.
 from __future__ import annotations
 
 import os
+import queue
 import re
 import signal
 import subprocess
@@ -27,6 +28,8 @@ from reference_client import (
     evaluate,
 )
 from reference_client.errors import WORKER_DIED, PolicyFailed
+from reference_client.evaluation import wait_reminder
+from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.uncaught_errors import _print_text
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import (
@@ -443,3 +446,14 @@ def test_invalid_arguments_are_refused(server: ReferenceServer) -> None:
             benchmark="tabletop",
             run_id=run_id,
         )
+
+
+def test_a_wait_is_said_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(wait_reminder, "_LOOK_S", 0.001)
+    monkeypatch.setattr(wait_reminder, "EVERY_S", 0.01)
+    board, said = StatusBoard(), queue.Queue[str]()
+    with wait_reminder.remind_of_waits(board, said.put, 0.005):
+        board.waiting_reporter("worker-0")("the server is restarting")
+        for _ in range(3):
+            line = said.get(timeout=10)
+            assert line.endswith("s: worker-0: the server is restarting")

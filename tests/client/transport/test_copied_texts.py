@@ -5,7 +5,11 @@ from __future__ import annotations
 import pytest
 from proctor_client import ApiClient, Configuration
 from proctor_client.transport.copied_text import BadToken, read_token
-from proctor_client.transport.server_address import check_base_url, url_of_host
+from proctor_client.transport.server_address import (
+    check_base_url,
+    url_of_host,
+    without_user,
+)
 
 from reference_client.command.main import main
 from reference_client.protocol.local_token import find_token
@@ -106,3 +110,15 @@ def test_a_host_and_a_port_make_an_address(
     host: str | None, port: int | None, url: str
 ) -> None:
     assert url_of_host(host, port) == url
+
+
+@pytest.mark.parametrize(
+    ("reference", "shown"),
+    [
+        ("openpi:ws://user:s3cret@h:1", "openpi:ws://h:1"),
+        ("proctor:http://h/a@b", "proctor:http://h/a@b"),
+        ("lerobot:folder@v1", "lerobot:folder@v1"),
+    ],
+)
+def test_an_address_is_shown_without_its_user(reference: str, shown: str) -> None:
+    assert without_user(reference) == shown

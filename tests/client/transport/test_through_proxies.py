@@ -13,8 +13,8 @@ from reference_client.protocol import http_connection
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.http_connection import HttpConnection
 from tests.support.client.command import options
-from tests.support.client.forward_proxy import run_forward_proxy
-from tests.support.client.tls_gateway import CannedHandler, serve_tls
+from tests.support.network.forward_proxy import run_forward_proxy
+from tests.support.network.tls_gateway import CannedHandler, serve_tls
 from tests.support.server.certificates import create_certificate
 from tests.support.servers import ReferenceServer
 
@@ -144,7 +144,7 @@ def test_this_machine_is_reached_past_the_proxy(
         )
         monkeypatch.setenv("PROCTOR_PROXY", proxy.url)
         assert main(["status", "--url", server.url]) == 0
-        assert len(proxy.requests) == 1
+        assert proxy.requests[0] == f"GET {server.url}/v1/runs"
 
 
 @pytest.mark.parametrize("is_secure_proxy", [False, True])

@@ -18,7 +18,7 @@ from reference_client.command.main import main
 from reference_client.protocol.http_connection import HttpConnection
 from tests.support.client.command import options
 from tests.support.client.policies import GradedPolicy
-from tests.support.client.tls_gateway import CannedHandler, Gateway, serve_tls
+from tests.support.network.tls_gateway import CannedHandler, Gateway, serve_tls
 from tests.support.servers import ReferenceServer
 
 

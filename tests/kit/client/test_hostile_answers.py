@@ -168,7 +168,7 @@ def test_a_wrong_answer_breaks_the_description(name: str) -> None:
     _, context, error = look(BREACHES[name])
     assert error is None
     assert context.tally.broken["SVC-003"] + context.tally.broken["ERR-001"] == 1
-    # A check that stumbles over the value later on does not blame the kit.
+    # A check that stumbles over the value later on is not verified: no kit error.
     verdict = judge("SVC-001", KeyError("name"), context)
     assert verdict.outcome == Outcome.NOT_VERIFIED
 

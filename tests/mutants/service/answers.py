@@ -16,7 +16,9 @@ from reference_server.http import (
 from reference_server.http.application import Application
 from reference_server.http.handlers import Handlers
 from reference_server.rules.refusal import Refused
-from tests.mutants import Row, instead_of, mutant, mutants, put
+from reference_server.runs.benchmarks import Benchmarks
+from reference_server.views import run_views
+from tests.mutants import Json, Row, instead_of, mutant, mutants, put
 
 
 @mutant("ENC-001", through=instead_of(codec, "negotiate_media_type"))
@@ -48,6 +50,21 @@ def answers_in_json_whatever_is_accepted(
         return right(request, writable)
     except Refused:
         return codec.JSON
+
+
+@mutant("SVC-003", through=instead_of(Benchmarks, "summaries"))
+def writes_a_whole_number_with_a_fraction(right: Any, self: Any) -> list[Json]:
+    """Clients in Go, Rust and Kotlin cannot read the answer."""
+    return [
+        summary | {"episodes_total": float(summary["episodes_total"])}
+        for summary in right(self)
+    ]
+
+
+@mutant("SVC-003", through=instead_of(run_views, "timestamp"))
+def writes_times_in_lower_case(right: Any, at_wall: float) -> str:
+    """Clients in Go and Python cannot read the answer."""
+    return str(right(at_wall)).lower()
 
 
 @mutant("ERR-001")

@@ -23,13 +23,18 @@ from tests.support.repository.imports import PACKAGES, nodes_of
 
 GENERATED = (
     "generated_clients/*",
+    "conformance/client/connections/transport/*",  # copied from the clients
     "reference_client/generated/*",
     "reference_record/pages/static/vendor/*",  # of third parties
     "reference_server/generated/*",
     "requirements/*.txt",
 )
 # Written by hand although it lies in a folder of generated files.
-HAND_WRITTEN = ("generated_clients/*/example/*", "generated_clients/*/interop/*")
+HAND_WRITTEN = (
+    "generated_clients/*/example/*",
+    "generated_clients/*/interop/*",
+    "generated_clients/python/proctor_client/transport/*",
+)
 HERE = "tests/repository/code/test_names.py"
 
 # Words of a private dialect -> what to write instead.

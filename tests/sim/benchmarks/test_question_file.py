@@ -98,7 +98,7 @@ def test_a_file_without_questions_is_refused(tmp_path: Path) -> None:
         read_questions(tmp_path / "missing.jsonl")
     latin = tmp_path / "latin.jsonl"
     latin.write_bytes(b'{"question": "\xe9?", "answer": 1}')
-    with pytest.raises(BadBenchmark, match="is not UTF-8"):
+    with pytest.raises(BadBenchmark, match="line 1 is not UTF-8"):
         read_questions(latin)
 
 

@@ -168,12 +168,6 @@ def test_an_invalid_reference_is_an_error(reference: str, fault: str) -> None:
     assert fault in str(caught.value)
 
 
-def test_a_file_must_be_text(tmp_path: Path) -> None:
-    (tmp_path / "a.toml").write_bytes(b"\xff\xfe")
-    with pytest.raises(BadBenchmark, match="invalid TOML"):
-        list(read(str(tmp_path / "a.toml")))
-
-
 def test_a_folder_is_all_its_files_in_order(tmp_path: Path) -> None:
     with pytest.raises(BadBenchmark, match=r"no file \*.toml is in this folder"):
         list(read(str(tmp_path)))

@@ -17,6 +17,7 @@ PACKAGES = (
 )
 GENERATED = {
     "generated_clients",
+    "conformance/client/connections/transport",  # copied from the clients
     "reference_client/generated/messages.py",
     "reference_server/generated/parameters.py",
     "reference_server/generated/problem_codes.py",

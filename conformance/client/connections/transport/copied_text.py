@@ -6,6 +6,7 @@ pages of the web add characters that cannot be seen.
 
 from __future__ import annotations
 
+import os
 import re
 import unicodedata
 
@@ -44,6 +45,11 @@ def read_token(text: str, source: str) -> str | None:
                 "file it is one line in UTF-8"
             )
     return token or None
+
+
+def token_of(variable: str) -> str | None:
+    """The token in a variable of the environment, or None. Raises BadToken."""
+    return read_token(os.environ.get(variable, ""), variable)
 
 
 def _is_invisible(character: str) -> bool:

@@ -51,7 +51,7 @@ def place_of_redirection(url: str, location: str) -> tuple[str, bool]:
 
 def without_user(url: str) -> str:
     """The URL without a user and a password in it."""
-    return re.sub(r"(?<=://)[^/?#]*@|^[^/?#:]*:[^/?#]*@", "", url)
+    return re.sub(r"(?<=://)[^/?#]*@", "", url)
 
 
 def _fault_of_host(place: str) -> str | None:

@@ -1,0 +1,1 @@
+"""How command lines of all programs look, and how a mistyped name is answered."""

@@ -1,0 +1,118 @@
+"""Printing never ends a run: encodings that lack a character, disks that are full."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from reference_client.printable_text import LenientStream, prepare_output
+from tests.support.client.command import options
+from tests.support.paths import ROOT
+from tests.support.servers import ReferenceServer
+
+TEXT = "B\u00fccher \u2013 \u65e5\u672c \u2026"
+
+
+@pytest.mark.parametrize(
+    ("encoding", "written"),
+    [
+        ("ascii", "B\\xfccher - \\u65e5\\u672c ..."),
+        ("latin-1", "B\u00fccher - \\u65e5\\u672c ..."),
+        ("cp1252", "B\u00fccher \u2013 \\u65e5\\u672c \u2026"),
+        ("cp437", "B\u00fccher - \\u65e5\\u672c ..."),
+        ("utf-16", TEXT),
+        ("utf-8", TEXT),
+    ],
+)
+def test_characters_that_an_encoding_lacks_are_written_otherwise(
+    encoding: str, written: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stream = io.TextIOWrapper(io.BytesIO(), encoding=encoding)
+    monkeypatch.setattr(sys, "stdout", stream)
+    prepare_output()
+    print(TEXT, end="", flush=True)  # noqa: T201 - it is what is tested
+    assert stream.buffer.getvalue().decode(encoding) == written
+
+
+def test_a_stream_that_was_closed_is_written_to_nowhere(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(sys, "stderr", None)
+    prepare_output()
+    sys.stderr.write(TEXT)
+    sys.stderr.close()
+    assert LenientStream(sys.stderr).write(TEXT) == len(TEXT)
+
+
+@pytest.mark.slow("starts programs")
+@pytest.mark.parametrize(
+    ("redirection", "code", "says"),
+    [
+        ("", 0, "Run run_"),
+        ("2>/dev/full", 0, ""),
+        ("2>&-", 0, ""),
+        (">&-", 0, "Run run_"),
+        (">/dev/full", 2, "cannot be written (No space left on device); `proctor res"),
+    ],
+)
+def test_a_run_is_played_to_its_end(
+    redirection: str,
+    code: int,
+    says: str,
+    server: ReferenceServer,
+    policy_folder: Path,
+) -> None:
+    """Its policy prints, too. Expect its score on the disk."""
+    (policy_folder / "talking.py").write_text(
+        "from policies import Graded\n"
+        "class Talking(Graded):\n"
+        "    def act(self, observation):\n"
+        f"        print({TEXT!r}, flush=True)\n"
+        "        return super().act(observation)\n",
+        encoding="utf-8",
+    )
+    flags = ["--url", server.url, "--policy", "talking:Talking", *options("count")]
+    command = [sys.executable, "-m", "reference_client.command", "run", *flags]
+    line = shlex.join([*command, "--save", "out", "--policy-version", TEXT])
+    encodings = {"PYTHONIOENCODING": "ascii", "LC_ALL": "C.UTF-8"}
+    done = subprocess.run(
+        ["bash", "-c", f"{line} {redirection}"],
+        env=os.environ | encodings | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        check=False,
+    )
+    assert (done.returncode, "Traceback" in done.stderr.decode()) == (code, False)
+    assert says in done.stderr.decode("ascii")
+    saved = json.loads((policy_folder / "out" / "result.json").read_text("utf-8"))
+    assert saved["score"]["counts"]["unscored"] == 0
+
+
+@pytest.mark.slow("starts a program")
+def test_the_end_of_a_pipe_does_not_end_the_kit(
+    server: ReferenceServer, policy_folder: Path
+) -> None:
+    kit = [
+        sys.executable,
+        "-m",
+        "conformance",
+        "--url",
+        server.url,
+        "--only",
+        "SVC-001",
+    ]
+    line = f"{shlex.join(kit)} | head -1; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(
+        ["bash", "-c", line],
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert (policy_folder / "report" / "report.json").exists()
