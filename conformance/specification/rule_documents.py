@@ -22,6 +22,7 @@ _PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
 _RULE = re.compile(r"^- \[([A-Z]{2,6}-\d{3})(, verifier)?\] (.+)$")
 _LEVEL = re.compile(r"\b(?:MUST|SHOULD|MAY)\b")
 _NOT_JUDGED = re.compile(r" \*Not judged: (.+)\.\*$")
+_LINK = re.compile(r"\[([^\]]+)\]\([^)]+\)")
 _OPERATIONS = re.compile(r" — (`\w+`(?:, `\w+`)*)$")
 
 
@@ -74,6 +75,11 @@ def read_rules(directory: Path) -> Iterator[StatedRule]:
                 yield _rule(match, profile, document, line)
 
 
+def without_links(text: str) -> str:
+    """The text with the words of its links in the place of the links."""
+    return _LINK.sub(r"\1", text)
+
+
 def _paragraphs(text: str) -> Iterator[tuple[int, str]]:
     """Give each line with its number, joined with the lines that are indented below."""
     number, joined = 0, ""
@@ -95,6 +101,8 @@ def _rule(match: re.Match[str], profile: str, document: str, line: int) -> State
     if listed := _OPERATIONS.search(text):
         text = text[: listed.start()]
         operations = tuple(re.findall(r"\w+", listed[1]))
+    # Reports and other pages show the sentence, where a relative link leads nowhere.
+    text = without_links(text)
     return StatedRule(
         match[1], profile, text, operations, document, line, bool(match[2]), why
     )

@@ -138,7 +138,10 @@ class ControlClient:
         Returns whether it is gone or stopped; False where it was played, or where the
         server does not answer soon.
         """
-        soon = replace(self._retry_policy, total_s=WITHDRAW_S)
+        # An event of its own: that of the workers is set when one of them has failed.
+        soon = replace(
+            self._retry_policy, total_s=WITHDRAW_S, stop=threading.Event()
+        )
         client = ControlClient(self._control, soon)
         try:
             progress = client.read(run_id).progress

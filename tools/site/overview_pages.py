@@ -8,8 +8,9 @@ from __future__ import annotations
 import json
 from typing import Any
 
-from conformance.specification.document import load_spec
+from conformance.specification.document import SPEC_DIRECTORY, load_spec
 from conformance.specification.ledger import PROFILES
+from conformance.specification.rule_documents import rule_documents
 from tools.diagrams import lifecycle_diagram, lifecycle_table
 from tools.site.kit_reports import KitReports
 from tools.site.markdown import picture, table
@@ -87,6 +88,10 @@ def start_page(reports: KitReports) -> str:
         ["profiles", str(len(PROFILES))],
         ["judged servers", f"[{len(reports.verdicts)}](implementations.md)"],
     ]
+    documents = "\n".join(
+        path.relative_to(ROOT).with_suffix("").as_posix()
+        for path in rule_documents(SPEC_DIRECTORY)
+    ).replace("spec/scoring", "spec/conventions\nspec/scoring")
     return f"""# Proctor {spec.version}
 
 Proctor is an open HTTP protocol for evaluating robot policies. A server owns the
@@ -97,7 +102,7 @@ to it. A kit judges any server by its answers alone.
 ## Where to begin
 
 - You **evaluate a policy**: [the command `proctor`](docs/evaluate/command.md).
-- You **write a server**: [how it works](how-it-works.md), then
+- You **write a server**: [the overview](spec/overview.md), then
   [write a server](docs/implement/write-a-server.md), then
   [certify it](docs/implement/conformance.md).
 - You **write a client**: [clients](docs/implement/clients.md).
@@ -109,15 +114,16 @@ to it. A kit judges any server by its answers alone.
 :hidden:
 :caption: The standard
 
+spec/README
+spec/overview
 how-it-works
+{documents}
+scoring-examples
+calibration-examples
 rules/index
 operations/index
-spec/scoring
-scoring-examples
-spec/calibration
-calibration-examples
-spec/record
-spec/board
+spec/security
+spec/extensions
 spec/VERSIONING
 spec/CONFORMANCE
 spec/CHANGELOG
@@ -154,9 +160,9 @@ Every cell of the table is a rule of the area [LIFE](rules/LIFE.md); – is a re
 
 ## The life of a session
 
-A worker attaches, plays turn after turn, and detaches. Each answered request extends
-its lease (LEASE-003, LEASE-004); when the lease ends, the attempt ends without a result and the
-episode returns to the queue (EPI-003).
+A worker attaches, plays turn after turn, and detaches. Each successful request
+extends its lease (LEASE-003, LEASE-004). When the lease ends, the attempt ends without
+a result, and the episode returns to the queue (EPI-003).
 
 {picture(SESSION)}
 

@@ -17,7 +17,7 @@ from typing import Any
 
 from conformance.specification.document import SPEC_DIRECTORY, load_spec
 from conformance.specification.ledger import POLICY, load_areas, load_ledger
-from conformance.specification.rule_documents import rule_documents
+from conformance.specification.rule_documents import rule_documents, without_links
 from tests.mutants import load as load_mutants
 from tools.site.kit_reports import KitReports
 from tools.site.markdown import cell, link_to_rule, table
@@ -153,7 +153,7 @@ def _sentences() -> list[str]:
 
     texts = [path.read_text() for path in rule_documents(SPEC_DIRECTORY)]
     blocks = [
-        " ".join(block.split())
+        without_links(" ".join(block.split()))
         for text in (*texts, *walk(load_spec().document))
         for block in re.split(r"\n\s*\n", text)
         if not re.match(r"#|- \[|\||    |Profile:", block)
