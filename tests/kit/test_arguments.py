@@ -13,12 +13,12 @@ from pathlib import Path
 import pytest
 
 from conformance.cli.arguments import (
-    BadArguments,
-    build_parser,
+    parse_arguments,
     read_processes,
     read_selection,
     read_settings,
 )
+from conformance.cli.kit_command import BadArguments
 from conformance.cli.main import main
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
@@ -79,7 +79,7 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
 )
 def test_quick_takes_four_processes(arguments: list[str], processes: int) -> None:
     """One keeps the order of --only, and the place where --fail-fast ends."""
-    assert read_processes(build_parser().parse_args(arguments)) == processes
+    assert read_processes(parse_arguments(arguments)) == processes
 
 
 @pytest.mark.parametrize(("quick", "are_apart"), [(True, True), (False, False)])
@@ -149,7 +149,7 @@ def test_the_time_limit_hides_no_violation(
     ],
 )
 def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
-    options = build_parser().parse_args(["--only", wanted])
+    options = parse_arguments(["--only", wanted])
     with pytest.raises(BadArguments) as caught:
         read_selection(options)
     assert str(caught.value).startswith(
@@ -180,8 +180,8 @@ def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
 )
 def test_base_urls_are_read(options: list[str], says: str) -> None:
     with pytest.raises(BadArguments, match=re.escape(says)):
-        read_settings(build_parser().parse_args(options))
-    good = build_parser().parse_args(["--url", "http://a/, http://b"])
+        read_settings(parse_arguments(options))
+    good = parse_arguments(["--url", "http://a/, http://b"])
     assert read_settings(good).urls == ["http://a", "http://b"]
 
 
