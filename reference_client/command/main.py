@@ -5,19 +5,17 @@ Every error is one line on stderr; with --json it is a JSON value on stdout as w
 
 from __future__ import annotations
 
-import argparse
+import importlib
 import os
 import sys
 import traceback
 from collections.abc import Callable, Sequence
 
-from reference_client.board import commands as board_commands
-from reference_client.command.command_line import completion
 from reference_client.command.command_line.aliases import (
     PASS_THROUGH_COMMANDS,
     translate,
 )
-from reference_client.command.command_line.arguments import build_parser, resolve_server
+from reference_client.command.command_line.arguments import parse
 from reference_client.command.exit_codes import (
     INTERRUPTED,
     WRONG_USAGE_OR_NO_SERVER,
@@ -26,39 +24,32 @@ from reference_client.command.exit_codes import (
 )
 from reference_client.command.output.printer import Printer
 from reference_client.command.programs import start
-from reference_client.command.records import record_commands, uploads
-from reference_client.command.runs import control, page_address, running
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
+from reference_record.command_line.click_commands import Options, WrongUsage
 
-
-def _report(args: argparse.Namespace, printer: Printer) -> int:
-    # The templates take longer to import than most commands take.
-    from reference_client.view import report_command
-
-    return report_command.report(args, printer)
-
-
-COMMANDS: dict[str, Callable[[argparse.Namespace, Printer], int]] = {
-    "submit": control.submit,
-    "run": running.run,
-    "status": control.status,
-    "stop": control.stop,
-    "resume": control.resume,
-    "delete": control.delete,
-    "open": page_address.open_page,
-    "results": control.results,
-    "compare": control.compare,
-    "benchmarks": control.benchmarks,
-    "export": record_commands.export,
-    "verify": record_commands.check,
-    "upload": uploads.upload,
-    "report": _report,
-    "board": board_commands.board,
-    "publish": board_commands.publish,
-    "withdraw": board_commands.withdraw,
-    "video": record_commands.video,
-    "completion": completion.completion,
+# Command → the function that does it, as MODULE:NAME. A module is imported when its
+# command is given: help, mistakes and a Tab in a shell need none of them.
+FUNCTIONS = {
+    "submit": "command.runs.control:submit",
+    "run": "command.runs.running:run",
+    "status": "command.runs.control:status",
+    "stop": "command.runs.control:stop",
+    "resume": "command.runs.control:resume",
+    "delete": "command.runs.control:delete",
+    "open": "command.runs.page_address:open_page",
+    "results": "command.runs.control:results",
+    "compare": "command.runs.control:compare",
+    "benchmarks": "command.runs.control:benchmarks",
+    "export": "command.records.record_commands:export",
+    "verify": "command.records.record_commands:check",
+    "upload": "command.records.uploads:upload",
+    "report": "view.report_command:report",
+    "board": "board.commands:board",
+    "publish": "board.commands:publish",
+    "withdraw": "board.commands:withdraw",
+    "video": "command.records.record_commands:video",
+    "completion": "command.command_line.completion:completion",
 }
 
 
@@ -72,11 +63,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             Printer(as_json=as_json).say(f"proctor: {note}")
         if words and words[0] in PASS_THROUGH_COMMANDS:
             return start(words[0], words[1:])
-        args = build_parser().parse_args(words)
-        resolve_server(args)
+        args = parse(words)
         printer = Printer(as_json=args.json, style=args.format)
         return _run_command(args, printer)
-    except UsageError as error:
+    except WrongUsage as error:
         _print_error("usage", str(error), as_json=as_json)
         return WRONG_USAGE_OR_NO_SERVER
     except KeyboardInterrupt:
@@ -86,9 +76,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return WRONG_USAGE_OR_NO_SERVER
 
 
-def _run_command(args: argparse.Namespace, printer: Printer) -> int:
+def _run_command(args: Options, printer: Printer) -> int:
     try:
-        return COMMANDS[args.command](args, printer)
+        return _function_of(args.command)(args, printer)
     except ProctorError as error:
         if args.debug:
             printer.say(traceback.format_exc().rstrip())
@@ -100,6 +90,14 @@ def _run_command(args: argparse.Namespace, printer: Printer) -> int:
         raise
     except ValueError as error:  # an invalid URL or id, noticed before sending
         raise UsageError(" ".join(str(error).split())) from error
+
+
+def _function_of(command: str) -> Callable[[Options, Printer], int]:
+    module, _, name = FUNCTIONS[command].partition(":")
+    function: Callable[[Options, Printer], int] = getattr(
+        importlib.import_module(f"reference_client.{module}"), name
+    )
+    return function
 
 
 def _print_error(code: str, line: str, *, as_json: bool) -> None:

@@ -5,7 +5,6 @@ They work on the files and the database of a server, which may run meanwhile.
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import time
 from collections import defaultdict
@@ -13,8 +12,14 @@ from collections.abc import AsyncIterator, Iterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    Options,
+    flag,
+    option,
+)
 from reference_record.keys import load_or_make
 from reference_record.recording import timestamp
 from reference_server.records.recordings import Recordings
@@ -48,36 +53,52 @@ class AdminFiles:
     benchmarks: str = ""
 
 
-def add_areas(areas: Any) -> None:
-    """Add both areas to those of `proctor admin`; `do_with_files` is the command."""
-    keys = areas.add_parser("keys", help="the keys that sign records")
-    commands = keys.add_subparsers(metavar="COMMAND", required=True)
-    listed = commands.add_parser("list", help="every key that signed, newest first")
-    listed.set_defaults(do_with_files=list_keys)
-    rotate = commands.add_parser(
-        "rotate",
-        help="make a new key, which signs from the next start of the server on",
-    )
-    rotate.set_defaults(do_with_files=rotate_key)
-    records = areas.add_parser("records", help="disk space of recordings")
-    commands = records.add_subparsers(metavar="COMMAND", required=True)
-    usage = commands.add_parser("usage", help="bytes by benchmark, with the oldest run")
-    usage.add_argument("--runs", action="store_true", help="by run, largest first")
-    usage.set_defaults(do_with_files=show_usage)
-    prune = commands.add_parser("prune", help="remove the recordings of old runs")
-    prune.add_argument(
+def record_areas() -> list[Group]:
+    """Both areas of `proctor admin`; `do_with_files` is the function of a command."""
+    keys = [
+        Command(
+            "list",
+            {},
+            constants={"do_with_files": list_keys},
+            short_help="every key that signed, newest first",
+        ),
+        Command(
+            "rotate",
+            {},
+            constants={"do_with_files": rotate_key},
+            short_help="make a new key, which signs from the next start of the "
+            "server on",
+        ),
+    ]
+    older_than = option(
         "--older-than", type=float, required=True, metavar="DAYS",
         help="days since the run ended; no fewer than records_keep_days, which is a "
         "promise (0: to keep all)",
     )  # fmt: skip
-    prune.add_argument("--dry-run", action="store_true", help="only list the runs")
-    prune.set_defaults(do_with_files=prune_old)
+    records = [
+        Command(
+            "usage",
+            {"": [flag("--runs", help="by run, largest first")]},
+            constants={"do_with_files": show_usage},
+            short_help="bytes by benchmark, with the oldest run",
+        ),
+        Command(
+            "prune",
+            {"": [older_than, flag("--dry-run", help="only list the runs")]},
+            constants={"do_with_files": prune_old},
+            short_help="remove the recordings of old runs",
+        ),
+    ]
+    return [
+        Group("keys", keys, short_help="the keys that sign records"),
+        Group("records", records, short_help="disk space of recordings"),
+    ]
 
 
 # --- keys ---
 
 
-def list_keys(files: AdminFiles, _args: argparse.Namespace) -> None:
+def list_keys(files: AdminFiles, _args: Options) -> None:
     """REC-101: what `list_keys` of the server shows."""
     for key in asyncio.run(_keys_of(files.database_url)):
         end = key.retired_at_wall
@@ -91,7 +112,7 @@ async def _keys_of(url: str) -> list[PublicKey]:
         return await RecordStore(store.transactions).keys()
 
 
-def rotate_key(files: AdminFiles, _args: argparse.Namespace) -> None:
+def rotate_key(files: AdminFiles, _args: Options) -> None:
     """Old statements stay valid: the server goes on to publish the old key."""
     path = files.key_path
     if path is None:
@@ -129,7 +150,7 @@ class RunUsage:
         return max(0.0, now_wall - self.head.updated_at_wall) / DAY_S
 
 
-def show_usage(files: AdminFiles, args: argparse.Namespace) -> None:
+def show_usage(files: AdminFiles, args: Options) -> None:
     usages, now = asyncio.run(_usage_of(files)), time.time()
     if args.runs:
         for usage in sorted(usages, key=lambda usage: -usage.size_bytes):
@@ -164,7 +185,7 @@ async def _usage_of(files: AdminFiles) -> list[RunUsage]:
     return usages
 
 
-def prune_old(files: AdminFiles, args: argparse.Namespace) -> None:
+def prune_old(files: AdminFiles, args: Options) -> None:
     """Remove recordings of ended runs, as the server does after `records_keep_days`."""
     days, kept = args.older_than, files.keep_days
     if not kept:

@@ -6,26 +6,33 @@ pass, 1 one of them has a fault, 2 unknown benchmark or invalid file.
 
 from __future__ import annotations
 
-import argparse
 import sys
 
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    WrongUsage,
+    argument,
+    parse_options,
+)
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import read
 from reference_sim.gymnasium.registration import examine
 
 
 def main(arguments: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(
-        prog="python -m reference_sim.gymnasium", description=__doc__
-    )
-    commands = parser.add_subparsers(required=True, metavar="check")
-    command = commands.add_parser("check", help="check every task of a benchmark")
-    command.add_argument(
-        "what", nargs="+", metavar="BENCHMARK", help="gymnasium:ID, FILE.toml, …"
-    )
+    what = argument(
+        "what", nargs=-1, required=True, metavar="BENCHMARK…",
+        help="gymnasium:ID, FILE.toml, …",
+    )  # fmt: skip
+    check = Command("check", {"": [what]}, short_help="check every task of a benchmark")
+    program = Group("python -m reference_sim.gymnasium", [check], help=__doc__)
     try:
-        verdicts = [_check(what) for what in parser.parse_args(arguments).what]
-    except BadBenchmark as error:
+        options = parse_options(
+            program, sys.argv[1:] if arguments is None else arguments
+        )
+        verdicts = [_check(what) for what in options.what]
+    except (BadBenchmark, WrongUsage) as error:
         print(error, file=sys.stderr)
         return 2
     return 0 if all(verdicts) else 1

@@ -7,15 +7,14 @@ run meanwhile, or be down.
 
 from __future__ import annotations
 
-import argparse
 import shutil
 import time
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
+from reference_record.command_line.click_commands import Command, Options, option
 from reference_record.pages.page_templates import render_page
 from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
@@ -53,21 +52,23 @@ class AccountRow:
         return timestamp(self.changed_at_wall) if self.changed_at_wall else ""
 
 
-def add_command(areas: Any) -> None:
-    """Add the command to `proctor admin`; `do_with_settings` carries it out."""
-    page = areas.add_parser(
-        "page", help="write a page of all accounts and runs, for a browser here"
-    )
-    page.add_argument(
+def page_command() -> Command:
+    """The command of `proctor admin`; `do_with_settings` is its function."""
+    output = option(
         "--output", "-o", type=Path, metavar="FILE", help="(DATABASE.operator.html)"
     )
-    page.add_argument(
+    runs = option(
         "--runs", type=int, default=500, metavar="N", help="the newest N runs (500)"
     )
-    page.set_defaults(do_with_settings=write_page)
+    return Command(
+        "page",
+        {"": [output, runs]},
+        constants={"do_with_settings": write_page},
+        short_help="write a page of all accounts and runs, for a browser here",
+    )
 
 
-def write_page(settings: Settings, args: argparse.Namespace) -> None:
+def write_page(settings: Settings, args: Options) -> None:
     """Write it for its owner alone. Raises CannotDo, StoreFailed and OSError."""
     path = args.output or _default_path(settings)
     text = _page_of(settings, args.runs)
