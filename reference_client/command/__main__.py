@@ -14,7 +14,9 @@ def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     prepare_output()
     try:
-        from reference_client.command.main import main as begin
+        from reference_client.command.main import prepare
+
+        command = prepare(sys.argv[1:])
     except ModuleNotFoundError as missing:
         print(
             f"proctor: {missing.name} is not installed: "
@@ -22,7 +24,7 @@ def main() -> int:
             file=sys.stderr,
         )
         return 2
-    return begin()
+    return command()
 
 
 if __name__ == "__main__":
