@@ -5,7 +5,9 @@ the same purpose. Nothing is printed in colour.
 """
 
 import difflib
+import io
 import shutil
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any
@@ -86,6 +88,10 @@ def parse_options(command: click.Command, arguments: Sequence[str]) -> KitOption
 
     Ends the process after --help, and when a shell asks at Tab what it may complete.
     """
+    for stream in (sys.stdout, sys.stderr):
+        # A terminal of an old code page gets `?` for `…`, and the kit does not end.
+        if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+            stream.reconfigure(errors="replace")
     try:
         parsed = command.main(
             [*arguments], prog_name=command.name, standalone_mode=False

@@ -6,7 +6,10 @@ programs looks and how a mistake is explained. Nothing is printed in colour.
 
 from __future__ import annotations
 
+import io
 import shutil
+import sys
+import textwrap
 from collections.abc import Callable, Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any
@@ -16,7 +19,8 @@ import click
 from reference_record.command_line.spelling import did_you_mean, unknown
 
 HELP_FLAGS = ["-h", "--help"]
-WIDTH_MAX = 100  # a longer line is hard to read
+WIDTH_MAX = 80  # a longer line is hard to read
+CHOICES_WIDTH_MAX = 24  # so that a terminal of 40 columns shows them
 
 
 class WrongUsage(Exception):
@@ -50,17 +54,34 @@ class _Formatter(click.HelpFormatter):
         # A third of the line is for the names, so that the texts stay readable.
         super().write_dl(rows, min(col_max, self.width // 3), col_spacing)
 
+    def write_heading(self, heading: str) -> None:
+        self.write(textwrap.fill(f"{heading}:", self.width) + "\n")
+
 
 class _Context(click.Context):
     formatter_class = _Formatter
 
 
 def option(*names: str, **more: Any) -> click.Option:
-    """An option. Without `metavar`, the name of its value is its own in capitals."""
+    """An option. Without `metavar`, the name of its value is its own in capitals.
+
+    Values that are too long for that column are listed in the help.
+    """
     made = click.Option(names, **more)
-    if made.metavar is None and not isinstance(made.type, click.Choice):
-        made.metavar = made.name.upper()
+    if made.metavar is None:
+        made.metavar, listed = placeholder(made.name, made.type)
+        made.help = f"{made.help}: {listed}" if listed else made.help
     return made
+
+
+def placeholder(name: str, kind: Any) -> tuple[str, str]:
+    """What --help shows for a value, and a list of the values if that is too short."""
+    if not isinstance(kind, click.Choice):
+        return name.upper(), ""
+    shown = f"[{'|'.join(kind.choices)}]"
+    if len(shown) <= CHOICES_WIDTH_MAX:
+        return shown, ""
+    return name.upper(), ", ".join(kind.choices)
 
 
 def flag(*names: str, **more: Any) -> click.Option:
@@ -165,6 +186,7 @@ def parse_options(command: click.Command, arguments: Sequence[str]) -> Options:
 
     Ends the process after --help, and when a shell asks at Tab what it may complete.
     """
+    _show_every_character()
     try:
         parsed = command.main(
             [*arguments], prog_name=command.name, standalone_mode=False
@@ -174,6 +196,13 @@ def parse_options(command: click.Command, arguments: Sequence[str]) -> Options:
     if isinstance(parsed, Options):
         return parsed
     raise SystemExit(parsed)
+
+
+def _show_every_character() -> None:
+    """A terminal of an old code page gets `?` for `…`, and the program does not end."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+            stream.reconfigure(errors="replace")
 
 
 def checked(check: Callable[[str], Any]) -> Callable[[str], Any]:

@@ -9,32 +9,28 @@ from __future__ import annotations
 import typing
 from collections.abc import Sequence
 
+import click
 from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_settings import SettingsError
 
 from reference_record.command_line.click_commands import (
     Command,
+    OneOf,
     WrongUsage,
     option,
     parse_options,
+    placeholder,
 )
 from reference_server.settings.server_settings import Settings, describe_faults
 
 PROGRAM = "proctor-server"
-_PLACEHOLDERS = {"str": "TEXT", "int": "N", "float": "SECONDS"}
+_PLACEHOLDERS = {str(str): "TEXT", str(int): "N", str(float): "SECONDS"}
 
 
 def build_command() -> Command:
     """The command `proctor-server`, with an option for each setting."""
-    options = [
-        option(
-            f"--{name.replace('_', '-')}",
-            metavar=_placeholder(name, field),
-            help=_help(field),
-        )
-        for name, field in Settings.model_fields.items()
-    ]
+    options = [_option(name, field) for name, field in Settings.model_fields.items()]
     return Command(PROGRAM, {"": options}, help=Settings.__doc__)
 
 
@@ -53,14 +49,16 @@ def read_settings(arguments: Sequence[str]) -> Settings:
         raise WrongUsage(f"bad settings: {error}") from error
 
 
-def _help(field: FieldInfo) -> str:
+def _option(name: str, field: FieldInfo) -> click.Option:
+    """The option of a setting. Its value stays a text, which Settings checks."""
     default = "" if field.default == "" else f" (default: {field.default})"
-    return f"{field.description}{default}"
-
-
-def _placeholder(name: str, field: FieldInfo) -> str:
+    metavar, listed = _PLACEHOLDERS.get(str(field.annotation), ""), ""
     if choices := typing.get_args(field.annotation):
-        return f"[{'|'.join(choices)}]"
-    if name.endswith("_days"):
-        return "DAYS"
-    return _PLACEHOLDERS[str(getattr(field.annotation, "__name__", ""))]
+        metavar, listed = placeholder("value", OneOf(choices))
+    elif name.endswith("_days"):
+        metavar = "DAYS"
+    return option(
+        f"--{name.replace('_', '-')}",
+        metavar=metavar,
+        help=f"{field.description}{f' One of {listed}.' if listed else ''}{default}",
+    )

@@ -8,6 +8,7 @@ import re
 import shlex
 import subprocess
 import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
@@ -20,6 +21,7 @@ from conformance.cli.arguments import (
 )
 from conformance.cli.kit_command import BadArguments
 from conformance.cli.main import main
+from conformance.policy.__main__ import main as main_policy
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
@@ -59,6 +61,20 @@ def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
     kit = run_kit(tmp_path, "--dry-run", "--only", "SVC", "--profile", "crash")
     assert kit.code == 2
     assert kit.output.startswith("0 checks")
+
+
+@pytest.mark.parametrize("columns", [40, 80])
+@pytest.mark.parametrize("program", [main, main_policy])
+def test_the_help_fits_the_terminal(
+    program: Callable[[Sequence[str]], int],
+    columns: int,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    with pytest.raises(SystemExit, match="0"):
+        program(["--help"])
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= columns
 
 
 def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:

@@ -51,6 +51,16 @@ def test_the_help_names_the_unit(
     assert f"  {flag} {unit} " in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("columns", [40, 80])
+def test_the_help_fits_the_terminal(
+    columns: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    with pytest.raises(SystemExit):
+        settings("--help")
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= columns
+
+
 def values_of(field: FieldInfo) -> str:
     """What a setting may be, in words."""
     if typing.get_origin(field.annotation) is typing.Literal:

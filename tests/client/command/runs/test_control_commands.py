@@ -391,17 +391,6 @@ def test_an_unreachable_server_gives_exit_code_2(
     assert "url must be like" in capsys.readouterr().err
 
 
-def test_help_fits_80_columns(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("COLUMNS", "80")
-    for arguments in (["--help"], ["run", "--help"], ["submit", "--help"]):
-        with pytest.raises(SystemExit) as ended:
-            main(arguments)
-        assert ended.value.code == 0
-        assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
-
-
 def test_debug_prints_a_traceback(proctor: ProctorCommand) -> None:
     assert proctor("status", "run_none", "--debug") == 2
     assert "Traceback" in proctor.err
