@@ -75,7 +75,7 @@ def option(*names: str, **more: Any) -> click.Option:
 
 
 def placeholder(name: str, kind: Any) -> tuple[str, str]:
-    """What --help shows for a value, and a list of the values if that is too short."""
+    """The word that --help shows for a value, and the values if these are many."""
     if not isinstance(kind, click.Choice):
         return name.upper(), ""
     shown = f"[{'|'.join(kind.choices)}]"
