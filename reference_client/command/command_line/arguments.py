@@ -12,10 +12,10 @@ from collections.abc import Sequence
 
 import click
 
+from reference_client.command.command_line.chosen_server import resolve_server
 from reference_client.command.command_line.command_options import (
     headings_of_commands,
 )
-from reference_client.command.command_line.server_address import resolve_server
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.command_line.click_commands import (
     Command,

@@ -8,7 +8,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from reference_client.command.command_line import option_values as values
-from reference_client.command.command_line.server_address import (
+from reference_client.command.command_line.chosen_server import (
     DEFAULT_URL,
     SERVERLESS_COMMANDS,
 )

@@ -19,7 +19,7 @@ from urllib.parse import urlsplit
 import click
 from click.shell_completion import CompletionItem, get_completion_class
 
-from reference_client.command.command_line.server_address import (
+from reference_client.command.command_line.chosen_server import (
     DEFAULT_URL,
     resolve_server,
 )

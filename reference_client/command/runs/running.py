@@ -24,7 +24,7 @@ from proctor_client import Assumptions, Benchmark, Episode, Run, Score
 from proctor_client.transport.server_address import without_user
 
 from reference_client.api.policy import Policy
-from reference_client.command.command_line.server_address import DEFAULT_URL
+from reference_client.command.command_line.chosen_server import DEFAULT_URL
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,

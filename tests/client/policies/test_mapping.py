@@ -242,8 +242,8 @@ def _policy(ask: Callable[[dict[str, Any]], Any], made: PolicyMapping) -> Any:
     [
         ("{}", "needs either"),
         ("1", "not a table"),
-        ("{ a = 1 }", "unknown key a; there is dtype, from, "),
-        ("{ tak = [1] }", r"unknown key tak; did you mean take\? There is dtype"),
+        ("{ a = 1 }", "unknown key a; there is dtype, "),
+        ("{ from = 'state.a', tak = [1] }", "unknown key tak; did you mean take"),
         ("{ take = [1] }", "needs either"),
         ("{ from = 'step', layout = 'x' }", "hwc or chw"),
         ("{ from = 'x.y' }", "not 'x.y'"),

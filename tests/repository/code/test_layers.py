@@ -82,7 +82,8 @@ MAY_IMPORT: dict[str, set[str]] = {
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
     ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed", "StoredQueue"},
-    ("http", "storage"): {"StoreFailed", "database_area"},
+    ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
+    | {"database_area"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}
     | {"record_areas", "seeds_area"},
     ("push", "storage"): {"StoreFailed"},
