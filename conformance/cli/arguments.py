@@ -40,10 +40,10 @@ def build_command() -> KitCommand:
     """Describe every option."""
     version = flag(
         "--version",
+        "show the versions of the kit and of the specification",
         is_eager=True,
         expose_value=False,
         callback=_print_version,
-        help="show the versions of the kit and of the specification",
     )
     headings = {
         "Server": _server_options(),
@@ -87,75 +87,71 @@ def _server_options() -> list[click.Option]:
     return [
         option(
             "--url",
-            metavar="URL[,URL…]",
-            help="base URL of the server under test; all of them, with commas, of a "
+            "base URL of the server under test; all of them, with commas, of a "
             "service that has several: requests are spread over them",
+            metavar="URL[,URL…]",
         ),
         option(
             "--ca",
+            "certificates to accept, instead of the system's [PROCTOR_CA]",
             metavar="FILE",
-            help="certificates to accept, instead of the system's [PROCTOR_CA]",
         ),
         option(
             "--start-cmd",
-            metavar="CMD",
-            help="start the server under test with this command; the kit sets "
+            "start the server under test with this command; the kit sets "
             "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS (account:scopes:token, with "
             "commas between several; a scope is read, run or read+run) and "
             "PROCTOR_DATABASE (the path of a file) in its environment",
+            metavar="CMD",
         ),
         option(
             "--nodes",
+            "start --start-cmd so many times with one PROCTOR_DATABASE, each on a "
+            "port of its own; PROCTOR_PUBLIC_URL is the URL of the first",
             metavar="N",
             type=int,
             default=1,
-            help="start --start-cmd so many times with one PROCTOR_DATABASE, each on a "
-            "port of its own; PROCTOR_PUBLIC_URL is the URL of the first",
         ),
         option(
             "--restart-cmd",
+            "command that kills the server at --url and restarts it",
             metavar="CMD",
-            help="command that kills the server at --url and restarts it",
         ),
         flag(
             "--not-durable",
-            help="the runs of this server do not outlive its process: kill nothing, "
-            "and report the rules about crashes as not verified",
+            "the runs of this server do not outlive its process: kill nothing, and "
+            "report the rules about crashes as not verified",
         ),
     ]
 
 
 def _account_options() -> list[click.Option]:
     return [
-        option("--token", help="token with the scopes read and run [PROCTOR_TOKEN]"),
-        option("--token-2", help="token of a second account [PROCTOR_TOKEN_2]"),
+        option("--token", "token with the scopes read and run [PROCTOR_TOKEN]"),
+        option("--token-2", "token of a second account [PROCTOR_TOKEN_2]"),
         option(
             "--token-read",
-            help="token of the first account with the scope read only "
-            "[PROCTOR_TOKEN_READ]",
+            "token of the first account with the scope read only [PROCTOR_TOKEN_READ]",
         ),
     ]
 
 
 def _selection_options() -> list[click.Option]:
     return [
-        option("--only", metavar="ID,...", help="rule ids or id prefixes"),
-        option("--profile", metavar="NAME,...", help=", ".join(PROFILES)),
-        flag(
-            "--quick",
-            help="skip checks that wait, kill the server or play a long run",
-        ),
+        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--profile", ", ".join(PROFILES), metavar="NAME,..."),
+        flag("--quick", "skip checks that wait, kill the server or play a long run"),
         option(
             "--stage",
+            "the rules that a server of so many stages can obey: "
+            + ", ".join(f"{stage.number} {stage.name}" for stage in STAGES),
             type=click.Choice([stage.number for stage in STAGES]),
             metavar="N",
-            help="the rules that a server of so many stages can obey: "
-            + ", ".join(f"{stage.number} {stage.name}" for stage in STAGES),
         ),
-        flag("--list", help="print the rules and exit"),
+        flag("--list", "print the rules and exit"),
         flag(
             "--dry-run",
-            help="print the checks that would run and their rules; send no request",
+            "print the checks that would run and their rules; send no request",
         ),
     ]
 
@@ -164,51 +160,49 @@ def _execution_options() -> list[click.Option]:
     return [
         option(
             "--seed",
+            "seed of the generated requests (reproduces a kit run)",
             type=int,
-            help="seed of the generated requests (reproduces a kit run)",
         ),
         option(
             "-n",
+            f"number of parallel processes; {_QUICK_PROCESSES} with --quick "
+            "alone, otherwise 1",
             metavar="N",
             type=int,
-            help=f"number of parallel processes; {_QUICK_PROCESSES} with --quick "
-            "alone, otherwise 1",
         ),
         flag(
             "--fail-fast",
-            help="start no check after the first violated MUST; the remaining rules "
-            "are reported as not verified; rules are judged in the order of --only",
+            "start no check after the first violated MUST; the remaining rules are "
+            "reported as not verified; rules are judged in the order of --only",
         ),
         option(
             "--max-time",
+            "start no check after this time; the remaining rules are reported as not "
+            "verified",
             type=float,
             metavar="SECONDS",
-            help="start no check after this time; the remaining rules are reported as "
-            "not verified",
         ),
         flag(
             "--stress",
-            help="also send requests that are too large or too slow to the server at "
+            "also send requests that are too large or too slow to the server at "
             "--url; without this option only a server started by --start-cmd gets them",
         ),
         flag(
             "--exchanges",
-            help="also report the requests and answers of rules that passed, as "
-            "scripts and as data: what a right server answers",
+            "also report the requests and answers of rules that passed, as scripts "
+            "and as data: what a right server answers",
         ),
-        option(
-            "--report", default="report", metavar="DIR", help="directory of the reports"
-        ),
+        option("--report", "directory of the reports", default="report", metavar="DIR"),
         option(
             "--summary",
+            "append a short report in Markdown, for the page of a CI job",
             metavar="FILE",
-            help="append a short report in Markdown, for the page of a CI job",
         ),
         option(
             "--known-failures",
+            "file with one rule id and a # comment per line: these failures do not "
+            "fail the run; an entry that passes does",
             metavar="FILE",
-            help="file with one rule id and a # comment per line: these failures do "
-            "not fail the run; an entry that passes does",
         ),
     ]
 
@@ -217,18 +211,18 @@ def _attestation_options() -> list[click.Option]:
     return [
         option(
             "--attest",
+            "write the verdict on all rules as an in-toto statement (test-result)",
             metavar="FILE",
-            help="write the verdict on all rules as an in-toto statement (test-result)",
         ),
         option(
             "--attest-key",
+            "sign it with this Ed25519 private key, in PEM",
             metavar="FILE",
-            help="sign it with this Ed25519 private key, in PEM",
         ),
         option(
             "--attest-subject",
+            "what the server was built as, such as an image and its digest",
             metavar="NAME@sha256:HEX",
-            help="what the server was built as, such as an image and its digest",
         ),
     ]
 

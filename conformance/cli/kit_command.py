@@ -70,17 +70,15 @@ class KitCommand(click.Command):
                 formatter.write_dl(filter(None, records))
 
 
-def option(*names: str, **more: Any) -> click.Option:
+def option(name: str, text: str, **more: Any) -> click.Option:
     """An option. Without `metavar`, the name of its value is its own in capitals."""
-    made = click.Option(names, **more)
-    if made.metavar is None and not isinstance(made.type, click.Choice):
-        made.metavar = made.name.upper()
-    return made
+    more.setdefault("metavar", name.strip("-").replace("-", "_").upper())
+    return click.Option([name], help=text, **more)
 
 
-def flag(*names: str, **more: Any) -> click.Option:
+def flag(name: str, text: str, **more: Any) -> click.Option:
     """An option without a value."""
-    return click.Option(names, is_flag=True, **more)
+    return click.Option([name], is_flag=True, help=text, **more)
 
 
 def parse_options(command: click.Command, arguments: Sequence[str]) -> KitOptions:

@@ -58,32 +58,30 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def build_command() -> KitCommand:
     """Describe every option."""
     options = [
-        option("--url", required=True, help="base URL of the policy server"),
+        option("--url", "base URL of the policy server", required=True),
         option(
             "--ca",
+            "certificates to accept, instead of the system's [PROCTOR_CA]",
             metavar="FILE",
-            help="certificates to accept, instead of the system's [PROCTOR_CA]",
         ),
-        option("--key", help="its API key, if it has one [PROCTOR_POLICY_KEY]"),
+        option("--key", "its API key, if it has one [PROCTOR_POLICY_KEY]"),
         option(
             "--benchmark",
-            metavar="NAME",
-            help="id of a benchmark of the evaluation server, or a JSON file with its "
+            "id of a benchmark of the evaluation server, or a JSON file with its "
             "get_benchmark response; default: calibration",
+            metavar="NAME",
         ),
         option(
             "--server",
+            "evaluation server that describes the benchmark; its token is "
+            f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
             metavar="URL",
             default=DEFAULT_SERVER,
             envvar="PROCTOR_URL",
-            help="evaluation server that describes the benchmark; its token is "
-            f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
         ),
-        option("--only", metavar="ID,...", help="rule ids or id prefixes"),
-        option("--seed", type=int, help="seed of the session ids"),
-        option(
-            "--report", default="report", metavar="DIR", help="directory of the reports"
-        ),
+        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--seed", "seed of the session ids", type=int),
+        option("--report", "directory of the reports", default="report", metavar="DIR"),
     ]
     return KitCommand(
         "proctor-conformance-policy",

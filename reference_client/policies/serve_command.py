@@ -27,35 +27,33 @@ PORT = 8470
 def build_command() -> Command:
     """The command line of the program."""
     options = [
-        option("--policy", required=True, help="see proctor run --help"),
+        option("--policy", "see proctor run --help", required=True),
         option(
-            "--mapping",
+            "--mapping", "TOML file that maps observation and action names",
             metavar="FILE",
-            help="TOML file that maps observation and action names",
         ),
-        option("--name", help="name of the policy (default: POLICY)"),
-        option("--host", default="127.0.0.1", help="address to listen on"),
-        option("--port", type=int, default=PORT, help=f"port ({PORT})"),
+        option("--name", "name of the policy (default: POLICY)"),
+        option("--host", "address to listen on", default="127.0.0.1"),
+        option("--port", f"port ({PORT})", type=int, default=PORT),
         option(
-            "--max-sessions", type=int, default=16, metavar="N",
-            help="maximum simultaneous sessions, each with its own policy instance "
-            "(16)",
+            "--max-sessions",
+            "maximum simultaneous sessions, each with its own policy instance (16)",
+            type=int, default=16, metavar="N",
         ),
     ]  # fmt: skip
     return Command(
         "proctor serve-policy",
-        {"": options},
-        help="Serve a policy over HTTP, for runs in push mode. If PROCTOR_POLICY_KEY "
-        "is set, requests MUST carry it as bearer token.",
+        "",
+        options,
+        help_text="Serve a policy over HTTP, for runs in push mode. If "
+        "PROCTOR_POLICY_KEY is set, requests MUST carry it as bearer token.",
     )
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code."""
     try:
-        args = parse_options(
-            build_command(), sys.argv[1:] if arguments is None else arguments
-        )
+        args = parse_options(build_command(), arguments)
         mapping = read_mapping(args.policy, args.mapping)
         make = load(args.policy, mapping)
         # A policy that fails to load is reported here, not to a client.

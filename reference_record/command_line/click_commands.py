@@ -20,6 +20,7 @@ from reference_record.command_line.spelling import did_you_mean, unknown
 
 HELP_FLAGS = ["-h", "--help"]
 WIDTH_MAX = 80  # a longer line is hard to read
+Parameters = Sequence[click.Parameter]
 CHOICES_WIDTH_MAX = 24  # so that a terminal of 40 columns shows them
 
 
@@ -62,15 +63,17 @@ class _Context(click.Context):
     formatter_class = _Formatter
 
 
-def option(*names: str, **more: Any) -> click.Option:
-    """An option. Without `metavar`, the name of its value is its own in capitals.
+def option(name: str, text: str, also: str | None = None, **more: Any) -> click.Option:
+    """An option with its help, and a second name for it.
 
-    Values that are too long for that column are listed in the help.
+    Without `metavar`, the name of its value is its own in capitals. Values that are too
+    long for that column are listed in the help.
     """
-    made = click.Option(names, **more)
+    names = [name] if also is None else [name, also]
+    made = click.Option(names, help=text, **more)
     if made.metavar is None:
         made.metavar, listed = placeholder(made.name, made.type)
-        made.help = f"{made.help}: {listed}" if listed else made.help
+        made.help = f"{text}: {listed}" if listed else text
     return made
 
 
@@ -84,21 +87,21 @@ def placeholder(name: str, kind: Any) -> tuple[str, str]:
     return name.upper(), ", ".join(kind.choices)
 
 
-def flag(*names: str, **more: Any) -> click.Option:
+def flag(name: str, text: str, **more: Any) -> click.Option:
     """An option without a value."""
-    return click.Option(names, is_flag=True, **more)
+    return click.Option([name], is_flag=True, help=text, **more)
 
 
-def argument(name: str, **more: Any) -> click.Argument:
+def argument(name: str, text: str, **more: Any) -> click.Argument:
     """A value that is given by its place."""
-    return click.Argument([name], **more)
+    return click.Argument([name], help=text, **more)
 
 
 class Command(click.Command):
     """A command whose value is its Options.
 
-    headings: heading → the parameters that --help shows under it; those of the heading
-    "" come first. constants: further members of the Options.
+    parameters: all, or those that --help shows under each heading; the heading "" comes
+    first. constants: further members of the Options.
     """
 
     context_class = _Context
@@ -106,20 +109,25 @@ class Command(click.Command):
     def __init__(
         self,
         name: str,
-        headings: Mapping[str, Sequence[click.Parameter]],
+        summary: str,
+        parameters: Parameters | Mapping[str, Parameters],
         *,
-        constants: Mapping[str, Any] | None = None,
-        **more: Any,
+        help_text: str | None = None,
+        epilog: str | None = None,
+        **constants: Any,
     ) -> None:
-        self._headings = headings
-        self._constants = dict(constants or {})
-        more.setdefault("help", _sentence(more.get("short_help", "")))
+        if not isinstance(parameters, Mapping):
+            parameters = {"": parameters}
+        self._headings = parameters
+        self._constants = constants
         super().__init__(
             name,
             context_settings={"help_option_names": HELP_FLAGS},
-            params=[parameter for group in headings.values() for parameter in group],
+            params=[made for group in self._headings.values() for made in group],
             callback=self._values,
-            **more,
+            short_help=summary,
+            help=help_text or _sentence(summary),
+            epilog=epilog,
         )
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
@@ -158,15 +166,22 @@ class Group(click.Group):
     context_class = _Context
 
     def __init__(
-        self, name: str, commands: Sequence[click.Command], **more: Any
+        self,
+        name: str,
+        summary: str,
+        commands: Sequence[click.Command],
+        *,
+        help_text: str | None = None,
+        **more: Any,
     ) -> None:
-        more.setdefault("help", _sentence(more.get("short_help", "")))
         super().__init__(
             name,
             context_settings={"help_option_names": HELP_FLAGS},
             commands=commands,
             no_args_is_help=False,
             subcommand_metavar="COMMAND …",
+            short_help=summary,
+            help=help_text or _sentence(summary),
             **more,
         )
 
@@ -181,15 +196,19 @@ class Group(click.Group):
             formatter.write_dl(rows)
 
 
-def parse_options(command: click.Command, arguments: Sequence[str]) -> Options:
-    """The options. Raises WrongUsage.
+def parse_options(
+    command: click.Command, arguments: Sequence[str] | None = None
+) -> Options:
+    """The options of these arguments, or those of this process. Raises WrongUsage.
 
     Ends the process after --help, and when a shell asks at Tab what it may complete.
     """
     _show_every_character()
     try:
         parsed = command.main(
-            [*arguments], prog_name=command.name, standalone_mode=False
+            sys.argv[1:] if arguments is None else [*arguments],
+            prog_name=command.name,
+            standalone_mode=False,
         )
     except click.UsageError as error:
         raise WrongUsage(_explain(error, command)) from error

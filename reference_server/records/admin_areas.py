@@ -58,40 +58,44 @@ def record_areas() -> list[Group]:
     keys = [
         Command(
             "list",
-            {},
-            constants={"do_with_files": list_keys},
-            short_help="every key that signed, newest first",
+            "every key that signed, newest first",
+            [],
+            do_with_files=list_keys,
         ),
         Command(
             "rotate",
-            {},
-            constants={"do_with_files": rotate_key},
-            short_help="make a new key, which signs from the next start of the "
-            "server on",
+            "make a new key, which signs from the next start of the server on",
+            [],
+            do_with_files=rotate_key,
         ),
     ]
+    by_run = flag("--runs", "by run, largest first")
     older_than = option(
-        "--older-than", type=float, required=True, metavar="DAYS",
-        help="days since the run ended; no fewer than records_keep_days, which is a "
+        "--older-than",
+        "days since the run ended; no fewer than records_keep_days, which is a "
         "promise (0: to keep all)",
-    )  # fmt: skip
+        type=float,
+        required=True,
+        metavar="DAYS",
+    )
+    dry_run = flag("--dry-run", "only list the runs")
     records = [
         Command(
             "usage",
-            {"": [flag("--runs", help="by run, largest first")]},
-            constants={"do_with_files": show_usage},
-            short_help="bytes by benchmark, with the oldest run",
+            "bytes by benchmark, with the oldest run",
+            [by_run],
+            do_with_files=show_usage,
         ),
         Command(
             "prune",
-            {"": [older_than, flag("--dry-run", help="only list the runs")]},
-            constants={"do_with_files": prune_old},
-            short_help="remove the recordings of old runs",
+            "remove the recordings of old runs",
+            [older_than, dry_run],
+            do_with_files=prune_old,
         ),
     ]
     return [
-        Group("keys", keys, short_help="the keys that sign records"),
-        Group("records", records, short_help="disk space of recordings"),
+        Group("keys", "the keys that sign records", keys),
+        Group("records", "disk space of recordings", records),
     ]
 
 

@@ -35,23 +35,17 @@ from reference_sim.host_seeds import salt_of, seal
 
 def seeds_area() -> Group:
     """The area of `proctor admin`; `do_with_files` is the function of its command."""
+    output = option(
+        "--output", "(seeds-BENCHMARK.json)", also="-o", type=Path, metavar="FILE"
+    )
     opens = Command(
         "open",
-        {
-            "": [
-                argument("benchmark"),
-                option(
-                    "--output", "-o", type=Path, metavar="FILE",
-                    help="(seeds-BENCHMARK.json)",
-                ),
-                flag("--force", help="replace the file"),
-            ]
-        },
-        constants={"do_with_files": open_seeds},
-        short_help="write the seeds of a benchmark that was played here, to be "
-        "published: anyone can then replay its records, and train on its episodes",
-    )  # fmt: skip
-    return Group("seeds", [opens], short_help="the seeds of sealed splits")
+        "write the seeds of a benchmark that was played here, to be published: anyone "
+        "can then replay its records, and train on its episodes",
+        [argument("benchmark", ""), output, flag("--force", "replace the file")],
+        do_with_files=open_seeds,
+    )
+    return Group("seeds", "the seeds of sealed splits", [opens])
 
 
 def open_seeds(files: AdminFiles, args: Options) -> None:

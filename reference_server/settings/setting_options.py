@@ -31,7 +31,7 @@ _PLACEHOLDERS = {str(str): "TEXT", str(int): "N", str(float): "SECONDS"}
 def build_command() -> Command:
     """The command `proctor-server`, with an option for each setting."""
     options = [_option(name, field) for name, field in Settings.model_fields.items()]
-    return Command(PROGRAM, {"": options}, help=Settings.__doc__)
+    return Command(PROGRAM, "", options, help_text=Settings.__doc__)
 
 
 def read_settings(arguments: Sequence[str]) -> Settings:
@@ -59,6 +59,6 @@ def _option(name: str, field: FieldInfo) -> click.Option:
         metavar = "DAYS"
     return option(
         f"--{name.replace('_', '-')}",
+        f"{field.description}{f' One of {listed}.' if listed else ''}{default}",
         metavar=metavar,
-        help=f"{field.description}{f' One of {listed}.' if listed else ''}{default}",
     )

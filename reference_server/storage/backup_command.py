@@ -41,21 +41,15 @@ class KeptFiles:
 
 def backup_command() -> Command:
     """The command of `proctor admin`; `do_with_kept` is its function."""
+    prune = flag(
+        "--prune", "also remove from the folder what the server has deleted since"
+    )
     return Command(
         "backup",
-        {
-            "": [
-                argument("folder", type=Path),
-                flag(
-                    "--prune",
-                    help="also remove from the folder what the server has deleted "
-                    "since",
-                ),
-            ]
-        },
-        constants={"do_with_kept": back_up},
-        short_help="copy the database, secrets, tokens, recordings and records that "
-        "were handed in to a folder, also while the server runs; again, what is new",
+        "copy the database, secrets, tokens, recordings and records that were handed "
+        "in to a folder, also while the server runs; again, what is new",
+        [argument("folder", "", type=Path), prune],
+        do_with_kept=back_up,
     )
 
 

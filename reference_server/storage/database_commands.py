@@ -44,29 +44,28 @@ _INCONSISTENT = {
 
 def database_area() -> Group:
     """The area of `proctor admin`; `do_with_database` is the function of a command."""
-    file = argument("file", help="a file that does not exist")
+    file = argument("file", "a file that does not exist")
     commands = [
         Command(
             "upgrade",
-            {},
-            constants={"do_with_database": upgrade},
-            short_help="give the database the tables of this version",
+            "give the database the tables of this version",
+            [],
+            do_with_database=upgrade,
         ),
         Command(
             "check",
-            {},
-            constants={"do_with_database": check},
-            short_help="is it there, of which version, and is its content consistent",
+            "is it there, of which version, and is its content consistent",
+            [],
+            do_with_database=check,
         ),
         Command(
             "backup",
-            {"": [file]},
-            constants={"do_with_database": back_up},
-            short_help="copy it, also while it is used",
+            "copy it, also while it is used",
+            [file],
+            do_with_database=back_up,
         ),
     ]
-    help_line = "the database: upgrade, check, back up"
-    return Group("db", commands, short_help=help_line)
+    return Group("db", "the database: upgrade, check, back up", commands)
 
 
 def upgrade(url: str, _args: Options) -> None:

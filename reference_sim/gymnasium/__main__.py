@@ -22,15 +22,13 @@ from reference_sim.gymnasium.registration import examine
 
 def main(arguments: list[str] | None = None) -> int:
     what = argument(
-        "what", nargs=-1, required=True, metavar="BENCHMARK…",
-        help="gymnasium:ID, FILE.toml, …",
+        "what", "gymnasium:ID, FILE.toml, …",
+        nargs=-1, required=True, metavar="BENCHMARK…",
     )  # fmt: skip
-    check = Command("check", {"": [what]}, short_help="check every task of a benchmark")
-    program = Group("python -m reference_sim.gymnasium", [check], help=__doc__)
+    check = Command("check", "check every task of a benchmark", [what])
+    program = Group("python -m reference_sim.gymnasium", "", [check], help_text=__doc__)
     try:
-        options = parse_options(
-            program, sys.argv[1:] if arguments is None else arguments
-        )
+        options = parse_options(program, arguments)
         verdicts = [_check(what) for what in options.what]
     except (BadBenchmark, WrongUsage) as error:
         print(error, file=sys.stderr)

@@ -48,9 +48,7 @@ KEY_PATH = Path.home() / ".config" / "proctor" / "signing-key"
 
 def main(arguments: list[str] | None = None) -> int:
     try:
-        args = parse_options(
-            build_command(), sys.argv[1:] if arguments is None else arguments
-        )
+        args = parse_options(build_command(), arguments)
     except WrongUsage as error:
         _say(str(error))
         return IMPOSSIBLE
@@ -69,35 +67,35 @@ def main(arguments: list[str] | None = None) -> int:
 def build_command() -> Command:
     """The command line of the program."""
     parameters = [
-        argument("file", help="the record, or its directory"),
+        argument("file", "the record, or its directory"),
         option(
-            "--episodes", type=checked(_indices), metavar="I,J,…",
-            help="only these (default: all)",
+            "--episodes", "only these (default: all)",
+            type=checked(_indices), metavar="I,J,…",
         ),
         option(
-            "--processes", type=int, default=os.cpu_count() or 1, metavar="N",
-            help="how many simulate at once (default: one for each CPU)",
+            "--processes", "how many simulate at once (default: one for each CPU)",
+            type=int, default=os.cpu_count() or 1, metavar="N",
         ),
         option(
-            "--benchmarks", default="", metavar="REF,…",
-            help="your own benchmarks, as for the server",
+            "--benchmarks", "your own benchmarks, as for the server",
+            default="", metavar="REF,…",
         ),
         option(
-            "--seeds", type=Path, metavar="FILE",
-            help="seeds of sealed splits that the host has opened",
+            "--seeds", "seeds of sealed splits that the host has opened",
+            type=Path, metavar="FILE",
         ),
         option(
-            "--name", default=platform.node() or "unnamed",
-            help="who replays (host name)",
+            "--name", "who replays (host name)", default=platform.node() or "unnamed",
         ),
         option(
-            "--signing-key", type=Path, metavar="FILE", default=KEY_PATH,
-            help=f"key that signs the verdict, made if it does not exist ({KEY_PATH})",
+            "--signing-key",
+            f"key that signs the verdict, made if it does not exist ({KEY_PATH})",
+            type=Path, metavar="FILE", default=KEY_PATH,
         ),
-        flag("--no-verdict", help="leave the record as it is"),
-        flag("--json", help="print one JSON value"),
+        flag("--no-verdict", "leave the record as it is"),
+        flag("--json", "print one JSON value"),
     ]  # fmt: skip
-    return Command("proctor replay", {"": parameters}, help=__doc__)
+    return Command("proctor replay", "", parameters, help_text=__doc__)
 
 
 def _indices(text: str) -> list[int]:

@@ -62,27 +62,27 @@ def build_command() -> Group:
     """The command `proctor` with all its commands."""
     version = flag(
         "--version",
+        "show the versions of this program and of the protocol",
         is_eager=True,
         expose_value=False,
         callback=_print_version,
-        help="show the versions of this program and of the protocol",
     )
     headings = headings_of_commands()
     commands = [
         Command(
             name,
+            text,
             headings.get(name, {}),  # none of programs of their own
-            constants={"command": name},
-            short_help=text,
             epilog=EXIT_CODES_HELP,
+            command=name,
         )
         for name, text in COMMANDS.items()
     ]
     return Group(
         "proctor",
+        "evaluate robot policies on any Proctor server",
         commands,
         params=[version],
-        help="Evaluate robot policies on any Proctor server.",
         epilog=EXIT_CODES_HELP,
     )
 

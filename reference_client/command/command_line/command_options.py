@@ -34,21 +34,22 @@ def headings_of_commands() -> dict[str, Headings]:
     commands = _commands_on_runs() | _commands_on_records()
     for name, headings in commands.items():
         if name not in SERVERLESS_COMMANDS:
-            headings["Server"] = _server(("--to",) if name == "upload" else ())
+            headings["Server"] = _server("--to" if name == "upload" else None)
         headings["Transport"] = [
             option(
-                "--ca", metavar="FILE",
-                help="certificates to accept, instead of the system's [PROCTOR_CA]",
+                "--ca", "certificates to accept, instead of the system's [PROCTOR_CA]",
+                metavar="FILE",
             ),
             option(
-                "--retry-timeout-s", type=values.seconds, metavar="S",
-                help="retry an unreachable server for S seconds (10; run: 300)",
+                "--retry-timeout-s",
+                "retry an unreachable server for S seconds (10; run: 300)",
+                type=values.seconds, metavar="S",
             ),
         ]  # fmt: skip
         headings["Output"] = [
-            flag("--json", help="print one JSON value, for scripts"),
-            option("--format", type=OneOf(FORMATS), default="text", help="of tables"),
-            flag("--debug", help="print the tracebacks of errors"),
+            flag("--json", "print one JSON value, for scripts"),
+            option("--format", "of tables", type=OneOf(FORMATS), default="text"),
+            flag("--debug", "print the tracebacks of errors"),
         ]
     return commands
 
@@ -56,20 +57,20 @@ def headings_of_commands() -> dict[str, Headings]:
 def _commands_on_runs() -> dict[str, Headings]:
     run_id = _run_id("id of the run")
     listed = _run_id("id of the run; without it, the latest runs are listed")
-    watch = flag("--watch", help="wait until the run has ended")
-    drain = flag("--drain", help="finish the episodes in progress first")
-    played = flag("--yes", help="delete runs that were played, too")
-    episodes = flag("--episodes", help="also list every episode")
-    address = flag("--print", help="print the address only")
+    watch = flag("--watch", "wait until the run has ended")
+    drain = flag("--drain", "finish the episodes in progress first")
+    played = flag("--yes", "delete runs that were played, too")
+    episodes = flag("--episodes", "also list every episode")
+    address = flag("--print", "print the address only")
     name = argument(
-        "benchmark", required=False, metavar="[NAME]", shell_complete=_benchmarks,
-        help="id of the benchmark to show",
+        "benchmark", "id of the benchmark to show",
+        required=False, metavar="[NAME]", shell_complete=_benchmarks,
     )  # fmt: skip
     view: list[click.Parameter] = [
-        flag("--view", help="serve a live view on localhost"),
+        flag("--view", "serve a live view on localhost"),
         option(
-            "--view-port", type=int, default=0, metavar="PORT",
-            help="port of the live view (default: a free port)",
+            "--view-port", "port of the live view (default: a free port)",
+            type=int, default=0, metavar="PORT",
         ),
     ]  # fmt: skip
     return {
@@ -77,12 +78,9 @@ def _commands_on_runs() -> dict[str, Headings]:
             "Run": _submission(),
             "Push mode: the server calls the policy": _push(),
             "Waiting": [
-                flag("--wait", help="wait until the run accepts workers"),
+                flag("--wait", "wait until the run accepts workers"),
                 _timeout(),
-                flag(
-                    "--print-endpoint",
-                    help="print only the endpoint of the data plane",
-                ),
+                flag("--print-endpoint", "print only the endpoint of the data plane"),
             ],
         },
         "run": {
@@ -100,18 +98,16 @@ def _commands_on_runs() -> dict[str, Headings]:
         "results": {"": [*run_id, episodes, _save()]},
         "compare": {"": _compare()},
         "benchmarks": {"": [name]},
-        "completion": {"": [argument("shell", type=OneOf(SHELLS), help="the shell")]},
+        "completion": {"": [argument("shell", "the shell", type=OneOf(SHELLS))]},
     }
 
 
 def _commands_on_records() -> dict[str, Headings]:
-    record = argument("file", help="the record, or its directory")
+    record = argument("file", "the record, or its directory")
     source = _run_id("id of the run; or the file of its record")
     completed = _run_id("id of the completed run")
-    host = option(
-        "--server", metavar="URL", help="host whose published keys are accepted"
-    )
-    replayed = flag("--wait", help="wait until it has been replayed")
+    host = option("--server", "host whose published keys are accepted", metavar="URL")
+    replayed = flag("--wait", "wait until it has been replayed")
     simulated = "What is simulated again (video, --to lerobot)"
     return {
         "export": {"": [*source, *_export()], simulated: _simulation()},
@@ -128,65 +124,63 @@ def _commands_on_records() -> dict[str, Headings]:
 # --- what several commands have ---
 
 
-def _server(further_names: tuple[str, ...]) -> list[click.Parameter]:
+def _server(also: str | None) -> list[click.Parameter]:
     return [
         option(
             "--url",
-            *further_names,
+            f"base URL [PROCTOR_URL, or {DEFAULT_URL}]",
+            also=also,
             default=DEFAULT_URL,
             envvar="PROCTOR_URL",
-            help=f"base URL [PROCTOR_URL, or {DEFAULT_URL}]",
         ),
-        option("--host", help="with --port, instead of --url"),
-        option("--port", type=int, help="with --host (8460)"),
+        option("--host", "with --port, instead of --url"),
+        option("--port", "with --host (8460)", type=int),
         option(
             "--token",
-            help="bearer token; prefer PROCTOR_TOKEN, which other users cannot read",
+            "bearer token; prefer PROCTOR_TOKEN, which other users cannot read",
         ),
     ]
 
 
 def _run_id(text: str) -> list[click.Parameter]:
     return [
-        argument(
-            "run", required=False, metavar="[RUN]", help=text, shell_complete=_runs_of
-        ),
-        option(
-            "--run-id", metavar="RUN", help="the same as RUN", shell_complete=_runs_of
-        ),
+        argument("run", text, required=False, metavar="[RUN]", shell_complete=_runs_of),
+        option("--run-id", "the same as RUN", metavar="RUN", shell_complete=_runs_of),
     ]
 
 
 def _runs(metavar: str, text: str) -> click.Parameter:
     return argument(
-        "runs", nargs=-1, required=True, metavar=metavar, help=text,
-        shell_complete=_runs_of,
+        "runs",
+        text,
+        nargs=-1, required=True, metavar=metavar, shell_complete=_runs_of,
     )  # fmt: skip
 
 
 def _benchmark(text: str) -> click.Parameter:
-    return option("--benchmark", metavar="NAME", help=text, shell_complete=_benchmarks)
+    return option("--benchmark", text, metavar="NAME", shell_complete=_benchmarks)
 
 
 def _timeout() -> click.Parameter:
     text = "maximum wait (default: none)"
-    return option("--timeout", type=values.seconds, metavar="S", help=text)
+    return option("--timeout", text, type=values.seconds, metavar="S")
 
 
 def _save() -> click.Parameter:
     text = "write result.json and episodes.csv to DIR"
-    return option("--save", metavar="DIR", help=text)
+    return option("--save", text, metavar="DIR")
 
 
 def _key() -> click.Parameter:
     return option(
-        "--key", multiple=True, metavar="[NAME=]SHA256:…",
-        help="a key that you know to be of the host, or of who replayed; repeatable",
+        "--key",
+        "a key that you know to be of the host, or of who replayed; repeatable",
+        multiple=True, metavar="[NAME=]SHA256:…",
     )  # fmt: skip
 
 
 def _output(metavar: str, text: str, *, required: bool = False) -> click.Parameter:
-    return option("--output", "-o", metavar=metavar, help=text, required=required)
+    return option("--output", text, also="-o", metavar=metavar, required=required)
 
 
 # --- runs ---
@@ -194,11 +188,11 @@ def _output(metavar: str, text: str, *, required: bool = False) -> click.Paramet
 
 def _compare() -> list[click.Parameter]:
     return [
-        argument("baseline", help="id of the baseline run", shell_complete=_runs_of),
+        argument("baseline", "id of the baseline run", shell_complete=_runs_of),
         _runs("RUN…", "id of a run to compare"),
         option(
-            "--tolerance", type=values.fraction, metavar="X",
-            help="maximum score difference for release, 0 to 1 (0.05)",
+            "--tolerance", "maximum score difference for release, 0 to 1 (0.05)",
+            type=values.fraction, metavar="X",
         ),
     ]  # fmt: skip
 
@@ -206,15 +200,14 @@ def _compare() -> list[click.Parameter]:
 def _list() -> list[click.Parameter]:
     return [
         _benchmark("runs of this benchmark"),
-        option("--name", help="runs of the policies with this name"),
-        option("--state", type=OneOf(STATES), help="runs in this state"),
+        option("--name", "runs of the policies with this name"),
+        option("--state", "runs in this state", type=OneOf(STATES)),
         option(
-            "--limit", type=values.count, metavar="N", default=20,
-            help="rows of a page (20)",
+            "--limit", "rows of a page (20)",
+            type=values.count, metavar="N", default=20,
         ),
         option(
-            "--page", type=values.count, metavar="N", default=1,
-            help="page of the list (1)",
+            "--page", "page of the list (1)", type=values.count, metavar="N", default=1,
         ),
     ]  # fmt: skip
 
@@ -223,41 +216,41 @@ def _submission() -> list[click.Parameter]:
     return [
         _benchmark("benchmark of a new run"),
         option(
-            "--run-id", metavar="RUN", shell_complete=_runs_of,
-            help="continue this run instead of a new one",
+            "--run-id", "continue this run instead of a new one",
+            metavar="RUN", shell_complete=_runs_of,
         ),
-        option("--name", help="name of the policy"),
-        option("--type", help="type of the policy, appended to its name"),
-        option("--policy-version", metavar="V", help="version of the policy"),
-        option("--submitter", metavar="NAME", help="name of the submitter"),
-        option("--homepage", metavar="URL", help="homepage of the submitter"),
+        option("--name", "name of the policy"),
+        option("--type", "type of the policy, appended to its name"),
+        option("--policy-version", "version of the policy", metavar="V"),
+        option("--submitter", "name of the submitter", metavar="NAME"),
+        option("--homepage", "homepage of the submitter", metavar="URL"),
         flag(
             "--any-policy",
-            help="other policies may play the new run, too; each result says which did",
+            "other policies may play the new run, too; each result says which did",
         ),
         option(
-            "--tasks", type=values.names, metavar="A,B",
-            help="only episodes of these tasks",
+            "--tasks", "only episodes of these tasks", type=values.names, metavar="A,B",
         ),
         option(
-            "--split", type=values.names, metavar="A,B",
-            help="only episodes of these splits",
+            "--split", "only episodes of these splits",
+            type=values.names, metavar="A,B",
         ),
         option(
-            "--max-workers", type=values.count, metavar="N",
-            help="maximum simultaneous workers",
+            "--max-workers", "maximum simultaneous workers",
+            type=values.count, metavar="N",
         ),
         option(
-            "--idle-timeout-s", type=values.seconds, metavar="S",
-            help="lease of a session: seconds without a request until it ends",
+            "--idle-timeout-s",
+            "lease of a session: seconds without a request until it ends",
+            type=values.seconds, metavar="S",
         ),
         option(
-            "--images", type=values.images, metavar="CODEC:WxH",
-            help="image format, one that the benchmark offers: jpeg:224x224",
+            "--images", "image format, one that the benchmark offers: jpeg:224x224",
+            type=values.images, metavar="CODEC:WxH",
         ),
         option(
-            "--options", type=values.json_object, metavar="JSON",
-            help="options of the benchmark `calibration`",
+            "--options", "options of the benchmark `calibration`",
+            type=values.json_object, metavar="JSON",
         ),
     ]  # fmt: skip
 
@@ -265,30 +258,29 @@ def _submission() -> list[click.Parameter]:
 def _push() -> list[click.Parameter]:
     return [
         option(
-            "--push", metavar="URL",
-            help="the policy server, or the base URL of a model that is asked "
-            "[bearer token: PROCTOR_POLICY_KEY]",
+            "--push",
+            "the policy server, or the base URL of a model that is asked [bearer "
+            "token: PROCTOR_POLICY_KEY]", metavar="URL",
         ),
         option(
-            "--model", metavar="NAME",
-            help="ask this chat model, as OpenAI and vLLM offer it",
+            "--model", "ask this chat model, as OpenAI and vLLM offer it",
+            metavar="NAME",
         ),
         option(
             "--protocol",
+            "what is called at URL (openai_chat with --model, else proctor)",
             type=OneOf(("proctor", "openai_chat", "openai_completions")),
-            help="what is called at URL (openai_chat with --model, else proctor)",
         ),
         option(
-            "--generation", type=values.json_object, metavar="JSON",
-            help="""numbers of the model: '{"temperature": 0, "max_tokens": 512}'""",
+            "--generation",
+            """numbers of the model: '{"temperature": 0, "max_tokens": 512}'""",
+            type=values.json_object, metavar="JSON",
         ),
         option(
-            "--call-timeout-s", type=values.seconds, metavar="S",
-            help="time for one call (30)",
+            "--call-timeout-s", "time for one call (30)",
+            type=values.seconds, metavar="S",
         ),
-        option(
-            "--max-concurrent", type=values.count, metavar="N", help="calls at a time"
-        ),
+        option("--max-concurrent", "calls at a time", type=values.count, metavar="N"),
     ]  # fmt: skip
 
 
@@ -296,54 +288,46 @@ def _policy() -> list[click.Parameter]:
     return [
         option(
             "--policy",
-            help="module:Class, file.py:Class, module:function, openpi:ws://host:8000, "
+            "module:Class, file.py:Class, module:function, openpi:ws://host:8000, "
             "gr00t:host:5555, proctor:http://host:8470, or lerobot:FOLDER",
         ),
+        option("--policy-url", "the same as --policy proctor:URL", metavar="URL"),
         option(
-            "--policy-url", metavar="URL", help="the same as --policy proctor:URL"
+            "--mapping", "TOML file that maps observation and action names",
+            metavar="FILE",
         ),
         option(
-            "--mapping", metavar="FILE",
-            help="TOML file that maps observation and action names",
+            "--assumes", "conventions that the policy assumes (schema Assumptions)",
+            type=values.json_object, metavar="JSON",
         ),
         option(
-            "--assumes", type=values.json_object, metavar="JSON",
-            help="conventions that the policy assumes (schema Assumptions)",
+            "--episodes", "play only the first N episodes; the score is then partial",
+            type=values.count, metavar="N",
         ),
         option(
-            "--episodes", type=values.count, metavar="N",
-            help="play only the first N episodes; the score is then partial",
-        ),
-        option(
-            "--repeat", type=values.count, metavar="K",
-            help="evaluate in K runs; print mean and spread",
+            "--repeat", "evaluate in K runs; print mean and spread",
+            type=values.count, metavar="K",
         ),
         flag(
             "--no-dry-turn",
-            help="submit without calling the policy once with a made-up observation",
+            "submit without calling the policy once with a made-up observation",
         ),
     ]  # fmt: skip
 
 
 def _workers() -> list[click.Parameter]:
     return [
+        option("--workers", "number of workers (1)", type=values.count, metavar="N"),
         option(
-            "--workers", type=values.count, metavar="N", help="number of workers (1)"
-        ),
-        option(
-            "--worker-prefix", default="worker", metavar="NAME",
-            help="prefix of the worker ids; MUST differ between programs that share a "
-            "run",
+            "--worker-prefix",
+            "prefix of the worker ids; MUST differ between programs that share a run",
+            default="worker", metavar="NAME",
         ),
         option(
-            "--worker-ids", metavar="A,B",
-            help="explicit worker ids, instead of --workers",
+            "--worker-ids", "explicit worker ids, instead of --workers", metavar="A,B",
         ),
-        flag("--processes", help="run each worker in its own process"),
-        flag(
-            "--takeover",
-            help="take over the sessions of a crashed program immediately",
-        ),
+        flag("--processes", "run each worker in its own process"),
+        flag("--takeover", "take over the sessions of a crashed program immediately"),
     ]  # fmt: skip
 
 
@@ -353,10 +337,11 @@ def _workers() -> list[click.Parameter]:
 def _export() -> list[click.Parameter]:
     return [
         _output("FILE", "file to write (RUN.proctor); with --to, a new directory"),
-        flag("--force", help="replace the file"),
+        flag("--force", "replace the file"),
         option(
-            "--to", type=OneOf(EXPORTS), metavar="FORMAT",
-            help=f"convert the record: {', '.join(EXPORTS)}",
+            "--to",
+            f"convert the record: {', '.join(EXPORTS)}",
+            type=OneOf(EXPORTS), metavar="FORMAT",
         ),
     ]  # fmt: skip
 
@@ -364,38 +349,37 @@ def _export() -> list[click.Parameter]:
 def _video() -> list[click.Parameter]:
     return [
         _output("DIR", "directory of the videos (RUN-videos)"),
-        flag("--force", help="replace files that exist"),
+        flag("--force", "replace files that exist"),
     ]
 
 
 def _simulation() -> list[click.Parameter]:
     return [
         option(
-            "--episode", type=values.indices, multiple=True, metavar="N,…",
+            "--episode", "this episode, by its index from 0; repeatable",
+            type=values.indices,
+            multiple=True,
+            metavar="N,…",
             callback=lambda _context, _option, given: [*chain(*given)] or None,
-            help="this episode, by its index from 0; repeatable",
         ),
-        flag("--failures", help="every episode that failed"),
+        flag("--failures", "every episode that failed"),
         option(
-            "--camera", multiple=True, metavar="NAME",
-            help="this camera; repeatable (default: all)",
-        ),
-        option(
-            "--size", type=values.size, metavar="WxH",
-            help="pixels of a picture (default: as the policy saw it)",
+            "--camera", "this camera; repeatable (default: all)",
+            multiple=True, metavar="NAME",
         ),
         option(
-            "--benchmarks", default="", metavar="REF,…",
-            help="your own benchmarks, as for the server",
+            "--size", "pixels of a picture (default: as the policy saw it)",
+            type=values.size, metavar="WxH",
         ),
         option(
-            "--seeds", default="", metavar="FILE",
-            help="seeds of sealed splits that the host has opened",
+            "--benchmarks", "your own benchmarks, as for the server",
+            default="", metavar="REF,…",
         ),
-        flag(
-            "--anyway",
-            help="keep episodes whose replay comes to another result, too",
+        option(
+            "--seeds", "seeds of sealed splits that the host has opened",
+            default="", metavar="FILE",
         ),
+        flag("--anyway", "keep episodes whose replay comes to another result, too"),
     ]  # fmt: skip
 
 
@@ -403,10 +387,11 @@ def _report() -> list[click.Parameter]:
     return [
         _runs("RUN|FILE…", "ids of runs, or their records"),
         _output("DIR", "folder to write", required=True),
-        flag("--force", help="write into a folder that has files"),
+        flag("--force", "write into a folder that has files"),
         option(
-            "--videos", metavar="DIR", multiple=True,
-            help="folder of `proctor video`: shown beside their episodes; repeatable",
+            "--videos",
+            "folder of `proctor video`: shown beside their episodes; repeatable",
+            metavar="DIR", multiple=True,
         ),
         _key(),
     ]  # fmt: skip
@@ -415,28 +400,24 @@ def _report() -> list[click.Parameter]:
 def _board() -> list[click.Parameter]:
     return [
         argument(
-            "benchmark", metavar="BENCHMARK|verify",
-            help="id of the benchmark, or verify", shell_complete=_benchmarks,
+            "benchmark", "id of the benchmark, or verify",
+            metavar="BENCHMARK|verify", shell_complete=_benchmarks,
         ),
-        option(
-            "--manifest", metavar="SHA256", help="of runs with options or of a part"
-        ),
-        flag("--csv", help="print comma-separated values"),
-        option(
-            "--state", metavar="FILE", help="verify: where the last checkpoint is kept"
-        ),
+        option("--manifest", "of runs with options or of a part", metavar="SHA256"),
+        flag("--csv", "print comma-separated values"),
+        option("--state", "verify: where the last checkpoint is kept", metavar="FILE"),
     ]  # fmt: skip
 
 
 def _publish() -> list[click.Parameter]:
     return [
-        option("--name", help="of the model (the name of the policy)"),
-        option("--type", help="of the model, such as VLA"),
-        option("--organisation", metavar="NAME", help="who made it"),
-        option("--homepage", metavar="URL", help="page about the model"),
-        option("--code-url", metavar="URL", help="where its code is"),
-        option("--notes", metavar="TEXT", help="what readers should know"),
-        flag("--private", help="only this account sees it, without rank"),
+        option("--name", "of the model (the name of the policy)"),
+        option("--type", "of the model, such as VLA"),
+        option("--organisation", "who made it", metavar="NAME"),
+        option("--homepage", "page about the model", metavar="URL"),
+        option("--code-url", "where its code is", metavar="URL"),
+        option("--notes", "what readers should know", metavar="TEXT"),
+        flag("--private", "only this account sees it, without rank"),
     ]
 
 

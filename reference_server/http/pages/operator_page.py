@@ -13,6 +13,7 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from reference_record.command_line.click_commands import Command, Options, option
 from reference_record.pages.page_templates import render_page
@@ -55,16 +56,16 @@ class AccountRow:
 def page_command() -> Command:
     """The command of `proctor admin`; `do_with_settings` is its function."""
     output = option(
-        "--output", "-o", type=Path, metavar="FILE", help="(DATABASE.operator.html)"
+        "--output", "(DATABASE.operator.html)", also="-o", type=Path, metavar="FILE"
     )
     runs = option(
-        "--runs", type=int, default=500, metavar="N", help="the newest N runs (500)"
+        "--runs", "the newest N runs (500)", type=int, default=500, metavar="N"
     )
     return Command(
         "page",
-        {"": [output, runs]},
-        constants={"do_with_settings": write_page},
-        short_help="write a page of all accounts and runs, for a browser here",
+        "write a page of all accounts and runs, for a browser here",
+        [output, runs],
+        do_with_settings=write_page,
     )
 
 

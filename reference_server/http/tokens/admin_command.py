@@ -59,9 +59,7 @@ class AdminError(Exception):
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     try:
-        args = parse_options(
-            build_command(), sys.argv[1:] if arguments is None else arguments
-        )
+        args = parse_options(build_command(), arguments)
         if hasattr(args, "do_with_settings"):
             args.do_with_settings(read_settings([]), args)
         elif hasattr(args, "do_with_kept"):
@@ -121,62 +119,31 @@ def build_command() -> Group:
     """The command `proctor admin`: areas, each with commands."""
     file = option(
         "--file",
+        "file of tokens (that of the server with the settings of this environment: "
+        "var/proctor.sqlite.tokens)",
         metavar="FILE",
-        help="file of tokens (that of the server with the settings of this "
-        "environment: var/proctor.sqlite.tokens)",
     )
-    token = Group(
-        "token",
-        [
-            Command(
-                "add",
-                {
-                    "": [
-                        argument("account", help="whose runs it makes and sees"),
-                        option(
-                            "--scopes",
-                            default="read+run",
-                            help=f"{SCOPES_TEXT} (read+run)",
-                        ),
-                        file,
-                    ]
-                },
-                constants={"do": _add},
-                short_help="make a token and print it, once",
-            ),
-            Command(
-                "list",
-                {"": [file]},
-                constants={"do": _list},
-                short_help="list tokens by id, without secrets",
-            ),
-            Command(
-                "revoke",
-                {
-                    "": [
-                        argument(
-                            "which",
-                            metavar="ID|ACCOUNT",
-                            help="id of one, or the account for all of its",
-                        ),
-                        file,
-                    ]
-                },
-                constants={"do": _revoke},
-                short_help="make tokens invalid",
-            ),
-        ],
-        short_help="who may use the server",
+    account = argument("account", "whose runs it makes and sees")
+    scopes = option("--scopes", f"{SCOPES_TEXT} (read+run)", default="read+run")
+    which = argument(
+        "which", "id of one, or the account for all of its", metavar="ID|ACCOUNT"
     )
+    commands = [
+        Command(
+            "add", "make a token and print it, once", [account, scopes, file], do=_add
+        ),
+        Command("list", "list tokens by id, without secrets", [file], do=_list),
+        Command("revoke", "make tokens invalid", [which, file], do=_revoke),
+    ]
     areas = [
-        token,
+        Group("token", "who may use the server", commands),
         *record_areas(),
         seeds_area(),
         database_area(),
         backup_command(),
         page_command(),
     ]
-    return Group("proctor admin", areas, help="Manage a server of this machine.")
+    return Group("proctor admin", "manage a server of this machine", areas)
 
 
 def _add(path: Path, args: Options) -> None:
