@@ -26,7 +26,6 @@ from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 BASH = """
-proctor() { "$PYTHON" -m reference_client.command "$@"; }
 eval "$(proctor completion bash)"
 COMP_WORDS=($1) COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
 _proctor_completion proctor
@@ -161,7 +160,7 @@ def test_bash_completes(server: ReferenceServer, tmp_path: Path) -> None:
         ["bash", "--norc", "-c", BASH, "bash", "proctor res"],
         env=os.environ
         | {"PROCTOR_URL": server.url, "PYTHONPATH": str(ROOT)}
-        | {"PYTHON": sys.executable},
+        | {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"},
         cwd=tmp_path,
         capture_output=True,
         text=True,
