@@ -5,14 +5,14 @@ the same purpose. Nothing is printed in colour.
 """
 
 import difflib
-import io
 import shutil
-import sys
 from collections.abc import Iterable, Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any
 
 import click
+
+from conformance.client.connections.transport.printable_text import prepare_output
 
 COLUMNS_MAX = 80
 
@@ -86,10 +86,7 @@ def parse_options(command: click.Command, arguments: Sequence[str]) -> KitOption
 
     Ends the process after --help, and when a shell asks at Tab what it may complete.
     """
-    for stream in (sys.stdout, sys.stderr):
-        # A terminal of an old code page gets `?` for `…`, and the kit does not end.
-        if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
-            stream.reconfigure(errors="replace")
+    prepare_output()
     try:
         parsed = command.main(
             [*arguments], prog_name=command.name, standalone_mode=False

@@ -89,6 +89,7 @@ def _commands_on_runs() -> dict[str, Headings]:
             "Run": _submission(),
             "Workers": _workers(),
             "Live view": view,
+            "Experiment trackers": _trackers(),
         },
         "status": {"": [*listed, watch], "List": _list()},
         "stop": {"": [*run_id, drain]},
@@ -328,6 +329,20 @@ def _workers() -> list[click.Parameter]:
         ),
         flag("--processes", "run each worker in its own process"),
         flag("--takeover", "take over the sessions of a crashed program immediately"),
+    ]  # fmt: skip
+
+
+def _trackers() -> list[click.Parameter]:
+    return [
+        option(
+            "--log",
+            "wandb:PROJECT, tensorboard:FOLDER or mlflow:EXPERIMENT; repeatable",
+            multiple=True, metavar="TRACKER",
+        ),
+        option(
+            "--log-videos", "send videos of N episodes, failures first",
+            type=values.count, default=0, metavar="N",
+        ),
     ]  # fmt: skip
 
 
