@@ -7,21 +7,18 @@ and an exit code; the parts of the server are put together in `app`.
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import contextlib
 import gc
 import socket
 import sys
-from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 import uvicorn
-from pydantic import ValidationError
-from pydantic_settings import CliSettingsSource, SettingsError
 
 from reference_record.broken import UnusableRecord
+from reference_record.command_line.click_commands import WrongUsage
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
 from reference_server.files.seed_secret import SeedSecret
@@ -39,7 +36,8 @@ from reference_server.process import open_files
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.records.run_records import open_key
 from reference_server.records.shared_folder import NotShared, check_shared
-from reference_server.settings import Settings, describe_faults
+from reference_server.settings import Settings
+from reference_server.settings.setting_options import read_settings
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed
@@ -56,43 +54,21 @@ if TYPE_CHECKING:
 THREAD_SWITCH_S = 0.001
 
 
-class HelpFormatter(argparse.RawDescriptionHelpFormatter):
-    """`--help` without the defaults that are empty, and with readable placeholders."""
-
-    _PLACEHOLDERS: ClassVar[Mapping[str, str]] = {
-        "str": "TEXT",
-        "int": "N",
-        "float": "SECONDS",
-    }
-
-    def _get_help_string(self, action: argparse.Action) -> str:
-        return (action.help or "").removesuffix(" (default: )")
-
-    def _metavar_formatter(
-        self, action: argparse.Action, default_metavar: str
-    ) -> Callable[[int], tuple[str, ...]]:
-        names = super()._metavar_formatter(action, default_metavar)
-        shown = self._PLACEHOLDERS
-        if any(flag.endswith("-days") for flag in action.option_strings):
-            shown = {**shown, "float": "DAYS"}
-        return lambda size: tuple(shown.get(n, n) for n in names(size))
-
-
 def main() -> int:
     """Returns the exit code; a failure to start is 2 and one line on stderr."""
     try:
-        source: CliSettingsSource[Settings] = CliSettingsSource(
-            Settings, cli_parse_args=sys.argv[1:], formatter_class=HelpFormatter
-        )
-        settings = Settings(_cli_settings_source=source)
+        settings = read_settings(sys.argv[1:])
         tokens = Tokens.parse(settings.tokens) if settings.tokens else None
-    except (ValidationError, SettingsError, BadTokens) as error:
-        print(f"proctor: bad settings: {_one_line(error)}", file=sys.stderr)
+    except WrongUsage as error:
+        _print_line(str(error))
+        return 2
+    except BadTokens as error:
+        _print_line(f"bad settings: {error}")
         return 2
     try:
         benchmark_registry.add(settings.benchmarks, _print_line)
     except BadBenchmark as error:
-        print(f"proctor: {error}", file=sys.stderr)
+        _print_line(str(error))
         return 2
     except KeyboardInterrupt:  # loading benchmarks may take a minute
         return 130
@@ -374,10 +350,6 @@ def _startup_message(settings: Settings, port: int, secret: str | None) -> str:
     if "://" not in settings.database:  # a URL may have a password
         lines.append(f"database: {settings.database}")
     return "\n".join(lines)
-
-
-def _one_line(error: Exception) -> str:
-    return describe_faults(error) if isinstance(error, ValidationError) else str(error)
 
 
 if __name__ == "__main__":

@@ -1,14 +1,22 @@
 """The options of `proctor-conformance`, and their translation into settings."""
 
-import argparse
-import difflib
 import importlib.metadata
 import random
 import time
-from collections.abc import Iterable
+from collections.abc import Sequence
 from pathlib import Path
-from typing import NoReturn
 
+import click
+
+from conformance.cli.kit_command import (
+    BadArguments,
+    KitCommand,
+    KitOptions,
+    close_names,
+    flag,
+    option,
+    parse_options,
+)
 from conformance.cli.reached_server import (
     accept_authorities,
     read_base_url,
@@ -21,88 +29,49 @@ from conformance.specification.document import spec_name
 from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import STAGES
 
+PROGRAM = "proctor-conformance"
 _NODES_MAX = 9
 # Processes of a quick run. A check waits for its server or for a moment half of its
 # time: three keep two cores busy, and each more costs more to start than it saves.
 _QUICK_PROCESSES = 4
 
 
-class BadArguments(Exception):
-    """The command line is invalid; the text gives the reason."""
-
-
-class _Parser(argparse.ArgumentParser):
-    def error(self, message: str) -> NoReturn:
-        raise BadArguments(message)
-
-
-def build_parser() -> argparse.ArgumentParser:
+def build_command() -> KitCommand:
     """Describe every option."""
-    parser = _Parser(
-        prog="proctor-conformance",
-        description="Check a Proctor server against the specification over HTTP "
-        "(black box).",
+    version = flag(
+        "--version",
+        "show the versions of the kit and of the specification",
+        is_eager=True,
+        expose_value=False,
+        callback=_print_version,
+    )
+    headings = {
+        "Server": _server_options(),
+        "Accounts (prefer the environment)": _account_options(),
+        "Selection": _selection_options(),
+        "Execution": _execution_options(),
+        "Statement": _attestation_options(),
+        "Version": [version],
+    }
+    return KitCommand(
+        PROGRAM,
+        headings,
+        help="Check a Proctor server against the specification over HTTP (black box).",
         epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 not decided (no "
         "server, no token, kit error). Every run writes report.html, report.json, "
         "junit.xml and badge.svg to the directory --report.",
     )
-    parser.add_argument("--version", action="version", version=_version())
-    server = parser.add_argument_group("server")
-    server.add_argument(
-        "--url",
-        metavar="URL[,URL…]",
-        help="base URL of the server under test; all of them, with commas, of a "
-        "service that has several: requests are spread over them",
-    )
-    server.add_argument(
-        "--ca",
-        metavar="FILE",
-        help="certificates to accept, instead of the system's [PROCTOR_CA]",
-    )
-    server.add_argument(
-        "--start-cmd",
-        metavar="CMD",
-        help="start the server under test with this command; the kit sets "
-        "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS (account:scopes:token, with "
-        "commas between several; a scope is read, run or read+run) and "
-        "PROCTOR_DATABASE (the path of a file) in its environment",
-    )
-    server.add_argument(
-        "--nodes",
-        metavar="N",
-        type=int,
-        default=1,
-        help="start --start-cmd so many times with one PROCTOR_DATABASE, each on a "
-        "port of its own; PROCTOR_PUBLIC_URL is the URL of the first",
-    )
-    server.add_argument(
-        "--restart-cmd",
-        metavar="CMD",
-        help="command that kills the server at --url and restarts it",
-    )
-    server.add_argument(
-        "--not-durable",
-        action="store_true",
-        help="the runs of this server do not outlive its process: kill nothing, and "
-        "report the rules about crashes as not verified",
-    )
-    accounts = parser.add_argument_group(
-        "accounts (environment variables are preferred)"
-    )
-    accounts.add_argument(
-        "--token", help="token with the scopes read and run [PROCTOR_TOKEN]"
-    )
-    accounts.add_argument(
-        "--token-2", help="token of a second account [PROCTOR_TOKEN_2]"
-    )
-    accounts.add_argument(
-        "--token-read",
-        help="token of the first account with the scope read only [PROCTOR_TOKEN_READ]",
-    )
-    _add_selection(parser)
-    _add_execution(parser)
-    _add_attestation(parser)
-    return parser
+
+
+def parse_arguments(arguments: Sequence[str]) -> KitOptions:
+    """Parse a command line of the kit, or raise BadArguments."""
+    return parse_options(build_command(), arguments)
+
+
+def _print_version(context: click.Context, _: click.Parameter, is_given: bool) -> None:
+    if is_given and not context.resilient_parsing:
+        click.echo(_version())
+        context.exit()
 
 
 def _version() -> str:
@@ -111,108 +80,154 @@ def _version() -> str:
         installed = importlib.metadata.version("proctor-conformance")
     except importlib.metadata.PackageNotFoundError:
         installed = "of a checkout"
-    return f"proctor-conformance {installed}, specification {spec_name()}"
+    return f"{PROGRAM} {installed}, specification {spec_name()}"
 
 
-def _add_selection(parser: argparse.ArgumentParser) -> None:
-    selection = parser.add_argument_group("selection")
-    selection.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
-    selection.add_argument("--profile", metavar="NAME,...", help=", ".join(PROFILES))
-    selection.add_argument(
-        "--quick",
-        action="store_true",
-        help="skip checks that wait, kill the server or play a long run",
-    )
-    selection.add_argument(
-        "--stage",
-        type=int,
-        choices=[stage.number for stage in STAGES],
-        help="the rules that a server of so many stages can obey: "
-        + ", ".join(f"{stage.number} {stage.name}" for stage in STAGES),
-    )
-    selection.add_argument(
-        "--list", action="store_true", help="print the rules and exit"
-    )
-    selection.add_argument(
-        "--dry-run",
-        action="store_true",
-        help="print the checks that would run and their rules; send no request",
-    )
+def _server_options() -> list[click.Option]:
+    return [
+        option(
+            "--url",
+            "base URL of the server under test; all of them, with commas, of a "
+            "service that has several: requests are spread over them",
+            metavar="URL[,URL…]",
+        ),
+        option(
+            "--ca",
+            "certificates to accept, instead of the system's [PROCTOR_CA]",
+            metavar="FILE",
+        ),
+        option(
+            "--start-cmd",
+            "start the server under test with this command; the kit sets "
+            "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS (account:scopes:token, with "
+            "commas between several; a scope is read, run or read+run) and "
+            "PROCTOR_DATABASE (the path of a file) in its environment",
+            metavar="CMD",
+        ),
+        option(
+            "--nodes",
+            "start --start-cmd so many times with one PROCTOR_DATABASE, each on a "
+            "port of its own; PROCTOR_PUBLIC_URL is the URL of the first",
+            metavar="N",
+            type=int,
+            default=1,
+        ),
+        option(
+            "--restart-cmd",
+            "command that kills the server at --url and restarts it",
+            metavar="CMD",
+        ),
+        flag(
+            "--not-durable",
+            "the runs of this server do not outlive its process: kill nothing, and "
+            "report the rules about crashes as not verified",
+        ),
+    ]
 
 
-def _add_execution(parser: argparse.ArgumentParser) -> None:
-    execution = parser.add_argument_group("execution")
-    execution.add_argument(
-        "--seed", type=int, help="seed of the generated requests (reproduces a kit run)"
-    )
-    execution.add_argument(
-        "-n",
-        metavar="N",
-        type=int,
-        help=f"number of parallel processes; {_QUICK_PROCESSES} with --quick alone, "
-        "otherwise 1",
-    )
-    execution.add_argument(
-        "--fail-fast",
-        action="store_true",
-        help="start no check after the first violated MUST; the remaining rules are "
-        "reported as not verified; rules are judged in the order of --only",
-    )
-    execution.add_argument(
-        "--max-time",
-        type=float,
-        metavar="SECONDS",
-        help="start no check after this time; the remaining rules are reported as "
-        "not verified",
-    )
-    execution.add_argument(
-        "--stress",
-        action="store_true",
-        help="also send requests that are too large or too slow to the server at "
-        "--url; without this option only a server started by --start-cmd gets them",
-    )
-    execution.add_argument(
-        "--exchanges",
-        action="store_true",
-        help="also report the requests and answers of rules that passed, as scripts "
-        "and as data: what a right server answers",
-    )
-    execution.add_argument(
-        "--report", default="report", metavar="DIR", help="directory of the reports"
-    )
-    execution.add_argument(
-        "--summary",
-        metavar="FILE",
-        help="append a short report in Markdown, for the page of a CI job",
-    )
-    execution.add_argument(
-        "--known-failures",
-        metavar="FILE",
-        help="file with one rule id and a # comment per line: these failures do not "
-        "fail the run; an entry that passes does",
-    )
+def _account_options() -> list[click.Option]:
+    return [
+        option("--token", "token with the scopes read and run [PROCTOR_TOKEN]"),
+        option("--token-2", "token of a second account [PROCTOR_TOKEN_2]"),
+        option(
+            "--token-read",
+            "token of the first account with the scope read only [PROCTOR_TOKEN_READ]",
+        ),
+    ]
 
 
-def _add_attestation(parser: argparse.ArgumentParser) -> None:
-    statement = parser.add_argument_group("statement")
-    statement.add_argument(
-        "--attest",
-        metavar="FILE",
-        help="write the verdict on all rules as an in-toto statement (test-result)",
-    )
-    statement.add_argument(
-        "--attest-key",
-        metavar="FILE",
-        help="sign it with this Ed25519 private key, in PEM",
-    )
-    statement.add_argument(
-        "--attest-subject",
-        metavar="NAME@sha256:HEX",
-        help="what the server was built as, such as an image and its digest",
-    )
+def _selection_options() -> list[click.Option]:
+    return [
+        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--profile", ", ".join(PROFILES), metavar="NAME,..."),
+        flag("--quick", "skip checks that wait, kill the server or play a long run"),
+        option(
+            "--stage",
+            "the rules that a server of so many stages can obey: "
+            + ", ".join(f"{stage.number} {stage.name}" for stage in STAGES),
+            type=click.Choice([stage.number for stage in STAGES]),
+            metavar="N",
+        ),
+        flag("--list", "print the rules and exit"),
+        flag(
+            "--dry-run",
+            "print the checks that would run and their rules; send no request",
+        ),
+    ]
 
 
-def read_processes(options: argparse.Namespace) -> int:
+def _execution_options() -> list[click.Option]:
+    return [
+        option(
+            "--seed",
+            "seed of the generated requests (reproduces a kit run)",
+            type=int,
+        ),
+        option(
+            "-n",
+            f"number of parallel processes; {_QUICK_PROCESSES} with --quick "
+            "alone, otherwise 1",
+            metavar="N",
+            type=int,
+        ),
+        flag(
+            "--fail-fast",
+            "start no check after the first violated MUST; the remaining rules are "
+            "reported as not verified; rules are judged in the order of --only",
+        ),
+        option(
+            "--max-time",
+            "start no check after this time; the remaining rules are reported as not "
+            "verified",
+            type=float,
+            metavar="SECONDS",
+        ),
+        flag(
+            "--stress",
+            "also send requests that are too large or too slow to the server at "
+            "--url; without this option only a server started by --start-cmd gets them",
+        ),
+        flag(
+            "--exchanges",
+            "also report the requests and answers of rules that passed, as scripts "
+            "and as data: what a right server answers",
+        ),
+        option("--report", "directory of the reports", default="report", metavar="DIR"),
+        option(
+            "--summary",
+            "append a short report in Markdown, for the page of a CI job",
+            metavar="FILE",
+        ),
+        option(
+            "--known-failures",
+            "file with one rule id and a # comment per line: these failures do not "
+            "fail the run; an entry that passes does",
+            metavar="FILE",
+        ),
+    ]
+
+
+def _attestation_options() -> list[click.Option]:
+    return [
+        option(
+            "--attest",
+            "write the verdict on all rules as an in-toto statement (test-result)",
+            metavar="FILE",
+        ),
+        option(
+            "--attest-key",
+            "sign it with this Ed25519 private key, in PEM",
+            metavar="FILE",
+        ),
+        option(
+            "--attest-subject",
+            "what the server was built as, such as an image and its digest",
+            metavar="NAME@sha256:HEX",
+        ),
+    ]
+
+
+def read_processes(options: KitOptions) -> int:
     """The number of processes that judge; one process keeps the order of --only."""
     if options.n is not None:
         return int(options.n)
@@ -220,7 +235,7 @@ def read_processes(options: argparse.Namespace) -> int:
     return _QUICK_PROCESSES if options.quick and not is_ordered else 1
 
 
-def read_selection(options: argparse.Namespace) -> Settings:
+def read_selection(options: KitOptions) -> Settings:
     """Read the selection, which needs no server, or raise BadArguments."""
     only = _split(options.only)
     for wanted in only:
@@ -230,8 +245,10 @@ def read_selection(options: argparse.Namespace) -> Settings:
     profiles = _split(options.profile)
     for profile in profiles:
         if profile not in PROFILES:
+            close = close_names(profile, PROFILES)
             raise BadArguments(
-                f"--profile {profile}: unknown profile; known: {', '.join(PROFILES)}"
+                f"--profile {profile}: unknown profile{close or ';'} "
+                f"known: {', '.join(PROFILES)}"
             )
     return Settings(
         quick=options.quick,
@@ -244,19 +261,12 @@ def read_selection(options: argparse.Namespace) -> Settings:
 
 def _suggestion(wanted: str) -> str:
     areas = dict.fromkeys(row.area for row in load_ledger().values())
-    close = _close_matches(wanted, load_ledger()) or _close_matches(
-        wanted.partition("-")[0], areas
-    )
-    if close:
-        return f"; did you mean {' or '.join(close)}?"
-    return f"; areas: {', '.join(areas)}"
+    area = wanted.upper().partition("-")[0]
+    close = close_names(wanted.upper(), load_ledger()) or close_names(area, areas)
+    return close or f"; areas: {', '.join(areas)}"
 
 
-def _close_matches(wanted: str, names: Iterable[str]) -> list[str]:
-    return difflib.get_close_matches(wanted.upper(), list(names), n=3, cutoff=0.6)
-
-
-def read_settings(options: argparse.Namespace) -> Settings:
+def read_settings(options: KitOptions) -> Settings:
     """Turn options and environment into settings, or raise BadArguments."""
     settings = read_selection(options)
     if options.start_cmd is None and options.url is None:
@@ -292,7 +302,7 @@ def read_settings(options: argparse.Namespace) -> Settings:
     return settings
 
 
-def _read_accounts(options: argparse.Namespace, settings: Settings) -> None:
+def _read_accounts(options: KitOptions, settings: Settings) -> None:
     accept_authorities(options.ca)
     settings.token = read_secret(options.token, "--token", "PROCTOR_TOKEN")
     settings.token_2 = read_secret(options.token_2, "--token-2", "PROCTOR_TOKEN_2")
@@ -301,7 +311,7 @@ def _read_accounts(options: argparse.Namespace, settings: Settings) -> None:
     )
 
 
-def _read_nodes(options: argparse.Namespace, settings: Settings) -> None:
+def _read_nodes(options: KitOptions, settings: Settings) -> None:
     """Read where the service is reached, or how many servers of it are started."""
     urls = [read_base_url("--url", url) for url in _split(options.url)]
     if len(set(urls)) < len(urls):
@@ -325,7 +335,7 @@ def check_summary(path: str | None) -> None:
         raise BadArguments(f"--summary {path}: {error.strerror}") from error
 
 
-def _read_attestation(options: argparse.Namespace, settings: Settings) -> None:
+def _read_attestation(options: KitOptions, settings: Settings) -> None:
     """Refuse arguments early that would otherwise fail only after the whole run."""
     settings.attest = options.attest
     settings.attest_key = options.attest_key

@@ -13,8 +13,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
 
-from conformance.cli.arguments import BadArguments
 from conformance.cli.console import Terminal
+from conformance.cli.kit_command import BadArguments
 from conformance.reports.attestation import CannotAttest, write_attestation
 from conformance.reports.files import write_reports
 from conformance.reports.summary import append_summary

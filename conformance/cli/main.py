@@ -6,15 +6,15 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from conformance.cli.arguments import (
-    BadArguments,
-    build_parser,
     check_summary,
+    parse_arguments,
     read_known_failures,
     read_processes,
     read_selection,
     read_settings,
 )
 from conformance.cli.console import Terminal
+from conformance.cli.kit_command import BadArguments
 from conformance.cli.kit_run import run_kit
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge, inspect
@@ -35,14 +35,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     report, summary = _value(given, "--report"), _value(given, "--summary")
     result = Result(Settings(report=report or "report", summary=summary))
     with contextlib.suppress(BadArguments):  # raised again and reported by `judge`
-        options = build_parser().parse_args(given)
+        options = parse_arguments(given)
         if options.dry_run:
             return _dry_run(read_selection(options))
         if options.list:
             return _list(read_selection(options))
 
     def judge() -> None:
-        options = build_parser().parse_args(given)
+        options = parse_arguments(given)
         try:
             check_summary(options.summary)
         except BadArguments:

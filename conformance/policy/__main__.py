@@ -4,15 +4,19 @@ The ledger, verdicts, reports and exit codes are those of `python -m conformance
 the options, the preflight and the checks (POL, against policy.yaml) differ.
 """
 
-import argparse
-import os
 import random
 import sys
 from collections.abc import Sequence
 from typing import Any
 
-from conformance.cli.arguments import BadArguments
 from conformance.cli.console import Terminal
+from conformance.cli.kit_command import (
+    BadArguments,
+    KitCommand,
+    KitOptions,
+    option,
+    parse_options,
+)
 from conformance.cli.kit_run import run_kit
 from conformance.cli.reached_server import (
     accept_authorities,
@@ -33,8 +37,14 @@ from conformance.verdicts.result import Result, conclude
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
-    options = _parser().parse_args(arguments)
     terminal = Terminal()
+    try:
+        options = parse_options(
+            build_command(), sys.argv[1:] if arguments is None else arguments
+        )
+    except BadArguments as error:
+        sys.stderr.write(f"proctor-conformance-policy: {error} (see --help)\n")
+        return 2
     result = Result(Settings(report=options.report, profiles=[POLICY]))
 
     def judge() -> None:
@@ -45,42 +55,44 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return run_kit(result, terminal, judge)
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="python -m conformance.policy",
-        description="Check a policy server against policy.yaml over HTTP (black box).",
+def build_command() -> KitCommand:
+    """Describe every option."""
+    options = [
+        option("--url", "base URL of the policy server", required=True),
+        option(
+            "--ca",
+            "certificates to accept, instead of the system's [PROCTOR_CA]",
+            metavar="FILE",
+        ),
+        option("--key", "its API key, if it has one [PROCTOR_POLICY_KEY]"),
+        option(
+            "--benchmark",
+            "id of a benchmark of the evaluation server, or a JSON file with its "
+            "get_benchmark response; default: calibration",
+            metavar="NAME",
+        ),
+        option(
+            "--server",
+            "evaluation server that describes the benchmark; its token is "
+            f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
+            metavar="URL",
+            default=DEFAULT_SERVER,
+            envvar="PROCTOR_URL",
+        ),
+        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--seed", "seed of the session ids", type=int),
+        option("--report", "directory of the reports", default="report", metavar="DIR"),
+    ]
+    return KitCommand(
+        "proctor-conformance-policy",
+        {"Policy server": options},
+        help="Check a policy server against policy.yaml over HTTP (black box).",
         epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 not decided (no "
         "policy server, wrong key, kit error).",
     )
-    parser.add_argument("--url", required=True, help="base URL of the policy server")
-    parser.add_argument(
-        "--ca",
-        metavar="FILE",
-        help="certificates to accept, instead of the system's [PROCTOR_CA]",
-    )
-    parser.add_argument("--key", help="its API key, if it has one [PROCTOR_POLICY_KEY]")
-    parser.add_argument(
-        "--benchmark",
-        metavar="NAME",
-        help="id of a benchmark of the evaluation server, or a JSON file with its "
-        "get_benchmark response; default: calibration",
-    )
-    parser.add_argument(
-        "--server",
-        metavar="URL",
-        default=os.environ.get("PROCTOR_URL") or DEFAULT_SERVER,
-        help="evaluation server that describes the benchmark; its token is "
-        f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
-    )
-    parser.add_argument("--only", metavar="ID,...", help="rule ids or id prefixes")
-    parser.add_argument("--seed", type=int, help="seed of the session ids")
-    parser.add_argument(
-        "--report", default="report", metavar="DIR", help="directory of the reports"
-    )
-    return parser
 
 
-def _settings(options: argparse.Namespace) -> Settings:
+def _settings(options: KitOptions) -> Settings:
     try:
         accept_authorities(options.ca)
         url = read_base_url("--url", options.url)

@@ -11,7 +11,7 @@ from typing import Any
 
 import httpx
 
-from conformance.cli.arguments import BadArguments
+from conformance.cli.kit_command import BadArguments
 from conformance.client.connections.connection_pool import Connections
 from conformance.client.connections.failure_texts import (
     describe_failure,

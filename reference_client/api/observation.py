@@ -21,7 +21,7 @@ import numpy.typing as npt
 from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.messages import Image, Tensor, Turn
 from reference_client.generated.messages import Observation as WireObservation
-from reference_client.spelling import did_you_mean
+from reference_record.command_line.spelling import did_you_mean
 
 Value = TypeVar("Value")
 

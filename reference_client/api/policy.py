@@ -14,7 +14,7 @@ from reference_client.api.action_layout import ActionLayout
 from reference_client.api.foreign_arrays import UnreadableNumbers, as_numpy
 from reference_client.api.observation import Observation
 from reference_client.errors import ProctorError
-from reference_client.spelling import did_you_mean
+from reference_record.command_line.spelling import did_you_mean
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
 Action: TypeAlias = Mapping[str, Vector] | Vector

@@ -6,7 +6,6 @@ codes: 0; 1 the history was rewritten, or the entries do not follow from it.
 
 from __future__ import annotations
 
-import argparse
 import base64
 import csv
 import io
@@ -32,6 +31,7 @@ from reference_client.errors import ProctorError
 from reference_client.printable_text import printable
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
+from reference_record.command_line.click_commands import Options
 from reference_record.formats.checkpoint import Checkpoint
 from reference_record.pages.spreadsheet_cells import as_cell
 
@@ -47,7 +47,7 @@ CSV_COLUMNS = (
 )
 
 
-def publish(args: argparse.Namespace, printer: Printer) -> int:
+def publish(args: Options, printer: Printer) -> int:
     """`proctor publish`: the entry of a completed run."""
     run_id = _run_of(args)
     description = _description(args)
@@ -60,7 +60,7 @@ def publish(args: argparse.Namespace, printer: Printer) -> int:
     return DONE
 
 
-def withdraw(args: argparse.Namespace, printer: Printer) -> int:
+def withdraw(args: Options, printer: Printer) -> int:
     """`proctor withdraw`: for good."""
     run_id = _run_of(args)
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
@@ -69,7 +69,7 @@ def withdraw(args: argparse.Namespace, printer: Printer) -> int:
     return DONE
 
 
-def board(args: argparse.Namespace, printer: Printer) -> int:
+def board(args: Options, printer: Printer) -> int:
     """`proctor board`."""
     if args.state and args.benchmark != VERIFY:
         raise UsageError("--state is an option of board verify only")
@@ -112,7 +112,7 @@ def _other_manifests(client: BoardClient, ranking: Ranking) -> list[str]:
     return ["\n".join(lines)]
 
 
-def _run_of(args: argparse.Namespace) -> str:
+def _run_of(args: Options) -> str:
     run_id = args.run or args.run_id
     if run_id is None:
         raise UsageError(f"{args.command} needs the id of a completed run")
@@ -120,7 +120,7 @@ def _run_of(args: argparse.Namespace) -> str:
     return str(run_id)
 
 
-def _description(args: argparse.Namespace) -> PublishEntry:
+def _description(args: Options) -> PublishEntry:
     members = {
         "model_name": args.name or "unnamed",
         "is_public": not args.private,

@@ -5,7 +5,6 @@ The kit is installed from the same wheel without the client's dependencies. Ther
 may be missing.
 """
 
-import os
 import sys
 
 from reference_client.printable_text import prepare_output
@@ -15,11 +14,9 @@ def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     prepare_output()
     try:
-        if "_ARGCOMPLETE" in os.environ:  # set by a shell at Tab, which shall not wait
-            from reference_client.command.command_line.completion import complete
+        from reference_client.command.main import prepare
 
-            complete()
-        from reference_client.command.main import main as begin
+        command = prepare(sys.argv[1:])
     except ModuleNotFoundError as missing:
         print(
             f"proctor: {missing.name} is not installed: "
@@ -27,7 +24,7 @@ def main() -> int:
             file=sys.stderr,
         )
         return 2
-    return begin()
+    return command()
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@ While it waits to repeat a request, it says on stderr why and for how long.
 
 from __future__ import annotations
 
-import argparse
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -15,14 +14,13 @@ from reference_client.command.output.printer import Printer
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
+from reference_record.command_line.click_commands import Options
 
 RETRY_TIMEOUT_S = 10.0
 
 
 @contextmanager
-def open_control_client(
-    args: argparse.Namespace, printer: Printer
-) -> Iterator[ControlClient]:
+def open_control_client(args: Options, printer: Printer) -> Iterator[ControlClient]:
     """A client of the server that the flags name."""
     with Connection(args.url, args.token, requests=2) as connection:
         yield ControlClient(
@@ -31,7 +29,7 @@ def open_control_client(
 
 
 def retry_policy_of(
-    connection: Connection, args: argparse.Namespace, printer: Printer
+    connection: Connection, args: Options, printer: Printer
 ) -> RetryPolicy:
     retry_timeout_s = (
         RETRY_TIMEOUT_S if args.retry_timeout_s is None else args.retry_timeout_s
@@ -43,7 +41,7 @@ def retry_policy_of(
 
 @contextmanager
 def connect(
-    url: str, token: str | None, args: argparse.Namespace, printer: Printer
+    url: str, token: str | None, args: Options, printer: Printer
 ) -> Iterator[tuple[Connection, RetryPolicy]]:
     with Connection(url, token, requests=1) as connection:
         yield connection, retry_policy_of(connection, args, printer)

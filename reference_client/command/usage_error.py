@@ -3,6 +3,8 @@
 Completion reads the command line at each Tab, and needs nothing else.
 """
 
+from reference_record.command_line.click_commands import WrongUsage
 
-class UsageError(Exception):
-    """The command line is invalid; the message says why and what to use instead."""
+
+class UsageError(WrongUsage):
+    """A command cannot do what was asked; the message says what to use instead."""

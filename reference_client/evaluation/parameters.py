@@ -36,7 +36,7 @@ from reference_client.evaluation.declared_policy import (
     declare_player,
 )
 from reference_client.protocol.control_client import ControlClient
-from reference_client.spelling import did_you_mean
+from reference_record.command_line.spelling import did_you_mean
 
 # The pattern of the parameter WorkerId: a refusal would leave an unused run behind.
 WORKER_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")

@@ -25,6 +25,7 @@ from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.policies.image_resize import compress_picture, resize_picture
 from reference_client.policies.servers.wire_formats import pack
+from reference_record.command_line.spelling import unknown
 from reference_record.command_line.text_file import NotText, read_text_file
 
 Array = npt.NDArray[Any]
@@ -471,9 +472,9 @@ def _table(at: str, table: Any, *, may_be_empty: bool = False) -> Mapping[str, A
 
 
 def _check_known(at: str, table: Mapping[str, Any], names: set[str]) -> None:
-    unknown = set(table) - names
-    if unknown:
-        raise BadMapping(f"{at}: unknown {_listed(unknown)}; known {_listed(names)}")
+    if wrong := sorted(set(table) - names):
+        faults = [unknown("key", name, sorted(names)) for name in wrong]
+        raise BadMapping(f"{at}: {'; '.join(faults)}")
 
 
 def _listed(names: Any) -> str:

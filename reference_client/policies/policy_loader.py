@@ -35,7 +35,7 @@ from reference_client.policies.mapping import (
     RequestEntry,
 )
 from reference_client.policies.servers.wire_settings import ServerSettings
-from reference_client.spelling import did_you_mean
+from reference_record.command_line.spelling import did_you_mean
 
 
 def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], Policy]:

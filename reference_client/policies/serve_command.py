@@ -6,7 +6,6 @@ example.
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
 
@@ -15,45 +14,51 @@ from proctor_client.transport.copied_text import token_of
 
 from reference_client.policies import BadMapping, BadPolicy, load, read_mapping
 from reference_client.policies.policy_http_app import PolicyApp
+from reference_record.command_line.click_commands import (
+    Command,
+    WrongUsage,
+    option,
+    parse_options,
+)
 
 PORT = 8470
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """The parser of the command line."""
-    parser = argparse.ArgumentParser(
-        prog="proctor serve-policy",
-        description="Serve a policy over HTTP, for runs in push mode. If "
+def build_command() -> Command:
+    """The command line of the program."""
+    options = [
+        option("--policy", "see proctor run --help", required=True),
+        option(
+            "--mapping", "TOML file that maps observation and action names",
+            metavar="FILE",
+        ),
+        option("--name", "name of the policy (default: POLICY)"),
+        option("--host", "address to listen on", default="127.0.0.1"),
+        option("--port", f"port ({PORT})", type=int, default=PORT),
+        option(
+            "--max-sessions",
+            "maximum simultaneous sessions, each with its own policy instance (16)",
+            type=int, default=16, metavar="N",
+        ),
+    ]  # fmt: skip
+    return Command(
+        "proctor serve-policy",
+        "",
+        options,
+        help_text="Serve a policy over HTTP, for runs in push mode. If "
         "PROCTOR_POLICY_KEY is set, requests MUST carry it as bearer token.",
-        allow_abbrev=False,
     )
-    parser.add_argument(
-        "--policy", required=True, metavar="POLICY", help="see proctor run --help"
-    )
-    parser.add_argument(
-        "--mapping",
-        metavar="FILE",
-        help="TOML file that maps observation and action names",
-    )
-    parser.add_argument("--name", help="name of the policy (default: POLICY)")
-    parser.add_argument("--host", default="127.0.0.1", help="address to listen on")
-    parser.add_argument("--port", type=int, default=PORT, help=f"port ({PORT})")
-    parser.add_argument(
-        "--max-sessions", type=int, default=16, metavar="N",
-        help="maximum simultaneous sessions, each with its own policy instance (16)",
-    )  # fmt: skip
-    return parser
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code."""
-    args = build_parser().parse_args(arguments)
     try:
+        args = parse_options(build_command(), arguments)
         mapping = read_mapping(args.policy, args.mapping)
         make = load(args.policy, mapping)
         # A policy that fails to load is reported here, not to a client.
         first = [make()]
-    except (BadPolicy, BadMapping) as error:
+    except (BadPolicy, BadMapping, WrongUsage) as error:
         sys.stderr.write(f"proctor: {error}\n")
         return 2
     key = token_of("PROCTOR_POLICY_KEY")

@@ -34,7 +34,7 @@ from reference_client.errors import (
 from reference_client.protocol.connection import TIMEOUTS_S
 from reference_client.protocol.list_pages import read_pages
 from reference_client.protocol.retry_policy import RetryPolicy
-from reference_client.spelling import did_you_mean
+from reference_record.command_line.spelling import did_you_mean
 
 FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
 LONG_POLL_S = 10  # below the read timeout of TIMEOUTS_S

@@ -6,7 +6,6 @@ verified first. The pages are those of a server.
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import io
 from collections.abc import Mapping
@@ -31,6 +30,7 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.command_line.click_commands import Options
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
 from reference_record.pages.recorded_episode import (
@@ -46,7 +46,7 @@ BROKEN = 1
 RUNS_MAX = 20
 
 
-def report(args: argparse.Namespace, printer: Printer) -> int:
+def report(args: Options, printer: Printer) -> int:
     """`proctor report RUN|FILE… -o DIR`."""
     folder = _folder(args)
     for name in args.videos or ():
@@ -66,7 +66,7 @@ def report(args: argparse.Namespace, printer: Printer) -> int:
         return BROKEN
 
 
-def _folder(args: argparse.Namespace) -> Path:
+def _folder(args: Options) -> Path:
     folder = Path(args.output)
     if folder.exists() and not folder.is_dir():
         raise UsageError(f"{folder} is no folder")
@@ -81,7 +81,7 @@ def _is_file(name: str) -> bool:
 
 
 def _write(
-    folder: Path, runs: list[ReportedRun], args: argparse.Namespace, printer: Printer
+    folder: Path, runs: list[ReportedRun], args: Options, printer: Printer
 ) -> int:
     run_ids = {run.run_id for run in runs}
     if len(run_ids) < len(runs):
@@ -106,7 +106,7 @@ def _write(
 
 
 def _all(
-    args: argparse.Namespace,
+    args: Options,
     connected: tuple[Connection, RetryPolicy],
 ) -> list[ReportedRun]:
     keys = names_of_host(*connected) | keys_of(args.key or [])

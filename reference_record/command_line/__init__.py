@@ -1,1 +1,1 @@
-"""How command lines of all programs look, and how a mistyped name is answered."""
+"""How command lines look, how a mistyped name is answered, how text files are read."""

@@ -5,7 +5,6 @@ They work on the files and the database of a server, which may run meanwhile.
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import time
 from collections import defaultdict
@@ -13,8 +12,14 @@ from collections.abc import AsyncIterator, Iterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    Options,
+    flag,
+    option,
+)
 from reference_record.keys import load_or_make
 from reference_record.recording import timestamp
 from reference_server.records.recordings import Recordings
@@ -48,36 +53,56 @@ class AdminFiles:
     benchmarks: str = ""
 
 
-def add_areas(areas: Any) -> None:
-    """Add both areas to those of `proctor admin`; `do_with_files` is the command."""
-    keys = areas.add_parser("keys", help="the keys that sign records")
-    commands = keys.add_subparsers(metavar="COMMAND", required=True)
-    listed = commands.add_parser("list", help="every key that signed, newest first")
-    listed.set_defaults(do_with_files=list_keys)
-    rotate = commands.add_parser(
-        "rotate",
-        help="make a new key, which signs from the next start of the server on",
-    )
-    rotate.set_defaults(do_with_files=rotate_key)
-    records = areas.add_parser("records", help="disk space of recordings")
-    commands = records.add_subparsers(metavar="COMMAND", required=True)
-    usage = commands.add_parser("usage", help="bytes by benchmark, with the oldest run")
-    usage.add_argument("--runs", action="store_true", help="by run, largest first")
-    usage.set_defaults(do_with_files=show_usage)
-    prune = commands.add_parser("prune", help="remove the recordings of old runs")
-    prune.add_argument(
-        "--older-than", type=float, required=True, metavar="DAYS",
-        help="days since the run ended; no fewer than records_keep_days, which is a "
+def record_areas() -> list[Group]:
+    """Both areas of `proctor admin`; `do_with_files` is the function of a command."""
+    keys = [
+        Command(
+            "list",
+            "every key that signed, newest first",
+            [],
+            do_with_files=list_keys,
+        ),
+        Command(
+            "rotate",
+            "make a new key, which signs from the next start of the server on",
+            [],
+            do_with_files=rotate_key,
+        ),
+    ]
+    by_run = flag("--runs", "by run, largest first")
+    older_than = option(
+        "--older-than",
+        "days since the run ended; no fewer than records_keep_days, which is a "
         "promise (0: to keep all)",
-    )  # fmt: skip
-    prune.add_argument("--dry-run", action="store_true", help="only list the runs")
-    prune.set_defaults(do_with_files=prune_old)
+        type=float,
+        required=True,
+        metavar="DAYS",
+    )
+    dry_run = flag("--dry-run", "only list the runs")
+    records = [
+        Command(
+            "usage",
+            "bytes by benchmark, with the oldest run",
+            [by_run],
+            do_with_files=show_usage,
+        ),
+        Command(
+            "prune",
+            "remove the recordings of old runs",
+            [older_than, dry_run],
+            do_with_files=prune_old,
+        ),
+    ]
+    return [
+        Group("keys", "the keys that sign records", keys),
+        Group("records", "disk space of recordings", records),
+    ]
 
 
 # --- keys ---
 
 
-def list_keys(files: AdminFiles, _args: argparse.Namespace) -> None:
+def list_keys(files: AdminFiles, _args: Options) -> None:
     """REC-101: what `list_keys` of the server shows."""
     for key in asyncio.run(_keys_of(files.database_url)):
         end = key.retired_at_wall
@@ -91,7 +116,7 @@ async def _keys_of(url: str) -> list[PublicKey]:
         return await RecordStore(store.transactions).keys()
 
 
-def rotate_key(files: AdminFiles, _args: argparse.Namespace) -> None:
+def rotate_key(files: AdminFiles, _args: Options) -> None:
     """Old statements stay valid: the server goes on to publish the old key."""
     path = files.key_path
     if path is None:
@@ -129,7 +154,7 @@ class RunUsage:
         return max(0.0, now_wall - self.head.updated_at_wall) / DAY_S
 
 
-def show_usage(files: AdminFiles, args: argparse.Namespace) -> None:
+def show_usage(files: AdminFiles, args: Options) -> None:
     usages, now = asyncio.run(_usage_of(files)), time.time()
     if args.runs:
         for usage in sorted(usages, key=lambda usage: -usage.size_bytes):
@@ -164,7 +189,7 @@ async def _usage_of(files: AdminFiles) -> list[RunUsage]:
     return usages
 
 
-def prune_old(files: AdminFiles, args: argparse.Namespace) -> None:
+def prune_old(files: AdminFiles, args: Options) -> None:
     """Remove recordings of ended runs, as the server does after `records_keep_days`."""
     days, kept = args.older_than, files.keep_days
     if not kept:

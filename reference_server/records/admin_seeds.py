@@ -6,13 +6,19 @@ host publishes it where it likes: `seeds_sha256` of each record proves it.
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    Options,
+    argument,
+    flag,
+    option,
+)
 from reference_record.formats.opened_seeds import (
     OpenedEpisode,
     OpenedSeeds,
@@ -27,24 +33,22 @@ from reference_sim.gymnasium import BadBenchmark
 from reference_sim.host_seeds import salt_of, seal
 
 
-def add_area(areas: Any) -> None:
-    """Add the area to those of `proctor admin`; `do_with_files` is the command."""
-    seeds = areas.add_parser("seeds", help="the seeds of sealed splits")
-    commands = seeds.add_subparsers(metavar="COMMAND", required=True)
-    opens = commands.add_parser(
+def seeds_area() -> Group:
+    """The area of `proctor admin`; `do_with_files` is the function of its command."""
+    output = option(
+        "--output", "(seeds-BENCHMARK.json)", also="-o", type=Path, metavar="FILE"
+    )
+    opens = Command(
         "open",
-        help="write the seeds of a benchmark that was played here, to be published: "
-        "anyone can then replay its records, and train on its episodes",
+        "write the seeds of a benchmark that was played here, to be published: anyone "
+        "can then replay its records, and train on its episodes",
+        [argument("benchmark", ""), output, flag("--force", "replace the file")],
+        do_with_files=open_seeds,
     )
-    opens.add_argument("benchmark", metavar="BENCHMARK")
-    opens.add_argument(
-        "--output", "-o", type=Path, metavar="FILE", help="(seeds-BENCHMARK.json)"
-    )
-    opens.add_argument("--force", action="store_true", help="replace the file")
-    opens.set_defaults(do_with_files=open_seeds)
+    return Group("seeds", "the seeds of sealed splits", [opens])
 
 
-def open_seeds(files: AdminFiles, args: argparse.Namespace) -> None:
+def open_seeds(files: AdminFiles, args: Options) -> None:
     """Open the seeds of each choice of options that has a run. Raises CannotDo."""
     name = args.benchmark
     output = args.output or Path(f"seeds-{name}.json")

@@ -6,7 +6,10 @@ from typing import Literal
 
 from pydantic import BaseModel, Field, field_validator
 
+from reference_record.command_line.spelling import unknown
 from reference_server.profiles.flageval.mode_table import ModeTable
+
+OFFERED: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
 
 
 class ProfileSettings(BaseModel):
@@ -14,7 +17,6 @@ class ProfileSettings(BaseModel):
 
     profiles: str = Field(
         "",
-        pattern=r"^((ebench|flageval)(,(ebench|flageval))*)?$",
         description="Third-party API profiles to enable, comma-separated: ebench, "
         "flageval.",
     )
@@ -61,14 +63,21 @@ class ProfileSettings(BaseModel):
     @property
     def enabled_profiles(self) -> list[Literal["ebench", "flageval"]]:
         """The names in `profiles`, without repetitions."""
-        offered: tuple[Literal["ebench", "flageval"], ...] = ("ebench", "flageval")
         chosen = self.profiles.split(",")
-        return [name for name in offered if name in chosen]
+        return [name for name in OFFERED if name in chosen]
 
     @property
     def mode_table(self) -> ModeTable:
         """`flageval_modes`, parsed."""
         return ModeTable.parse(self.flageval_modes)
+
+    @field_validator("profiles")
+    @classmethod
+    def _check_profiles(cls, text: str) -> str:
+        for name in text.split(",") if text else ():
+            if name not in OFFERED:
+                raise ValueError(unknown("profile", name, OFFERED))
+        return text
 
     @field_validator("flageval_modes")
     @classmethod

@@ -15,6 +15,7 @@ from pydantic import ValidationError, model_validator
 from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
+from reference_record.command_line.spelling import reason_of
 from reference_server.settings.allowed_hosts import is_loopback
 from reference_server.settings.cluster_settings import ClusterSettings
 from reference_server.settings.database_settings import DatabaseSettings
@@ -45,10 +46,6 @@ class Settings(
 
     model_config = SettingsConfigDict(
         env_prefix="PROCTOR_",
-        cli_prog_name="python -m reference_server",
-        cli_kebab_case=True,
-        cli_hide_none_type=True,
-        cli_avoid_json=True,
         extra="ignore",
     )
 
@@ -141,6 +138,8 @@ def _describe(fault: ErrorDetails) -> str:
     context = fault.get("ctx", {})
     if fault["type"] == "value_error":
         text = str(context["error"])
+    elif fault["type"] == "literal_error":
+        text = reason_of(fault)
     elif fault["type"] == "string_pattern_mismatch":
         text = f"{_shown(fault['input'])} does not fit"
         field = Settings.model_fields.get(str(fault["loc"][0]))

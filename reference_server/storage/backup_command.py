@@ -7,14 +7,18 @@ The names are those beside a SQLite file: a backup is restored by copying it the
 
 from __future__ import annotations
 
-import argparse
 import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from reference_record.command_line.click_commands import (
+    Command,
+    Options,
+    argument,
+    flag,
+)
 from reference_record.recording_file import DRAFT_SUFFIX
 from reference_server.storage import database_commands
 from reference_server.storage.database import StoreFailed
@@ -35,23 +39,21 @@ class KeptFiles:
     folders: Mapping[str, Path | None]
 
 
-def add_command(areas: Any) -> None:
-    """Add the command to `proctor admin`; `do_with_kept` carries it out."""
-    backup = areas.add_parser(
+def backup_command() -> Command:
+    """The command of `proctor admin`; `do_with_kept` is its function."""
+    prune = flag(
+        "--prune", "also remove from the folder what the server has deleted since"
+    )
+    return Command(
         "backup",
-        help="copy the database, secrets, tokens, recordings and records that were "
-        "handed in to a folder, also while the server runs; again, what is new",
+        "copy the database, secrets, tokens, recordings and records that were handed "
+        "in to a folder, also while the server runs; again, what is new",
+        [argument("folder", "", type=Path), prune],
+        do_with_kept=back_up,
     )
-    backup.add_argument("folder", type=Path, metavar="FOLDER")
-    backup.add_argument(
-        "--prune",
-        action="store_true",
-        help="also remove from the folder what the server has deleted since",
-    )
-    backup.set_defaults(do_with_kept=back_up)
 
 
-def back_up(kept: KeptFiles, args: argparse.Namespace) -> None:
+def back_up(kept: KeptFiles, args: Options) -> None:
     """Print what was copied. Raises StoreFailed and OSError."""
     target: Path = args.folder
     _check(target, kept)

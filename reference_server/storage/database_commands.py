@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import argparse
 import asyncio
 import contextlib
 import os
@@ -14,10 +13,15 @@ import sqlite3
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import sqlalchemy as sa
 
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    Options,
+    argument,
+)
 from reference_server.files import private_files
 from reference_server.storage import postgresql, schema_version
 from reference_server.storage.database import Database, StoreFailed
@@ -38,24 +42,33 @@ _INCONSISTENT = {
 }
 
 
-def add_area(areas: Any) -> None:
-    """Add it to the areas of `proctor admin`; `do_with_database` is the command."""
-    area = areas.add_parser("db", help="the database: upgrade, check, back up")
-    commands = area.add_subparsers(metavar="COMMAND", required=True)
-    upgrade_ = commands.add_parser(
-        "upgrade", help="give the database the tables of this version"
-    )
-    upgrade_.set_defaults(do_with_database=upgrade)
-    checked = commands.add_parser(
-        "check", help="is it there, of which version, and is its content consistent"
-    )
-    checked.set_defaults(do_with_database=check)
-    backed_up = commands.add_parser("backup", help="copy it, also while it is used")
-    backed_up.add_argument("file", metavar="FILE", help="a file that does not exist")
-    backed_up.set_defaults(do_with_database=back_up)
+def database_area() -> Group:
+    """The area of `proctor admin`; `do_with_database` is the function of a command."""
+    file = argument("file", "a file that does not exist")
+    commands = [
+        Command(
+            "upgrade",
+            "give the database the tables of this version",
+            [],
+            do_with_database=upgrade,
+        ),
+        Command(
+            "check",
+            "is it there, of which version, and is its content consistent",
+            [],
+            do_with_database=check,
+        ),
+        Command(
+            "backup",
+            "copy it, also while it is used",
+            [file],
+            do_with_database=back_up,
+        ),
+    ]
+    return Group("db", "the database: upgrade, check, back up", commands)
 
 
-def upgrade(url: str, _args: argparse.Namespace) -> None:
+def upgrade(url: str, _args: Options) -> None:
     """Upgrade the database as the next start of the server would do it."""
     done = asyncio.run(_upgrade(url))
     version = schema_version.VERSIONS[-1]
@@ -73,7 +86,7 @@ async def _upgrade(url: str) -> schema_version.Upgrade | None:
         await lock.release()
 
 
-def check(url: str, _args: argparse.Namespace) -> None:
+def check(url: str, _args: Options) -> None:
     """Prints what is found. Raises StoreFailed if anything is wrong."""
     version, problems = asyncio.run(_look(url))
     print(f"version: {version or 'none'} (this server: {schema_version.VERSIONS[-1]})")
@@ -110,7 +123,7 @@ def _problems(connection: sa.Connection) -> list[str]:
     return problems
 
 
-def back_up(url: str, args: argparse.Namespace) -> None:
+def back_up(url: str, args: Options) -> None:
     """Write a copy of one moment to a file that only its owner may read."""
     path = Path(args.file)
     copy_database(url, path)

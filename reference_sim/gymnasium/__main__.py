@@ -6,26 +6,31 @@ pass, 1 one of them has a fault, 2 unknown benchmark or invalid file.
 
 from __future__ import annotations
 
-import argparse
 import sys
 
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    WrongUsage,
+    argument,
+    parse_options,
+)
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import read
 from reference_sim.gymnasium.registration import examine
 
 
 def main(arguments: list[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(
-        prog="python -m reference_sim.gymnasium", description=__doc__
-    )
-    commands = parser.add_subparsers(required=True, metavar="check")
-    command = commands.add_parser("check", help="check every task of a benchmark")
-    command.add_argument(
-        "what", nargs="+", metavar="BENCHMARK", help="gymnasium:ID, FILE.toml, …"
-    )
+    what = argument(
+        "what", "gymnasium:ID, FILE.toml, …",
+        nargs=-1, required=True, metavar="BENCHMARK…",
+    )  # fmt: skip
+    check = Command("check", "check every task of a benchmark", [what])
+    program = Group("python -m reference_sim.gymnasium", "", [check], help_text=__doc__)
     try:
-        verdicts = [_check(what) for what in parser.parse_args(arguments).what]
-    except BadBenchmark as error:
+        options = parse_options(program, arguments)
+        verdicts = [_check(what) for what in options.what]
+    except (BadBenchmark, WrongUsage) as error:
         print(error, file=sys.stderr)
         return 2
     return 0 if all(verdicts) else 1

@@ -21,6 +21,7 @@ from pydantic import (
     model_validator,
 )
 
+from reference_record.command_line.spelling import reason_of, unknown
 from reference_record.command_line.text_file import NotText, read_text_file
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.ray_resources import check_resources
@@ -52,6 +53,15 @@ PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
 class _Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _has_known_keys(cls, given: Any) -> Any:
+        names = [] if not isinstance(given, dict) else given.keys() - cls.model_fields
+        faults = [unknown("key", name, cls.model_fields) for name in sorted(names)]
+        if faults:
+            raise ValueError("; ".join(faults))
+        return given
 
 
 class Task(_Strict):
@@ -216,8 +226,11 @@ class Benchmark(_Strict):
         if len({split.name for split in self.splits}) < len(self.splits):
             raise ValueError("two splits have the same name")
         for split in self.splits:
-            if unknown := set(split.tasks or ()) - set(names):
-                raise ValueError(f"split {split.name} names no task: {unknown.pop()}")
+            for name in split.tasks or ():
+                if name not in names:
+                    raise ValueError(
+                        f"split {split.name}: {unknown('task', name, names)}"
+                    )
         if (
             self.success
             and self.success.return_at_least is not None
@@ -307,12 +320,12 @@ def _read_file(path: Path) -> tuple[Benchmark, Path]:
 def _faults_of(error: ValidationError) -> str:
     """Every fault with its path, as `tasks[1].name: Field required`."""
     faults = []
-    for fault in error.errors(include_url=False, include_context=False):
+    for fault in error.errors(include_url=False):
         path = "".join(
             f"[{part}]" if isinstance(part, int) else f".{part}"
             for part in fault["loc"]
         ).removeprefix(".")
-        text = fault["msg"].removeprefix("Value error, ")
+        text = reason_of(fault)
         faults.append(f"{path}: {text}" if path else text)
     return "; ".join(faults)
 

@@ -7,7 +7,6 @@ Says for the record whether every state digest was the same (exact), the results
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import platform
@@ -19,6 +18,16 @@ from pathlib import Path
 import msgspec
 
 from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.command_line.click_commands import (
+    Command,
+    Options,
+    WrongUsage,
+    argument,
+    checked,
+    flag,
+    option,
+    parse_options,
+)
 from reference_record.export import add_verdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
@@ -34,10 +43,15 @@ from reference_sim.replay.record_replay import ReplayedBenchmark, replay_record,
 
 SAME, DIVERGED, IMPOSSIBLE = 0, 1, 2
 REPORT_EVERY_S = 10.0
+KEY_PATH = Path.home() / ".config" / "proctor" / "signing-key"
 
 
 def main(arguments: list[str] | None = None) -> int:
-    args = _parser().parse_args(arguments)
+    try:
+        args = parse_options(build_command(), arguments)
+    except WrongUsage as error:
+        _say(str(error))
+        return IMPOSSIBLE
     try:
         return _replay(args)
     except BrokenRecord as broken:
@@ -50,51 +64,47 @@ def main(arguments: list[str] | None = None) -> int:
     return IMPOSSIBLE
 
 
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="proctor replay",
-        description=__doc__,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-        allow_abbrev=False,
-    )
-    parser.add_argument("file", metavar="FILE", help="the record, or its directory")
-    parser.add_argument(
-        "--episodes", type=_indices, metavar="I,J,…", help="only these (default: all)"
-    )
-    parser.add_argument(
-        "--processes", type=int, default=os.cpu_count() or 1, metavar="N",
-        help="how many simulate at once (default: one for each CPU)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--benchmarks", default="", metavar="REF,…",
-        help="your own benchmarks, as for the server",
-    )  # fmt: skip
-    parser.add_argument(
-        "--seeds", type=Path, metavar="FILE",
-        help="seeds of sealed splits that the host has opened",
-    )  # fmt: skip
-    parser.add_argument(
-        "--name", default=platform.node() or "unnamed", help="who replays (host name)"
-    )
-    parser.add_argument(
-        "--signing-key", type=Path, metavar="FILE",
-        default=Path.home() / ".config" / "proctor" / "signing-key",
-        help="key that signs the verdict, made if it does not exist (%(default)s)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--no-verdict", action="store_true", help="leave the record as it is"
-    )
-    parser.add_argument("--json", action="store_true", help="print one JSON value")
-    return parser
+def build_command() -> Command:
+    """The command line of the program."""
+    parameters = [
+        argument("file", "the record, or its directory"),
+        option(
+            "--episodes", "only these (default: all)",
+            type=checked(_indices), metavar="I,J,…",
+        ),
+        option(
+            "--processes", "how many simulate at once (default: one for each CPU)",
+            type=int, default=os.cpu_count() or 1, metavar="N",
+        ),
+        option(
+            "--benchmarks", "your own benchmarks, as for the server",
+            default="", metavar="REF,…",
+        ),
+        option(
+            "--seeds", "seeds of sealed splits that the host has opened",
+            type=Path, metavar="FILE",
+        ),
+        option(
+            "--name", "who replays (host name)", default=platform.node() or "unnamed",
+        ),
+        option(
+            "--signing-key",
+            f"key that signs the verdict, made if it does not exist ({KEY_PATH})",
+            type=Path, metavar="FILE", default=KEY_PATH,
+        ),
+        flag("--no-verdict", "leave the record as it is"),
+        flag("--json", "print one JSON value"),
+    ]  # fmt: skip
+    return Command("proctor replay", "", parameters, help_text=__doc__)
 
 
 def _indices(text: str) -> list[int]:
     if not re.fullmatch(r"\d{1,5}(,\d{1,5})*", text):
-        raise argparse.ArgumentTypeError(f"{text}: expected indices such as 0,3,12")
+        raise ValueError(f"{text}: expected indices such as 0,3,12")
     return [int(index) for index in text.split(",")]
 
 
-def _replay(args: argparse.Namespace) -> int:
+def _replay(args: Options) -> int:
     bundle = open_bundle(Path(args.file))
     report = verify(bundle)
     benchmark_registry.add(args.benchmarks, _say)
@@ -118,9 +128,7 @@ def _replay(args: argparse.Namespace) -> int:
     return DIVERGED if replay.result == "diverged" else SAME
 
 
-def _add_verdict(
-    args: argparse.Namespace, report: Report, replay: ReplaySummary
-) -> None:
+def _add_verdict(args: Options, report: Report, replay: ReplaySummary) -> None:
     key = load_or_make(args.signing_key)
     verdict = write_verdict(
         replay,
@@ -155,7 +163,7 @@ class _Progress:
 
 
 def _name_seeds(
-    args: argparse.Namespace, report: Report, benchmark: ReplayedBenchmark
+    args: Options, report: Report, benchmark: ReplayedBenchmark
 ) -> str | None:
     """A sentence on the treatment of episodes of sealed splits, if there are any."""
     if not (args.seeds or benchmark.secret or benchmark.secret_file):

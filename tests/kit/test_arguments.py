@@ -8,18 +8,20 @@ import re
 import shlex
 import subprocess
 import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
 
 from conformance.cli.arguments import (
-    BadArguments,
-    build_parser,
+    parse_arguments,
     read_processes,
     read_selection,
     read_settings,
 )
+from conformance.cli.kit_command import BadArguments
 from conformance.cli.main import main
+from conformance.policy.__main__ import main as main_policy
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
@@ -61,6 +63,20 @@ def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
     assert kit.output.startswith("0 checks")
 
 
+@pytest.mark.parametrize("columns", [40, 80])
+@pytest.mark.parametrize("program", [main, main_policy])
+def test_the_help_fits_the_terminal(
+    program: Callable[[Sequence[str]], int],
+    columns: int,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    with pytest.raises(SystemExit, match="0"):
+        program(["--help"])
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= columns
+
+
 def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["--list", "--only", "ATT-003"]) == 0
     assert capsys.readouterr().out.startswith("ATT-003  MUST  core  ")
@@ -79,7 +95,7 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
 )
 def test_quick_takes_four_processes(arguments: list[str], processes: int) -> None:
     """One keeps the order of --only, and the place where --fail-fast ends."""
-    assert read_processes(build_parser().parse_args(arguments)) == processes
+    assert read_processes(parse_arguments(arguments)) == processes
 
 
 @pytest.mark.parametrize(("quick", "are_apart"), [(True, True), (False, False)])
@@ -149,7 +165,7 @@ def test_the_time_limit_hides_no_violation(
     ],
 )
 def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
-    options = build_parser().parse_args(["--only", wanted])
+    options = parse_arguments(["--only", wanted])
     with pytest.raises(BadArguments) as caught:
         read_selection(options)
     assert str(caught.value).startswith(
@@ -180,8 +196,8 @@ def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
 )
 def test_base_urls_are_read(options: list[str], says: str) -> None:
     with pytest.raises(BadArguments, match=re.escape(says)):
-        read_settings(build_parser().parse_args(options))
-    good = build_parser().parse_args(["--url", "http://a/, http://b"])
+        read_settings(parse_arguments(options))
+    good = parse_arguments(["--url", "http://a/, http://b"])
     assert read_settings(good).urls == ["http://a", "http://b"]
 
 

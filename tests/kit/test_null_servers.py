@@ -99,7 +99,12 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
     [
         ([], "give --url"),
         (["--url", "localhost:8460"], "url must be like http://"),
-        (["--no-such-option"], "unrecognized arguments"),
+        (["--no-such-option"], "No such option"),
+        (["--profil", "core"], "Did you mean one of: '--profile'"),
+        (
+            ["--url", "http://x", "--profile", "limit"],
+            "; did you mean limits? known: core",
+        ),
         (["--url", "http://x", "--only", "NOPE-001"], "no rule id"),
         (["--url", "http://x", "--profile", "fast"], "known: core"),
         (["--url", "http://x", "--known-failures", "/no/file"], "No such file"),

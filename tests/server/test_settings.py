@@ -14,12 +14,12 @@ import pytest
 from annotated_types import Ge, Gt, Le
 from pydantic import ValidationError
 from pydantic.fields import FieldInfo
-from pydantic_settings import CliSettingsSource
 
-from reference_server.__main__ import HelpFormatter
+from reference_record.command_line.click_commands import WrongUsage
 from reference_server.http.auth import BadTokens, Tokens, new_secret
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings, describe_faults
+from reference_server.settings.setting_options import read_settings
 from tests.support.paths import ROOT
 
 PAGE = ROOT / "docs" / "host" / "settings.md"
@@ -47,10 +47,18 @@ def test_the_help_names_the_unit(
     flag: str, unit: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit):
-        CliSettingsSource(
-            Settings, cli_parse_args=["--help"], formatter_class=HelpFormatter
-        )
-    assert f"  {flag} {unit}\n" in capsys.readouterr().out
+        settings("--help")
+    assert f"  {flag} {unit} " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("columns", [40, 80])
+def test_the_help_fits_the_terminal(
+    columns: int, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", str(columns))
+    with pytest.raises(SystemExit):
+        settings("--help")
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= columns
 
 
 def values_of(field: FieldInfo) -> str:
@@ -101,10 +109,27 @@ def _empty_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def settings(*flags: str) -> Settings:
-    source: CliSettingsSource[Settings] = CliSettingsSource(
-        Settings, cli_parse_args=list(flags)
-    )
-    return Settings(_cli_settings_source=source)
+    return read_settings(flags)
+
+
+@pytest.mark.parametrize(
+    ("flags", "says"),
+    [
+        (["--profiles", "foo"], "profiles: unknown profile foo; there is ebench, flag"),
+        (["--profiles", "flagevl"], "flagevl; did you mean flageval? There is ebench"),
+        (["--profiles", "ebench,"], "profiles: unknown profile ; there is ebench"),
+        (["--log-level", "debgu"], "log_level: unknown value debgu; did you mean "),
+        (["--cluster", "maybe"], "cluster: unknown value maybe; there is off, on"),
+        (["--prot", "1"], "unknown option --prot; did you mean --port?"),
+        (["--port", "x"], "port: 'x' must be a valid integer"),
+        (["--port"], "'--port' requires an argument; see proctor-server --help"),
+    ],
+)
+def test_a_wrong_name_is_answered_with_those_that_there_are(
+    flags: list[str], says: str
+) -> None:
+    with pytest.raises(WrongUsage, match=re.escape(says)):
+        settings(*flags)
 
 
 @pytest.mark.parametrize(
@@ -236,9 +261,9 @@ def test_a_setting_has_bounds(name: str, bad: Any) -> None:
     [
         ({"port": "x"}, "port: 'x' must be a valid integer"),
         ({"port": -1}, "port: -1 must be greater than or equal to 0"),
-        ({"log_level": "x"}, "log_level: 'x' must be 'critical', 'error', "),
+        ({"log_level": "x"}, "log_level: unknown value x; there is critical, "),
         ({"public_url": "example.org"}, "public_url: 'example.org' does not fit; it "),
-        ({"profiles": "foo"}, "comma-separated: ebench, flageval."),
+        ({"profiles": "foo"}, "profiles: unknown profile foo; there is ebench"),
         ({"ray_resources": "CPU"}, "ray_resources: 'CPU' is not NAME=AMOUNT"),
         ({"known_keys": "k" * 999}, "…"),
         *(

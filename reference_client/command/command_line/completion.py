@@ -1,28 +1,31 @@
 """Completion in shells: `proctor completion SHELL` prints what a shell is to source.
 
-At each Tab the shell starts `proctor`, which ends here, before it imports what takes
-long. Words and flags are those of arguments.py; ids of runs and names of benchmarks are
-read from the server, for which this module waits a second at most, however slowly the
-server sends, and is silent when there is no answer.
+At each Tab the shell starts `proctor`; click answers with the words and flags of
+arguments.py. This module adds ids of runs and names of benchmarks. They are read from
+the server, for which it waits a second at most, however slowly the server sends; there
+are none when there is no answer.
 """
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import json
 import re
 import threading
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
-import argcomplete
-from argcomplete.shell_integration import shellcode
+import click
+from click.shell_completion import CompletionItem, get_completion_class
 
-from reference_client.command.command_line.arguments import build_parser, resolve_server
+from reference_client.command.command_line.chosen_server import (
+    DEFAULT_URL,
+    resolve_server,
+)
 from reference_client.printable_text import printable
 from reference_client.protocol.http_connection import HttpConnection, ascii_place
+from reference_record.command_line.click_commands import Options
 
 if TYPE_CHECKING:
     from reference_client.command.output.printer import Printer
@@ -31,62 +34,44 @@ _ID = re.compile("[A-Za-z0-9_-]{1,64}")  # of runs and benchmarks: nothing to qu
 TIMEOUT_S = 1.0  # in which an answer must be complete
 
 
-def completion(args: argparse.Namespace, printer: Printer) -> int:
+def completion(args: Options, printer: Printer) -> int:
     """`proctor completion bash|zsh|fish`."""
-    code = shellcode(["proctor"], shell=args.shell)
+    shell = get_completion_class(args.shell)
+    assert shell is not None, "the option allows shells that the library has"
+    code = shell(click.Command("proctor"), {}, "proctor", "_PROCTOR_COMPLETE").source()
     printer.answer(code, code.rstrip("\n"))
     return 0
 
 
-def complete() -> None:
-    """Answers the shell and ends the process, if it was started at a Tab."""
-    parser = build_parser()
-    for command in parser.commands:
-        for action in command._actions:  # noqa: SLF001  argparse lists them nowhere else
-            if (completer := _completer_of(action)) is not None:
-                # The attribute by which the library finds it.
-                action.completer = completer  # type: ignore[attr-defined]
-    argcomplete.autocomplete(parser, always_complete_options=False)
-
-
-def _completer_of(action: argparse.Action) -> Callable[..., Mapping[str, str]] | None:
-    if action.metavar in ("RUN", "BASELINE", "RUN|FILE"):
-        return complete_runs
-    if action.dest == "benchmark":
-        return complete_benchmarks
-    return None
-
-
-def complete_runs(*, parsed_args: argparse.Namespace, **_: Any) -> dict[str, str]:
-    """The latest runs: id → state, benchmark and policy."""
-    return _words(
-        (run["run_id"], f"{run['state']} {run['benchmark_id']} {run['policy']['name']}")
-        for run in _read(parsed_args, "/v1/runs").get("runs", [])
-    )
+def complete_runs(
+    given: Mapping[str, Any], incomplete: str
+) -> Iterator[CompletionItem]:
+    """The latest runs: id, with state, benchmark and policy."""
+    for run in _read(given, "/v1/runs").get("runs", []):
+        about = f"{run['state']} {run['benchmark_id']} {run['policy']['name']}"
+        yield from _item(run["run_id"], about, incomplete)
 
 
 def complete_benchmarks(
-    *, parsed_args: argparse.Namespace, action: argparse.Action, **_: Any
-) -> dict[str, str]:
-    """The benchmarks of the server: id → title; and `verify`, where that may stand."""
-    benchmarks = _read(parsed_args, "/v1/benchmarks").get("benchmarks", [])
-    words = _words(
-        (benchmark["benchmark_id"], benchmark["title"]) for benchmark in benchmarks
-    )
-    is_board = "verify" in str(action.metavar)
-    return words | ({"verify": "check the history"} if is_board else {})
+    given: Mapping[str, Any], incomplete: str, *, is_board: bool
+) -> Iterator[CompletionItem]:
+    """The benchmarks of the server: id, with title; and `verify`, where it may stand.
+
+    given: the options before the word.
+    """
+    for benchmark in _read(given, "/v1/benchmarks").get("benchmarks", []):
+        yield from _item(benchmark["benchmark_id"], benchmark["title"], incomplete)
+    if is_board:
+        yield from _item("verify", "check the history", incomplete)
 
 
-def _words(pairs: Iterable[tuple[str, str]]) -> dict[str, str]:
-    """Id → one printable line. A server's texts must not break the command line."""
-    return {
-        word: " ".join(printable(text).split())
-        for word, text in pairs
-        if _ID.fullmatch(word)
-    }
+def _item(word: str, about: str, incomplete: str) -> Iterator[CompletionItem]:
+    """The word, if it fits, with one printable line: texts of a server are not safe."""
+    if _ID.fullmatch(word) and word.startswith(incomplete):
+        yield CompletionItem(word, help=" ".join(printable(about).split()))
 
 
-def _read(args: argparse.Namespace, path: str) -> Any:
+def _read(given: Mapping[str, Any], path: str) -> Any:
     """GET `path` with the flags given so far; {} if there is no answer.
 
     A Tab must not end in a traceback; the command itself reports what is wrong. Time
@@ -94,13 +79,16 @@ def _read(args: argparse.Namespace, path: str) -> Any:
     bounds the whole, name resolution included.
     """
     answer: dict[str, Any] = {}
+    names = ("ca", "host", "port", "token", "url")
+    args = Options(command="", **{name: given.get(name) for name in names})
+    args.url = args.url or DEFAULT_URL
     reader = threading.Thread(target=_receive, args=(args, path, answer), daemon=True)
     reader.start()
     reader.join(TIMEOUT_S)
     return dict(answer)
 
 
-def _receive(args: argparse.Namespace, path: str, members: dict[str, Any]) -> None:
+def _receive(args: Options, path: str, members: dict[str, Any]) -> None:
     with contextlib.suppress(Exception):
         resolve_server(args)
         connection = HttpConnection(args.url, (TIMEOUT_S, TIMEOUT_S), _buffer)

@@ -6,7 +6,6 @@ record is converted by reference_sim.exports, a program of its own.
 
 from __future__ import annotations
 
-import argparse
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
@@ -26,6 +25,7 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.record_client import fetch_keys, fetch_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord
+from reference_record.command_line.click_commands import Options
 from reference_record.export import save_blocks
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
@@ -43,7 +43,7 @@ NOT_SHOWN = (
 )
 
 
-def export(args: argparse.Namespace, printer: Printer) -> int:
+def export(args: Options, printer: Printer) -> int:
     """`proctor export`: the record itself, or with --to what is made of it."""
     if args.to is not None:
         if args.to != "lerobot":
@@ -62,16 +62,14 @@ def export(args: argparse.Namespace, printer: Printer) -> int:
     return _verify(path, keys, printer)
 
 
-def video(args: argparse.Namespace, printer: Printer) -> int:
+def video(args: Options, printer: Printer) -> int:
     """`proctor video`."""
     if args.episode is None and not args.failures:
         raise UsageError("video needs --episode N, or --failures")
     return _convert("video", "video", args, printer)
 
 
-def _convert(
-    command: str, kind: str, args: argparse.Namespace, printer: Printer
-) -> int:
+def _convert(command: str, kind: str, args: Options, printer: Printer) -> int:
     """Becomes the program that makes the export."""
     programs.require(command)
     job = {
@@ -91,7 +89,7 @@ def _convert(
     return programs.start(command, [msgspec.json.encode(job).decode()])
 
 
-def _record_of(args: argparse.Namespace, printer: Printer) -> Path:
+def _record_of(args: Options, printer: Printer) -> Path:
     """The record that is named by its file or its run; fetched if it is not here."""
     source = args.run or args.run_id
     if source is None:
@@ -121,7 +119,7 @@ def _run_of(path: Path) -> str | None:
 
 
 def _fetch(
-    run_id: str, path: Path, args: argparse.Namespace, printer: Printer
+    run_id: str, path: Path, args: Options, printer: Printer
 ) -> Mapping[str, str]:
     """Save the record of a run; returns the keys of its host, keyid → name."""
     check_run_id(run_id)
@@ -136,13 +134,13 @@ def _fetch(
         return names_of_host(connection, retry_policy)
 
 
-def _refuse_simulation_options(args: argparse.Namespace) -> None:
+def _refuse_simulation_options(args: Options) -> None:
     given = [name for name in SIMULATION_OPTIONS if getattr(args, name)]
     if given:
         raise UsageError(f"--{given[0]} is an option of video and --to lerobot only")
 
 
-def check(args: argparse.Namespace, printer: Printer) -> int:
+def check(args: Options, printer: Printer) -> int:
     """`proctor verify`."""
     keys = keys_of(args.key or [])
     if args.server is not None:

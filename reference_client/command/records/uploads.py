@@ -6,7 +6,6 @@ replay diverged; 2 it could not be handed in.
 
 from __future__ import annotations
 
-import argparse
 import tempfile
 import time
 from collections.abc import Iterator
@@ -26,6 +25,7 @@ from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.record_client import read_import, send_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.command_line.click_commands import Options
 from reference_record.export import save_blocks, with_verdict
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.bundle import open_bundle
@@ -43,7 +43,7 @@ _MEANING = {
 }
 
 
-def upload(args: argparse.Namespace, printer: Printer) -> int:
+def upload(args: Options, printer: Printer) -> int:
     with Connection(args.url, args.token, requests=1) as connection:
         policy = retry_policy_of(connection, args, printer)
         try:

@@ -6,7 +6,6 @@ Raises ProctorError for refusals.
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import itertools
 import re
@@ -40,6 +39,7 @@ from reference_client.evaluation.declared_policy import DeclaredPolicy, check_of
 from reference_client.evaluation.status_board import Progress
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
+from reference_record.command_line.click_commands import Options
 
 _PUSH_OPTIONS = (
     *("protocol", "model", "generation"),
@@ -50,7 +50,7 @@ _RUN_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # the pattern of the parameter Run
 ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
 
-def submit(args: argparse.Namespace, printer: Printer) -> int:
+def submit(args: Options, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         service = control_client.check_service(args.max_workers or 1)
         if args.run_id is not None:
@@ -75,7 +75,7 @@ def submit(args: argparse.Namespace, printer: Printer) -> int:
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
-def status(args: argparse.Namespace, printer: Printer) -> int:
+def status(args: Options, printer: Printer) -> int:
     run_id = run_id_of(args)
     if args.watch and run_id is None:
         raise UsageError("--watch needs a run id; `proctor status` lists the runs")
@@ -97,9 +97,7 @@ def status(args: argparse.Namespace, printer: Printer) -> int:
     return NOT_COMPLETE if failed else DONE
 
 
-def _list_runs(
-    args: argparse.Namespace, control_client: ControlClient, printer: Printer
-) -> int:
+def _list_runs(args: Options, control_client: ControlClient, printer: Printer) -> int:
     """A page of the runs that the filters select, each with its score."""
     matching = (
         run
@@ -130,7 +128,7 @@ def _with_score(run: Run, score: Score | None) -> dict[str, Any]:
     return members
 
 
-def stop(args: argparse.Namespace, printer: Printer) -> int:
+def stop(args: Options, printer: Printer) -> int:
     mode = StopMode("drain" if args.drain else "abort")
     with open_control_client(args, printer) as control_client:
         run = control_client.stop(_required_run_id(args), mode)
@@ -138,14 +136,14 @@ def stop(args: argparse.Namespace, printer: Printer) -> int:
     return DONE
 
 
-def resume(args: argparse.Namespace, printer: Printer) -> int:
+def resume(args: Options, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         run = control_client.resume(_required_run_id(args))
     printer.answer(run.to_dict(), answer_tables.run_facts(run))
     return DONE
 
 
-def delete(args: argparse.Namespace, printer: Printer) -> int:
+def delete(args: Options, printer: Printer) -> int:
     """Delete runs one after another; the first that is refused ends the command."""
     for run_id in args.runs:
         check_run_id(run_id)
@@ -171,7 +169,7 @@ def _refuse_played(control_client: ControlClient, run_ids: list[str]) -> None:
         )
 
 
-def results(args: argparse.Namespace, printer: Printer) -> int:
+def results(args: Options, printer: Printer) -> int:
     run_id = _required_run_id(args)
     with open_control_client(args, printer) as control_client:
         score = control_client.score(run_id)
@@ -191,7 +189,7 @@ def results(args: argparse.Namespace, printer: Printer) -> int:
     return DONE if score.complete else NOT_COMPLETE
 
 
-def compare(args: argparse.Namespace, printer: Printer) -> int:
+def compare(args: Options, printer: Printer) -> int:
     for run_id in (args.baseline, *args.runs):
         check_run_id(run_id)
     with open_control_client(args, printer) as control_client:
@@ -235,7 +233,7 @@ def compare(args: argparse.Namespace, printer: Printer) -> int:
     return DONE if released else NOT_RELEASED
 
 
-def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
+def benchmarks(args: Options, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
         if args.benchmark is None:
             summaries = control_client.benchmarks()
@@ -249,7 +247,7 @@ def benchmarks(args: argparse.Namespace, printer: Printer) -> int:
     return DONE
 
 
-def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRun:
+def submission_of(args: Options, name: str | None = None) -> SubmitRun:
     """The submission that the flags describe. Raises UsageError."""
     if args.benchmark is None:
         raise UsageError(
@@ -279,7 +277,7 @@ def submission_of(args: argparse.Namespace, name: str | None = None) -> SubmitRu
         raise UsageError(str(error)) from error
 
 
-def policy_of(args: argparse.Namespace, program: str) -> DeclaredPolicy:
+def policy_of(args: Options, program: str) -> DeclaredPolicy:
     """The policy that the flags describe; program: the name of its code."""
     name = args.name
     if args.type:
@@ -287,7 +285,7 @@ def policy_of(args: argparse.Namespace, program: str) -> DeclaredPolicy:
     return DeclaredPolicy(program, name, args.policy_version)
 
 
-def _described_name(args: argparse.Namespace) -> str | None:
+def _described_name(args: Options) -> str | None:
     """The name that the policy server of a push run reports, if it is reachable here.
 
     The evaluation server may reach hosts that this machine cannot reach, so it is not
@@ -303,7 +301,7 @@ def _described_name(args: argparse.Namespace) -> str | None:
     return None
 
 
-def _policy_server(args: argparse.Namespace) -> dict[str, Any] | None:
+def _policy_server(args: Options) -> dict[str, Any] | None:
     """Schema PolicyServer, for push mode. Raises UsageError."""
     given = {name: getattr(args, name, None) for name in _PUSH_OPTIONS}
     order = {name: value for name, value in given.items() if value is not None}
@@ -318,7 +316,7 @@ def _policy_server(args: argparse.Namespace) -> dict[str, Any] | None:
     return order | {"url": url} | ({"api_key": key} if key else {})
 
 
-def run_id_of(args: argparse.Namespace) -> str | None:
+def run_id_of(args: Options) -> str | None:
     if args.run and args.run_id and args.run != args.run_id:
         raise UsageError(f"conflicting run ids: {args.run} and {args.run_id}")
     run_id: str | None = args.run or args.run_id
@@ -332,7 +330,7 @@ def check_run_id(run_id: str | None) -> None:
         raise UsageError(f"{run_id!r} is no id of a run; `proctor status` lists them")
 
 
-def _required_run_id(args: argparse.Namespace) -> str:
+def _required_run_id(args: Options) -> str:
     run_id = run_id_of(args)
     if run_id is None:
         raise UsageError("a run id is required; `proctor status` lists the latest runs")

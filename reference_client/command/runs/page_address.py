@@ -6,7 +6,6 @@ them: they ask for it.
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 import webbrowser
@@ -20,11 +19,12 @@ from reference_client.command.usage_error import UsageError
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.local_token import find_token, token_file
+from reference_record.command_line.click_commands import Options
 
 HAS_PAGES = (200, 303)  # a page, or the way to the sign-in
 
 
-def open_page(args: argparse.Namespace, printer: Printer) -> int:
+def open_page(args: Options, printer: Printer) -> int:
     """`proctor open [RUN]`: the address is printed whether a browser starts or not.
 
     People have it first, as a browser in the terminal stays until it is left.
@@ -82,7 +82,7 @@ def _open_browser(address: str) -> bool:
         os.close(kept)
 
 
-def _say_how_to_sign_in(args: argparse.Namespace, printer: Printer) -> None:
+def _say_how_to_sign_in(args: Options, printer: Printer) -> None:
     if args.token != find_token(args.url):
         where = "paste the one of --token"
     elif os.environ.get("PROCTOR_TOKEN"):

@@ -6,7 +6,6 @@ Neither costs an attempt: an episode in play waits for the lease of its session.
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import json
 import os
@@ -25,7 +24,7 @@ from proctor_client import Assumptions, Benchmark, Episode, Run, Score
 from proctor_client.transport.server_address import without_user
 
 from reference_client.api.policy import Policy
-from reference_client.command.command_line.arguments import DEFAULT_URL
+from reference_client.command.command_line.chosen_server import DEFAULT_URL
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -76,6 +75,7 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
+from reference_record.command_line.click_commands import Options
 
 RETRY_TIMEOUT_S = 300.0
 _ATTEMPTS = (
@@ -84,7 +84,7 @@ _ATTEMPTS = (
 )
 
 
-def run(args: argparse.Namespace, printer: Printer) -> int:
+def run(args: Options, printer: Printer) -> int:
     """Returns the exit code, after printing the result or the error."""
     if args.policy_url is not None:
         if args.policy is not None:
@@ -114,7 +114,7 @@ def run(args: argparse.Namespace, printer: Printer) -> int:
 
 
 def _repeat(
-    args: argparse.Namespace,
+    args: Options,
     printer: Printer,
     server: PolicyServerClient | LerobotPolicies | None,
     plan: EvaluationPlan,
@@ -150,9 +150,7 @@ def _repeat(
     return worst
 
 
-def resume_command(
-    args: argparse.Namespace, run_id: str, *, takeover: bool = False
-) -> str:
+def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str:
     """The command that continues the run, without what is secret.
 
     takeover: continue the episodes that wait in sessions of this evaluation.
@@ -200,7 +198,7 @@ class _EvaluationCommand:
 
     def __init__(
         self,
-        args: argparse.Namespace,
+        args: Options,
         printer: Printer,
         server: PolicyServerClient | LerobotPolicies | None,
     ) -> None:
@@ -341,7 +339,7 @@ class _EvaluationCommand:
         value["players"] = players_of(self._episodes)
         self._printer.answer(value, *answer_tables.score_tables(score, self._episodes))
         if not score.complete and self._run is not None:
-            args = argparse.Namespace(**vars(self._args) | {"episodes": None})
+            args = Options(**vars(self._args) | {"episodes": None})
             self._printer.say(
                 "The score is partial. To play the rest:\n"
                 f"  {resume_command(args, self._run.run_id)}"
@@ -448,7 +446,7 @@ class Signals:
 
 
 def _policy_server(
-    args: argparse.Namespace, mapping: PolicyMapping | None, printer: Printer
+    args: Options, mapping: PolicyMapping | None, printer: Printer
 ) -> PolicyServerClient | LerobotPolicies | None:
     """The policy, if it is `proctor:URL` or `lerobot:FOLDER`: these know benchmarks."""
     if not args.policy.startswith(("proctor:", "lerobot:")):
@@ -465,7 +463,7 @@ def _policy_server(
 
 
 def _plan(
-    args: argparse.Namespace,
+    args: Options,
     server: PolicyServerClient | LerobotPolicies | None,
     check_benchmark: Callable[[Benchmark], None] | None,
 ) -> EvaluationPlan:

@@ -11,7 +11,7 @@ from typing import Any, Self
 
 from reference_client.errors import BadPolicy
 from reference_client.policies.servers.wire_formats import FORMATS
-from reference_client.spelling import did_you_mean
+from reference_record.command_line.spelling import did_you_mean
 
 # The first answer may take minutes, while a network is compiled.
 ANSWER_S = 600.0

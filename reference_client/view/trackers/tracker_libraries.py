@@ -13,8 +13,8 @@ from typing import Any
 
 from proctor_client import Run
 
-from reference_client.spelling import did_you_mean
 from reference_client.view.trackers.tracking import COLUMNS, Tracker
+from reference_record.command_line.spelling import did_you_mean
 
 FORMS = "wandb:PROJECT, tensorboard:FOLDER or mlflow:EXPERIMENT"
 

@@ -7,7 +7,6 @@ run meanwhile, or be down.
 
 from __future__ import annotations
 
-import argparse
 import shutil
 import time
 from collections import Counter, defaultdict
@@ -16,6 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from reference_record.command_line.click_commands import Command, Options, option
 from reference_record.pages.page_templates import render_page
 from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
@@ -53,21 +53,23 @@ class AccountRow:
         return timestamp(self.changed_at_wall) if self.changed_at_wall else ""
 
 
-def add_command(areas: Any) -> None:
-    """Add the command to `proctor admin`; `do_with_settings` carries it out."""
-    page = areas.add_parser(
-        "page", help="write a page of all accounts and runs, for a browser here"
+def page_command() -> Command:
+    """The command of `proctor admin`; `do_with_settings` is its function."""
+    output = option(
+        "--output", "(DATABASE.operator.html)", also="-o", type=Path, metavar="FILE"
     )
-    page.add_argument(
-        "--output", "-o", type=Path, metavar="FILE", help="(DATABASE.operator.html)"
+    runs = option(
+        "--runs", "the newest N runs (500)", type=int, default=500, metavar="N"
     )
-    page.add_argument(
-        "--runs", type=int, default=500, metavar="N", help="the newest N runs (500)"
+    return Command(
+        "page",
+        "write a page of all accounts and runs, for a browser here",
+        [output, runs],
+        do_with_settings=write_page,
     )
-    page.set_defaults(do_with_settings=write_page)
 
 
-def write_page(settings: Settings, args: argparse.Namespace) -> None:
+def write_page(settings: Settings, args: Options) -> None:
     """Write it for its owner alone. Raises CannotDo, StoreFailed and OSError."""
     path = args.output or _default_path(settings)
     text = _page_of(settings, args.runs)

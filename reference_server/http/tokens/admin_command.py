@@ -1,4 +1,4 @@
-"""`proctor admin`: tokens, keys, recordings, seeds, database, backup of a server here.
+"""`proctor admin`: tokens, keys, recordings, seeds, the database of a server here.
 
 `token add|list|revoke` edits the file of tokens, which the server reads again within
 seconds: no restart.
@@ -7,16 +7,21 @@ A new token is printed once; the file has its hash alone.
 
 from __future__ import annotations
 
-import argparse
 import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from pydantic import ValidationError
-from pydantic_settings import SettingsError
-
 from reference_record.broken import UnusableRecord
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    Options,
+    WrongUsage,
+    argument,
+    option,
+    parse_options,
+)
 from reference_server.http.auth import (
     HOST,
     READ_ALL,
@@ -24,7 +29,7 @@ from reference_server.http.auth import (
     hash_of,
     new_secret,
 )
-from reference_server.http.pages import operator_page
+from reference_server.http.pages.operator_page import page_command
 from reference_server.http.tokens.token_file import (
     edited_lines,
     parse,
@@ -32,11 +37,11 @@ from reference_server.http.tokens.token_file import (
     read_bytes,
     token_id,
 )
-from reference_server.records import admin_seeds
-from reference_server.records.admin_areas import AdminFiles, CannotDo, add_areas
-from reference_server.settings import Settings, describe_faults
-from reference_server.storage import backup_command, database_commands
-from reference_server.storage.backup_command import KeptFiles
+from reference_server.records.admin_areas import AdminFiles, CannotDo, record_areas
+from reference_server.records.admin_seeds import seeds_area
+from reference_server.settings.setting_options import read_settings
+from reference_server.storage.backup_command import KeptFiles, backup_command
+from reference_server.storage.database_commands import database_area
 from reference_server.storage.store import StoreFailed
 
 _SCOPES = ("read", "run", READ_ALL, HOST)
@@ -53,19 +58,19 @@ class AdminError(Exception):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
-    args = _parser().parse_args(arguments)
     try:
+        args = parse_options(build_command(), arguments)
         if hasattr(args, "do_with_settings"):
-            args.do_with_settings(_settings(), args)
+            args.do_with_settings(read_settings([]), args)
         elif hasattr(args, "do_with_kept"):
             args.do_with_kept(_kept_files(), args)
         elif hasattr(args, "do_with_files"):
             args.do_with_files(_record_files(), args)
         elif hasattr(args, "do_with_database"):
-            args.do_with_database(_settings().database_url, args)
+            args.do_with_database(read_settings([]).database_url, args)
         else:
             args.do(_path(args), args)
-    except (AdminError, CannotDo, BadTokens, OSError) as error:
+    except (AdminError, CannotDo, BadTokens, OSError, WrongUsage) as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
     except (StoreFailed, UnusableRecord) as error:
@@ -74,15 +79,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
-def _path(args: argparse.Namespace) -> Path:
-    path = Path(args.file) if args.file else _settings().tokens_file_path
+def _path(args: Options) -> Path:
+    path = Path(args.file) if args.file else read_settings([]).tokens_file_path
     if path is None:
         raise AdminError("the database is no file; name a file with --file")
     return path
 
 
 def _record_files() -> AdminFiles:
-    settings = _settings()
+    settings = read_settings([])
     return AdminFiles(
         settings.database_url,
         settings.signing_key_path,
@@ -94,7 +99,7 @@ def _record_files() -> AdminFiles:
 
 
 def _kept_files() -> KeptFiles:
-    settings = _settings()
+    settings = read_settings([])
     name = settings.database
     return KeptFiles(
         settings.database_url,
@@ -110,53 +115,38 @@ def _kept_files() -> KeptFiles:
     )
 
 
-def _settings() -> Settings:
-    try:
-        return Settings()
-    except ValidationError as error:
-        raise AdminError(f"bad settings: {describe_faults(error)}") from error
-    except SettingsError as error:
-        raise AdminError(f"bad settings: {error}") from error
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="proctor admin", description="Manage a server of this machine."
+def build_command() -> Group:
+    """The command `proctor admin`: areas, each with commands."""
+    file = option(
+        "--file",
+        "file of tokens (that of the server with the settings of this environment: "
+        "var/proctor.sqlite.tokens)",
+        metavar="FILE",
     )
-    areas = parser.add_subparsers(metavar="AREA", required=True)
-    token = areas.add_parser("token", help="who may use the server")
-    commands = token.add_subparsers(metavar="COMMAND", required=True)
-    add = commands.add_parser("add", help="make a token and print it, once")
-    add.add_argument("account", metavar="ACCOUNT", help="whose runs it makes and sees")
-    add.add_argument(
-        "--scopes",
-        default="read+run",
-        help=f"{SCOPES_TEXT} (read+run)",
+    account = argument("account", "whose runs it makes and sees")
+    scopes = option("--scopes", f"{SCOPES_TEXT} (read+run)", default="read+run")
+    which = argument(
+        "which", "id of one, or the account for all of its", metavar="ID|ACCOUNT"
     )
-    add.set_defaults(do=_add)
-    listed = commands.add_parser("list", help="list tokens by id, without secrets")
-    listed.set_defaults(do=_list)
-    revoke = commands.add_parser("revoke", help="make tokens invalid")
-    revoke.add_argument(
-        "which", metavar="ID|ACCOUNT", help="id of one, or the account for all of its"
-    )
-    revoke.set_defaults(do=_revoke)
-    add_areas(areas)
-    admin_seeds.add_area(areas)
-    database_commands.add_area(areas)
-    backup_command.add_command(areas)
-    operator_page.add_command(areas)
-    for command in (add, listed, revoke):
-        command.add_argument(
-            "--file",
-            metavar="FILE",
-            help="file of tokens (that of the server with the settings of this "
-            "environment: var/proctor.sqlite.tokens)",
-        )
-    return parser
+    commands = [
+        Command(
+            "add", "make a token and print it, once", [account, scopes, file], do=_add
+        ),
+        Command("list", "list tokens by id, without secrets", [file], do=_list),
+        Command("revoke", "make tokens invalid", [which, file], do=_revoke),
+    ]
+    areas = [
+        Group("token", "who may use the server", commands),
+        *record_areas(),
+        seeds_area(),
+        database_area(),
+        backup_command(),
+        page_command(),
+    ]
+    return Group("proctor admin", "manage a server of this machine", areas)
 
 
-def _add(path: Path, args: argparse.Namespace) -> None:
+def _add(path: Path, args: Options) -> None:
     if not re.fullmatch(_ACCOUNT, args.account):
         raise AdminError(
             f"{args.account!r} cannot be an account: letters, digits and _.@- only"
@@ -177,7 +167,7 @@ def _add(path: Path, args: argparse.Namespace) -> None:
     )
 
 
-def _list(path: Path, _args: argparse.Namespace) -> None:
+def _list(path: Path, _args: Options) -> None:
     try:
         callers = parse(read_bytes(path), path)
     except FileNotFoundError:
@@ -187,7 +177,7 @@ def _list(path: Path, _args: argparse.Namespace) -> None:
         print(f"{token_id(hashed)}  {scopes:<18}  {caller.account}")
 
 
-def _revoke(path: Path, args: argparse.Namespace) -> None:
+def _revoke(path: Path, args: Options) -> None:
     which, revoked = args.which, []
     with edited_lines(path) as lines:
         for line in list(lines):

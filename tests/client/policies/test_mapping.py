@@ -242,7 +242,8 @@ def _policy(ask: Callable[[dict[str, Any]], Any], made: PolicyMapping) -> Any:
     [
         ("{}", "needs either"),
         ("1", "not a table"),
-        ("{ a = 1 }", "unknown a; known"),
+        ("{ a = 1 }", "unknown key a; there is dtype, "),
+        ("{ from = 'state.a', tak = [1] }", "unknown key tak; did you mean take"),
         ("{ take = [1] }", "needs either"),
         ("{ from = 'step', layout = 'x' }", "hwc or chw"),
         ("{ from = 'x.y' }", "not 'x.y'"),
@@ -266,7 +267,7 @@ def test_an_invalid_entry_is_reported_with_its_place(
     [
         ("[", "not valid TOML"),
         ("[observation]", "action is missing"),
-        ("x = 1\n[observation]", "unknown x"),
+        ("x = 1\n[observation]", "unknown key x; there is action, observation"),
         ("[observation]\n[action.values]\na = {}", "observation is missing"),
     ],
 )

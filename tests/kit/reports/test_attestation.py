@@ -15,7 +15,8 @@ from cryptography.hazmat.primitives.serialization import (
 from securesystemslib.dsse import Envelope
 from securesystemslib.signer._key import SSlibKey
 
-from conformance.cli.arguments import BadArguments, build_parser, read_settings
+from conformance.cli.arguments import parse_arguments, read_settings
+from conformance.cli.kit_command import BadArguments
 from conformance.reports.attestation import (
     PAYLOAD_TYPE,
     CannotAttest,
@@ -101,8 +102,8 @@ def test_another_library_verifies_the_signature(tmp_path: Path) -> None:
     ],
 )
 def test_what_could_only_fail_later_is_refused(given: list[str]) -> None:
-    options = build_parser().parse_args(["--url", "http://host", *given])
+    options = parse_arguments(["--url", "http://host", *given])
     with pytest.raises(BadArguments):
         read_settings(options)
-    right = build_parser().parse_args(["--url", "http://host", "--attest", "out.json"])
+    right = parse_arguments(["--url", "http://host", "--attest", "out.json"])
     assert read_settings(right).attest == "out.json"

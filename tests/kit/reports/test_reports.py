@@ -6,8 +6,9 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from conformance.cli.arguments import BadArguments, read_known_failures
+from conformance.cli.arguments import read_known_failures
 from conformance.cli.console import Terminal
+from conformance.cli.kit_command import BadArguments
 from conformance.exchanges.answer import ParsedAnswer
 from conformance.exchanges.curl import script
 from conformance.exchanges.exchange import Exchange

@@ -61,8 +61,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"settings", "storage"},
     "generated": set(),
     "rules": {"generated"},
-    "settings": {"profiles", "reference_sim", "rules"},
-    "storage": {"files", "rules", "telemetry"},
+    "settings": {"profiles", "reference_record", "reference_sim", "rules"},
+    "storage": {"files", "reference_record", "rules", "telemetry"},
     "records": {"files", "generated", "process", "reference_record", "reference_sim"}
     | {"rules", "storage", "telemetry"},
     "files": set(),
@@ -82,8 +82,10 @@ MAY_IMPORT: dict[str, set[str]] = {
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
     ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed", "StoredQueue"},
-    ("http", "storage"): {"StoreFailed"},
-    ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles", "add_areas"},
+    ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
+    | {"database_area"},
+    ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}
+    | {"record_areas", "seeds_area"},
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
     | {"codec", "decode", "pointer", "validate"}

@@ -127,9 +127,11 @@ SIBLINGS_MAX = 12
 MORE_SIBLINGS = {
     ".": "each is described in README.md",
     "conformance/checks/profiles": "a file of checks for each profile",
+    "reference_record": "the parts of a record, and the command lines of all programs",
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server": "a folder for each part, and what puts them together",
     "reference_server/rules": "a file for each subject that is decided",
+    "reference_server/settings": "a file for each subject, and the options of all",
     "reference_server/storage": "a file for each store, and the database below them",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "requirements": "a file for each environment and each extra",

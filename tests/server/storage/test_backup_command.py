@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import argparse
 import shutil
 import signal
 from pathlib import Path
 
 import pytest
 
+from reference_record.command_line.click_commands import Options
 from reference_record.formats.bundle import open_bundle
 from reference_record.verification import verify
 from reference_server.http.tokens import admin_command as admin
@@ -73,7 +73,7 @@ def test_a_backup_into_the_server_itself_is_refused(tmp_path: Path, place: str) 
     kept = KeptFiles(
         "sqlite:///x", "db", {"key": key}, {"records": tmp_path / "records"}
     )
-    args = argparse.Namespace(folder=tmp_path / place, prune=True)
+    args = Options(folder=tmp_path / place, prune=True)
     with pytest.raises(StoreFailed, match=r"of the server itself|is inside"):
         back_up(kept, args)
     assert list(tmp_path.iterdir()) == [tmp_path / "records"]

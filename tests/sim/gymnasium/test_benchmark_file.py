@@ -58,7 +58,22 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "invalid TOML: Invalid value (at line 1, column 15)",
         ),
         ("\nx = 'é'\ny = [", "invalid TOML: Invalid value (at end of document)"),
-        ("max_stepz = 1\nenvironment = 'X'", "max_stepz: Extra inputs are not permit"),
+        (
+            "max_step = 1\nenvironment = 'X'",
+            "unknown key max_step; did you mean max_steps? There is benchmark_id, ver",
+        ),
+        (
+            "environment = 'X'\n[[splits]]\nname = 's'\nseed = [1]",
+            "splits[0]: unknown key seed; did you mean seeds? There is name, seeds, fi",
+        ),
+        (
+            "environment = 'X'\n[camera]\nzzz = 1",
+            "unknown key zzz; there is name, upside_down",
+        ),
+        (
+            "environment = 'X'\nsuccess_rule = 'anystep'",
+            "unknown value anystep; did you mean any_step? There is any_step, last_st",
+        ),
         ("", 'give either environment = "ID" or made_by = "FILE.py:NAME"'),
         ("environment = 'X'\nmade_by = 'a:b'", "give either environment"),
         ("made_by = 'a.py'", "made_by: String should match pattern"),
@@ -94,7 +109,7 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
         ),
         (
             "environment = 'X'\n[[splits]]\nname='s'\nseeds=[1]\ntasks=['z']\n" + TASK,
-            "split s names no task: z",
+            "split s: unknown task z; there is ",
         ),
         (
             "environment = 'X'\nsuccess = { info = 'a', terminated = true }",
@@ -114,7 +129,7 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
         ("environment = 'X'\nimage_codecs = []", "image_codecs: List should have at"),
         (
             "environment = 'X'\n[action.a]\nrotation = 'x'",
-            "action.a.rotation: Input sh",
+            "action.a.rotation: unknown value x; there is none, quat",
         ),
         (
             "environment = 'X'\n[[image_sizes]]\nwidth = 0\nheight = 5",

@@ -17,7 +17,7 @@ from typing import Any
 
 import pytest
 
-from reference_client.command.command_line.arguments import SERVERLESS_COMMANDS
+from reference_client.command.command_line.chosen_server import SERVERLESS_COMMANDS
 from reference_client.command.main import main
 from tests.support.paths import ROOT
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import argparse
 import re
 import shlex
 from pathlib import Path
 
+import click
 import pytest
 
 from reference_client.command.command_line import aliases
-from reference_client.command.command_line.arguments import build_parser
+from reference_client.command.command_line.arguments import build_command
 from tests.support.client.command import ProctorCommand
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
@@ -32,25 +32,21 @@ def hold(observation):
 """
 
 
-def subparsers() -> dict[str, argparse.ArgumentParser]:
-    (actions,) = [
-        action
-        for action in build_parser()._actions
-        if isinstance(action, argparse._SubParsersAction)
-    ]
-    return dict(actions.choices)
+def flags_of(command: click.Command) -> set[str]:
+    options = [p for p in command.params if isinstance(p, click.Option)]
+    return {name for p in options for name in p.opts if name.startswith("--")}
 
 
 def test_every_command_and_flag_is_on_the_page() -> None:
     """Expect each by its full name; and no other flag than gmp's on the page."""
-    known = {"--help", *build_parser()._option_string_actions}
-    for name, parser in subparsers().items():
+    program = build_command()
+    flags = {"--help", *flags_of(program)}
+    for name, command in program.commands.items():
         assert any(line.startswith(f"proctor {name}") for line in LINES), name
-        known |= set(parser._option_string_actions)
+        flags |= flags_of(command)
     mentioned = set(re.findall(r"--[a-z][a-z_-]*", PAGE))
-    short = {flag for flag in known if flag.startswith("--")}
-    assert short - mentioned - {"--help"} == set()
-    undocumented = {flag.replace("_", "-") for flag in mentioned} - short
+    assert flags - mentioned - {"--help"} == set()
+    undocumented = {flag.replace("_", "-") for flag in mentioned} - flags
     assert undocumented == (aliases.FLAGS.keys() | aliases.IGNORED_FLAGS.keys())
 
 

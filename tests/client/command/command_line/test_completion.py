@@ -25,12 +25,10 @@ from tests.support.servers import ReferenceServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
-SEPARATOR = "\v"
 BASH = """
-proctor() { "$PYTHON" -m reference_client.command "$@"; }
 eval "$(proctor completion bash)"
-COMP_LINE=$1 COMP_POINT=${#1} COMP_TYPE=9
-_python_argcomplete proctor
+COMP_WORDS=($1) COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+_proctor_completion proctor
 printf '%s\\n' "${COMPREPLY[@]}"
 """
 
@@ -39,21 +37,23 @@ Complete = Callable[[str, str], list[str]]
 
 
 @pytest.fixture
-def complete(tmp_path: Path) -> Complete:
+def complete() -> Complete:
     """(line, URL of the environment) → the words that may stand where it ends."""
-    answer = tmp_path / "words"
 
     def run(line: str, url: str) -> list[str]:
-        subprocess.run(
+        position = str(line.count(" "))  # of the word that is completed
+        done = subprocess.run(
             [sys.executable, "-m", "reference_client.command"],
             env=os.environ
             | {"PROCTOR_URL": url, "PYTHONPATH": str(ROOT)}
-            | {"COMP_LINE": line, "COMP_POINT": str(len(line)), "_ARGCOMPLETE": "1"}
-            | {"_ARGCOMPLETE_STDOUT_FILENAME": str(answer)},
+            | {"COMP_WORDS": line, "COMP_CWORD": position}
+            | {"_PROCTOR_COMPLETE": "bash_complete"},
+            capture_output=True,
+            text=True,
             check=True,
         )
-        # A word that is the only one is followed by a space.
-        return answer.read_text().rstrip().split(SEPARATOR)
+        assert done.stderr == ""
+        return [item.removeprefix("plain,") for item in done.stdout.split()]
 
     return run
 
@@ -64,7 +64,7 @@ def complete_in_time(complete: Complete, line: str, url: str) -> list[str]:
 
     def has_words() -> bool:
         words[:] = complete(line, url)
-        return words != [""]
+        return words != []
 
     wait_until(has_words, f"`{line}` is completed")
     return words
@@ -97,12 +97,12 @@ def test_without_a_right_answer_nothing_is_completed(
     server: ReferenceServer, complete: Complete, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """No server, one that never answers, and a token that is refused."""
-    assert complete("proctor results ", "http://127.0.0.1:9") == [""]
+    assert complete("proctor results ", "http://127.0.0.1:9") == []
     with socket.create_server(("127.0.0.1", 0)) as silent:
         url = f"http://127.0.0.1:{silent.getsockname()[1]}"
-        assert complete("proctor results ", url) == [""]
+        assert complete("proctor results ", url) == []
     monkeypatch.setenv("PROCTOR_TOKEN", "none")
-    assert complete("proctor results ", server.url) == [""]
+    assert complete("proctor results ", server.url) == []
 
 
 def test_a_hostile_server_puts_nothing_on_the_command_line(complete: Complete) -> None:
@@ -136,7 +136,7 @@ def test_a_server_that_sends_slowly_holds_no_tab(complete: Complete) -> None:
         server = threading.Thread(target=drip, args=(listening,))
         server.start()
         url = f"http://127.0.0.1:{listening.getsockname()[1]}"
-        assert complete("proctor results ", url) == [""]
+        assert complete("proctor results ", url) == []
         took_s = time.monotonic() - asked_at[0]
         is_over.set()
         server.join()
@@ -146,13 +146,13 @@ def test_a_server_that_sends_slowly_holds_no_tab(complete: Complete) -> None:
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_each_shell_has_its_code(proctor: ProctorCommand, shell: str) -> None:
     assert proctor("completion", shell) == 0
-    assert "_ARGCOMPLETE" in proctor.out
+    assert f"_PROCTOR_COMPLETE={shell}_complete" in proctor.out
     assert "proctor" in proctor.out
 
 
 def test_an_unknown_shell_is_refused(proctor: ProctorCommand) -> None:
     assert proctor("completion", "csh") == 2
-    assert "cannot be csh (choose from" in proctor.err
+    assert "value csh; did you mean zsh? There is bash, zsh, fish" in proctor.err
 
 
 def test_bash_completes(server: ReferenceServer, tmp_path: Path) -> None:
@@ -160,7 +160,7 @@ def test_bash_completes(server: ReferenceServer, tmp_path: Path) -> None:
         ["bash", "--norc", "-c", BASH, "bash", "proctor res"],
         env=os.environ
         | {"PROCTOR_URL": server.url, "PYTHONPATH": str(ROOT)}
-        | {"PYTHON": sys.executable},
+        | {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"},
         cwd=tmp_path,
         capture_output=True,
         text=True,

@@ -105,7 +105,10 @@ def test_a_record_under_the_name_of_another_run_is_refused(
         (["video", "run-1.proctor", "--size", "8x8"], "each from 16 to 4096"),
         (["video", "run-1.proctor", "--size", "33x32"], "a video has even sides"),
         (["video", "absent.proctor", "--failures"], "absent.proctor: no such file"),
-        (["export", "run-1.proctor", "--to", "csv"], "--to cannot be csv"),
+        (
+            ["export", "run-1.proctor", "--to", "csv"],
+            "--to: unknown value csv; there is ",
+        ),
         (["export", "--to", "parquet"], "name a run, or the file of its record"),
         (["export", "RUN", "--failures"], "--failures is an option of video"),
         (

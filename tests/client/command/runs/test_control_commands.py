@@ -324,7 +324,10 @@ def test_benchmarks_are_listed_and_described(
         ("rnu", "unknown command rnu; did you mean run?"),
         ("status --stat x", "unknown option --stat; did you mean --state?"),
         ("submit --assumes {}", "--assumes is an option of proctor run only"),
-        ("status --state runing", "--state cannot be runing (choose from 'queued'"),
+        (
+            "status --state runing",
+            "unknown value runing; did you mean running?",
+        ),
         ("status --watch", "--watch needs a run id"),
         ("benchmarks calibratoin", "did you mean calibration?"),
         ("submit --benchmark calibratoin", "did you mean calibration?"),
@@ -388,17 +391,6 @@ def test_an_unreachable_server_gives_exit_code_2(
     assert "url must be like" in capsys.readouterr().err
 
 
-def test_help_fits_80_columns(
-    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("COLUMNS", "80")
-    for arguments in (["--help"], ["run", "--help"], ["submit", "--help"]):
-        with pytest.raises(SystemExit) as ended:
-            main(arguments)
-        assert ended.value.code == 0
-        assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
-
-
 def test_debug_prints_a_traceback(proctor: ProctorCommand) -> None:
     assert proctor("status", "run_none", "--debug") == 2
     assert "Traceback" in proctor.err
@@ -409,7 +401,7 @@ def test_the_command_is_installed_under_its_name() -> None:
     answer_json = subprocess.run(
         [script, "--help"], capture_output=True, text=True, check=True, timeout=60
     )
-    assert answer_json.stdout.startswith("usage: proctor ")
+    assert answer_json.stdout.startswith("Usage: proctor ")
 
 
 def test_ids_of_workers_are_those_of_the_specification() -> None:

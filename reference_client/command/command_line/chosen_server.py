@@ -1,0 +1,27 @@
+"""The server that the options of a command name, and the token for it."""
+
+from __future__ import annotations
+
+import os
+
+from reference_client.protocol.local_token import find_token
+from reference_record.command_line.click_commands import Options, WrongUsage
+
+DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
+SERVERLESS_COMMANDS = ("verify", "completion")
+
+
+def resolve_server(args: Options) -> None:
+    """Set `url` and `token`: of flags, the environment, or a server on this machine."""
+    if args.ca:  # also for the processes of workers
+        os.environ["PROCTOR_CA"] = args.ca
+    if args.command in SERVERLESS_COMMANDS:
+        return
+    if args.host is not None or args.port is not None:
+        from proctor_client.transport.server_address import url_of_host
+
+        args.url = url_of_host(args.host, args.port)
+    try:
+        args.token = find_token(args.url, args.token)
+    except ValueError as error:
+        raise WrongUsage(str(error)) from None

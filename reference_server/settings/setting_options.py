@@ -1,0 +1,64 @@
+"""The command line of the server: every setting is an option. Says what is wrong.
+
+Values are checked where settings are: a wrong flag and a wrong variable of the
+environment get the same answer.
+"""
+
+from __future__ import annotations
+
+import typing
+from collections.abc import Sequence
+
+import click
+from pydantic import ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_settings import SettingsError
+
+from reference_record.command_line.click_commands import (
+    Command,
+    OneOf,
+    WrongUsage,
+    option,
+    parse_options,
+    placeholder,
+)
+from reference_server.settings.server_settings import Settings, describe_faults
+
+PROGRAM = "proctor-server"
+_PLACEHOLDERS = {str(str): "TEXT", str(int): "N", str(float): "SECONDS"}
+
+
+def build_command() -> Command:
+    """The command `proctor-server`, with an option for each setting."""
+    options = [_option(name, field) for name, field in Settings.model_fields.items()]
+    return Command(PROGRAM, "", options, help_text=Settings.__doc__)
+
+
+def read_settings(arguments: Sequence[str]) -> Settings:
+    """Settings of flags and the environment; flags win.
+
+    Raises WrongUsage, which names each setting that is wrong and what it may be.
+    """
+    values = vars(parse_options(build_command(), arguments))
+    given = {name: value for name, value in values.items() if value is not None}
+    try:
+        return Settings(**given)
+    except ValidationError as error:
+        raise WrongUsage(f"bad settings: {describe_faults(error)}") from error
+    except SettingsError as error:
+        raise WrongUsage(f"bad settings: {error}") from error
+
+
+def _option(name: str, field: FieldInfo) -> click.Option:
+    """The option of a setting. Its value stays a text, which Settings checks."""
+    default = "" if field.default == "" else f" (default: {field.default})"
+    metavar, listed = _PLACEHOLDERS.get(str(field.annotation), ""), ""
+    if choices := typing.get_args(field.annotation):
+        metavar, listed = placeholder("value", OneOf(choices))
+    elif name.endswith("_days"):
+        metavar = "DAYS"
+    return option(
+        f"--{name.replace('_', '-')}",
+        f"{field.description}{f' One of {listed}.' if listed else ''}{default}",
+        metavar=metavar,
+    )
