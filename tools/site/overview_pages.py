@@ -155,8 +155,8 @@ Every cell of the table is a rule of the area [LIFE](rules/LIFE.md); – is a re
 ## The life of a session
 
 A worker attaches, plays turn after turn, and detaches. Each answered request extends
-its lease (LEASE-003, LEASE-004); when the lease ends, the attempt ends without a result and the
-episode returns to the queue (EPI-003).
+its lease (LEASE-003, LEASE-004); when the lease ends, the attempt ends without a result
+and the episode returns to the queue (EPI-003).
 
 {picture(SESSION)}
 
