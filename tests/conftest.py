@@ -10,6 +10,7 @@ import pytest
 pytest.register_assert_rewrite("tests.support")
 
 from tests.support.fast_tests import (  # noqa: E402 - after the line above
+    pytest_collection,
     pytest_collection_finish,
     pytest_collection_modifyitems,
     pytest_pyfunc_call,
@@ -22,6 +23,7 @@ from tests.support.tiers import pytest_configure  # noqa: E402
 __all__ = [  # hooks and fixtures
     "database",
     "postgresql",
+    "pytest_collection",
     "pytest_collection_finish",
     "pytest_collection_modifyitems",
     "pytest_configure",

@@ -489,7 +489,7 @@ def digest_files(names: Iterable[str]) -> str:
     for name in names:
         path = ROOT / name
         for file in sorted(path.rglob("*")) if path.is_dir() else [path]:
-            if file.is_file():
+            if file.is_file() and file.parent.name != "__pycache__":
                 content = hashlib.sha256(file.read_bytes()).hexdigest()
                 digest.update(f"{file.relative_to(ROOT)} {content}\n".encode())
     return digest.hexdigest()

@@ -3,7 +3,6 @@
 `driver` plays each run as workers would. `policy_calls` is the protocol of
 spec/policy.yaml, `chat_calls` that of chat completions; both send their calls through
 `calls_with_retries`, which bounds every call. `egress` decides which addresses may be
-connected to, `backoff` how long to pause between attempts, `key_encryption` keeps API
-keys unreadable in the database, and `policy_server_validator` checks what a submission
-says of its policy server.
+connected to, `key_encryption` keeps API keys unreadable in the database, and
+`policy_server_validator` checks what a submission says of its policy server.
 """

@@ -25,7 +25,7 @@ from reference_server.http.bodies.bounded_parsing import (
 )
 from reference_server.http.codec import JSON, decode, pointer
 from reference_server.http.problems import PROBLEM_JSON
-from reference_server.push.backoff import CALL_PAUSE_MAX_S, Backoff
+from reference_server.process.backoff import CALL_PAUSE_MAX_S, Backoff
 from reference_server.push.egress import (
     AddressNotAllowed,
     CheckedBackend,

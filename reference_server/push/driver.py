@@ -19,7 +19,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from reference_server.push.backoff import Backoff
+from reference_server.process.backoff import Backoff
 from reference_server.push.calls_with_retries import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
 from reference_server.push.egress import EgressPolicy
@@ -41,7 +41,6 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs.memory.run_events import RunFollower
-from reference_server.runs.run_writer import RELOAD_S
 from reference_server.runs.service import RunService
 from reference_server.storage.store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
@@ -111,6 +110,7 @@ class Driver(RunFollower):
         self._drives: dict[str, asyncio.Task[None]] = {}
         self._closed = False
         self._failures = RepeatedFailures(log)
+        self._database_backoff = Backoff.of_database()
         service.registry.subscribe(self)
 
     def open(self) -> None:
@@ -123,7 +123,7 @@ class Driver(RunFollower):
                 self._schedule_check(run_id)
         except StoreFailed:
             log.exception("the push runs could not be found")
-            asyncio.get_running_loop().call_later(RELOAD_S, self._reopen)
+            self._try_later(self._reopen)
 
     def _reopen(self) -> None:
         if not self._closed:
@@ -173,8 +173,13 @@ class Driver(RunFollower):
             log.debug("run %s was deleted", run_id)
         except StoreFailed as error:
             self._failures.report("a push run could not be loaded", str(error))
-            loop = asyncio.get_running_loop()
-            loop.call_later(RELOAD_S, self._schedule_check, run_id)
+            self._try_later(self._schedule_check, run_id)
+        else:
+            self._database_backoff.reset()
+
+    def _try_later(self, call: Callable[..., None], *arguments: str) -> None:
+        pause_s = self._database_backoff.next_s()
+        asyncio.get_running_loop().call_later(pause_s, call, *arguments)
 
     def _schedule_check(self, run_id: str) -> None:
         if not self._closed:

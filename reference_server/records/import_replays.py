@@ -29,6 +29,7 @@ from reference_record.replay_verdict import (
 )
 from reference_record.statement import RecordedResult
 from reference_server.generated import models
+from reference_server.process.backoff import Backoff
 from reference_server.records.record_verifier import ExaminationFailed, RecordVerifier
 from reference_server.rules import imported_record
 from reference_server.rules.imported_record import ImportReplay, RecordImport
@@ -52,7 +53,6 @@ from reference_sim.replay.record_replay import (
 
 log = logging.getLogger("proctor.imports")
 
-RETRY_S = 5.0
 NO_SEEDS = f"{NONE_SIMULATED}, and this server has no file in which it has opened them"
 Sign = Callable[[ReplaySummary, str], Awaitable[bytes]]
 
@@ -120,15 +120,17 @@ class ImportReplays:
             await asyncio.wait([task])
 
     async def _work(self) -> None:
+        backoff = Backoff.between_sessions()
         while True:
             await self._wake.wait()
             self._wake.clear()
             try:
                 while (record_import := await self._next()) is not None:
                     await self._finish_task(record_import)
+                backoff.reset()
             except (StoreFailed, NoCapacity) as error:
                 log.warning("records are not replayed at the moment: %s", error)
-                await asyncio.sleep(RETRY_S)
+                await asyncio.sleep(backoff.next_s())
                 self._wake.set()
 
     async def _next(self) -> RecordImport | None:

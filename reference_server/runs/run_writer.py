@@ -20,6 +20,7 @@ from collections.abc import Callable
 from weakref import WeakKeyDictionary
 
 from reference_server.process.background_work import BackgroundWork
+from reference_server.process.backoff import Backoff
 from reference_server.rules.capacity import Quota
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -39,9 +40,6 @@ from reference_server.telemetry.spans import span
 
 log = logging.getLogger("proctor.runs")
 
-# How long after a failed write its run is loaded again without a request for it.
-RELOAD_S = 1.0
-
 # Raises if an account, which has so much in the database, may not have this run open.
 QuotaCheck = Callable[[Quota], None]
 
@@ -58,6 +56,7 @@ class RunWriter:
         self._refused: WeakKeyDictionary[Run, Refused] = WeakKeyDictionary()
         self._moved = MovedRuns()
         self._reload_timers: dict[str, asyncio.TimerHandle] = {}
+        self._backoff = Backoff.of_database()
         self._failures = RepeatedFailures(log)
 
     def close(self) -> None:
@@ -204,8 +203,9 @@ class RunWriter:
         if not self._work.is_closed and run_id not in self._reload_timers:
             loop = asyncio.get_running_loop()
             # Nothing that a timer does belongs to the request that set it.
+            pause_s = self._backoff.next_s()
             timer = loop.call_later(
-                RELOAD_S, self._reload, run_id, context=contextvars.Context()
+                pause_s, self._reload, run_id, context=contextvars.Context()
             )
             self._reload_timers[run_id] = timer
 
@@ -222,6 +222,7 @@ class RunWriter:
         try:
             if (run := await self._cache.get(run_id)) is not None:
                 self._cache.keep(run)
+            self._backoff.reset()
         except OwnedElsewhere:
             log.debug("another node has run %s", run_id)
         except StoreFailed as error:

@@ -22,6 +22,7 @@ import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection
 
 from reference_server.files import private_files
+from reference_server.process.backoff import Backoff
 from reference_server.storage import postgresql
 from reference_server.storage.database import StoreFailed, database_file, url_of
 
@@ -30,8 +31,6 @@ log = logging.getLogger("proctor.storage")
 # How long a server that ends may still have it.
 WAIT_S = 2.0
 _POLL_S = 0.02
-# Between two tries to get it back when its connection was lost.
-RETRY_S = 0.5
 # How often its connection is asked whether it is alive, and how long that may take.
 CHECK_S = CHECK_TIMEOUT_S = 5.0
 _KEY = 0x50726F63_746F7221
@@ -213,19 +212,21 @@ class PostgresqlLock:
                 self._lost.set()
 
     async def _watch(self) -> None:
+        backoff = Backoff.of_database()
         while True:
             await self._wait_until_lost()
             await self._disconnect()
             try:
                 await self._lock()
                 log.warning("the connection that locks the database was made again")
+                backoff.reset()
             except _Taken as error:
                 log.critical("the database was taken: %s; this server ends", error)
                 self._on_taken()
                 return
             except StoreFailed:  # requests report it
                 self._lost.set()
-                await asyncio.sleep(RETRY_S)
+                await asyncio.sleep(backoff.next_s())
 
 
 class _Taken(StoreFailed):

@@ -17,6 +17,7 @@ import ctypes
 import gc
 import logging
 import os
+import select
 import signal
 import socket
 import sys
@@ -37,15 +38,25 @@ class ForkServer:
         self._pid = os.getpid()
         self._children: set[int] = set()
         self._libc = ctypes.CDLL(None)
+        self._ended, self._on_end = socket.socketpair()
+        self._on_end.setblocking(False)
 
     def run(self) -> None:
         """Returns when the parent and all children have ended."""
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGCHLD, self._reap)
+        # A signal that comes just before a wait begins does not end it; a byte that it
+        # writes does. Otherwise a child would stay a zombie until the next message.
+        signal.set_wakeup_fd(self._on_end.fileno(), warn_on_full_buffer=False)
         PICTURES.open()  # inherited by every child
         gc.collect()
         gc.freeze()  # so that a child's garbage collection copies no shared pages
         while True:
+            ready, _, _ = select.select([self._control, self._ended], [], [])
+            if self._ended in ready:
+                self._ended.recv(4096)  # `_reap` has been called
+            if self._control not in ready:
+                continue
             message, descriptors, _, _ = socket.recv_fds(self._control, 64, 1)
             if not message:
                 return self._end()
@@ -70,8 +81,10 @@ class ForkServer:
             self._libc.prctl(_PR_SET_PDEATHSIG, int(signal.SIGKILL), 0, 0, 0)
             if os.getppid() == self._pid:  # otherwise it died before prctl
                 signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+                signal.set_wakeup_fd(-1)
                 signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGCHLD})
-                self._control.close()
+                for own in (self._control, self._ended, self._on_end):
+                    own.close()
                 simulator_main.serve(socket.socket(fileno=descriptor))
         except BaseException:  # noqa: BLE001 - nothing may return into `run`
             _log.exception("simulator process failed")

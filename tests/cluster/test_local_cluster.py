@@ -203,6 +203,7 @@ def test_data_of_its_own_postgresql_stay(tmp_path: Path) -> None:
 # --- what does not start ---
 
 
+@pytest.mark.slow("starts an interpreter")
 @pytest.mark.parametrize("behind", [0, 1])
 def test_a_port_in_use_is_one_sentence(tmp_path: Path, behind: int) -> None:
     """That of the balancer, or of a node. Expect that nothing else was started."""
@@ -218,6 +219,7 @@ def test_a_port_in_use_is_one_sentence(tmp_path: Path, behind: int) -> None:
         assert not (tmp_path / "c").exists()
 
 
+@pytest.mark.slow("starts an interpreter")
 def test_without_ray_one_sentence_says_so(tmp_path: Path) -> None:
     options = ("--simulators", "ray")
     with LocalCluster(tmp_path / "c", free_ports(3, 27000), *options) as cluster:

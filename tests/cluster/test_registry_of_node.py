@@ -12,12 +12,13 @@ from pathlib import Path
 import pytest
 import sqlalchemy as sa
 
+from reference_server.process.backoff import Backoff
 from reference_server.rules import effects
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
-from reference_server.runs import run_writer, steady_clock
+from reference_server.runs import steady_clock
 from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.node_store import NodeStore, OwnedRun, StoredQueue
@@ -107,7 +108,7 @@ async def test_what_was_claimed_is_loaded_though_the_database_fails_first(
             return await right(run_id)
 
         monkeypatch.setattr(runs.store, "load", load)
-        monkeypatch.setattr(run_writer, "RELOAD_S", 0.01)
+        monkeypatch.setattr(Backoff, "next_s", lambda _: 0.01)
         runs.registry.writer.load_in_background(run.run_id)
         async with asyncio.timeout(10):  # a push run is driven from then on
             assert (await runs.changed.get()).run_id == run.run_id

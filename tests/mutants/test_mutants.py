@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 import sys
 from collections.abc import Iterator, Mapping
@@ -16,7 +17,14 @@ from tests.mutants.seeded_rows import seeded_rows
 from tests.mutants.selection import Rows, select
 
 MUTANTS = load()
-SELECTION = select(MUTANTS)
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Choose mutants where slow tests may run: the choice takes a second."""
+    if {"name", "rows"} <= set(metafunc.fixturenames):
+        is_fast_run = metafunc.config.option.markexpr.startswith("not slow and ")
+        chosen = [] if is_fast_run else list(judged_mutants())
+        metafunc.parametrize(("name", "rows"), chosen)
 
 
 def judged_mutants() -> Iterator[object]:
@@ -24,9 +32,10 @@ def judged_mutants() -> Iterator[object]:
 
     What the selection leaves out is judged by `make test-all` alone.
     """
-    left_out = pytest.mark.release(SELECTION.explain(len(MUTANTS)))
+    selection = select(MUTANTS)
+    left_out = pytest.mark.release(selection.explain(len(MUTANTS)))
     for name in sorted(MUTANTS):
-        chosen = SELECTION.rows.get(name)
+        chosen = selection.rows.get(name)
         if chosen == "own":
             yield pytest.param(name, "own", id=f"{name}-own")
         marks = () if chosen == "all" else left_out
@@ -89,17 +98,16 @@ def _members(owner: _Owner) -> Mapping[Any, Any]:
 
 def _undo(owner: _Owner, right: dict[Any, Any]) -> None:
     now = _members(owner)
+    if all(map(operator.is_, now.values(), right.values())):
+        return
     for name, value in right.items():
-        if now.get(name) is value:
-            continue
         if isinstance(owner, dict):
             owner[name] = value
-        else:
+        elif now.get(name) is not value:
             setattr(owner, name, value)
 
 
 @pytest.mark.slow("a server and a kit each")
-@pytest.mark.parametrize(("name", "rows"), list(judged_mutants()))
 def test_mutant_is_killed_by_exactly_what_it_breaks(
     name: str, rows: Rows, commands: Commands
 ) -> None:

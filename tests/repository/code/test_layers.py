@@ -62,7 +62,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "generated": set(),
     "rules": {"generated"},
     "settings": {"profiles", "reference_record", "reference_sim", "rules"},
-    "storage": {"files", "reference_record", "rules", "telemetry"},
+    "storage": {"files", "process", "reference_record", "rules", "telemetry"},
     "records": {"files", "generated", "process", "reference_record", "reference_sim"}
     | {"rules", "storage", "telemetry"},
     "files": set(),
@@ -71,7 +71,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "views": {"generated", "reference_record", "reference_sim", "rules"},
     "runs": {"files", "generated", "process", "records", "reference_record"}
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
-    "push": {"files", "generated", "http", "rules", "runs", "settings"}
+    "push": {"files", "generated", "http", "process", "rules", "runs", "settings"}
     | {"storage", "telemetry"},
     "cluster": {"http", "rules", "runs", "storage", "telemetry"},
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}

@@ -12,8 +12,7 @@ import pytest
 from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.problems import PROBLEM_JSON
-from reference_server.push import driver
-from reference_server.push.backoff import Backoff
+from reference_server.process.backoff import Backoff
 from reference_server.push.calls_with_retries import (
     ANSWER_BYTES_MAX,
     CallLimits,
@@ -189,7 +188,7 @@ async def test_loading_a_run_is_retried(
 ) -> None:
     """PUSH-017: no client requests it meanwhile."""
     monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
-    monkeypatch.setattr(driver, "RELOAD_S", 0.001, raising=False)
+    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.001)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await parts.registry.add(push_run(), None, "")
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:

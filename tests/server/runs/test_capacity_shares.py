@@ -9,12 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from reference_server.process.backoff import Backoff
 from reference_server.rules import effects
 from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
-from reference_server.runs import run_reader, run_writer
+from reference_server.runs import run_reader
 from reference_server.runs.admission import places
 from reference_server.storage.rows import EPISODE_BYTES, stored_bytes
 from reference_server.storage.store import Store, StoreFailed
@@ -165,7 +166,7 @@ async def test_a_queued_run_that_cannot_be_loaded_is_admitted_later(
             return await load(store, run_id)
 
         monkeypatch.setattr(Store, "load", load_at_last)
-        monkeypatch.setattr(run_writer, "RELOAD_S", 0.001)
+        monkeypatch.setattr(Backoff, "next_s", lambda _: 0.001)
     async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
         await until(parts, "run_2", "ready")
         await until(parts, "run_1", "ready")

@@ -10,10 +10,10 @@ from typing import Any
 
 import pytest
 
+from reference_server.process.backoff import Backoff
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Detach
 from reference_server.rules.run import Run
-from reference_server.runs import run_writer
 from reference_server.runs.memory import recent_runs
 from reference_server.storage.store import StoreFailed
 from reference_server.telemetry.log_output import REQUEST_ID
@@ -293,7 +293,7 @@ async def test_a_run_whose_admission_failed_is_admitted_later(
             return await load(run_id)
 
         monkeypatch.setattr(parts.store, "load", load_at_last)
-        monkeypatch.setattr(run_writer, "RELOAD_S", 0.001)
+        monkeypatch.setattr(Backoff, "next_s", lambda _: 0.001)
         effects.stop(first, "abort", 0.0)
         await parts.registry.writer.commit(first)
         while "run_2" not in parts.registry.writer._reload_timers:
@@ -320,7 +320,7 @@ async def test_two_failed_writes_of_a_run_reload_it_once(
     await parts.registry.writer.is_stored(run)
     broken = {run.run_id}
     fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
-    monkeypatch.setattr(run_writer, "RELOAD_S", 0.05)
+    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.05)
     for _ in range(2):
         run = await parts.registry.get(run.run_id)
         record_score(run, 0)
@@ -585,7 +585,7 @@ async def test_waiters_are_notified_when_their_queue_position_changes(
 async def test_what_a_timer_does_belongs_to_no_request(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(run_writer, "RELOAD_S", 0.001)
+    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.001)
     seen: list[tuple[str, str | None]] = []
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         admission = parts.registry.admission._admission

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from reference_server.process.backoff import Backoff
 from reference_server.storage import server_lock
 from reference_server.storage.server_lock import lock_of
 from reference_server.storage.store import Store, StoreFailed
@@ -40,7 +41,7 @@ def ignore() -> None:
 
 @pytest.fixture(autouse=True)
 def _do_not_wait_long(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(server_lock, "RETRY_S", 0.02)
+    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.02)
 
 
 def start_holder(url: str) -> subprocess.Popen[str]:

@@ -16,6 +16,8 @@ from reference_sim import benchmark_registry
 from reference_sim.process import simulator_main
 from tests.support.servers import TIMEOUT_S
 
+pytestmark = pytest.mark.slow("starts interpreters")
+
 SERVE = """
 import socket, sys
 from reference_sim.process import simulator_main

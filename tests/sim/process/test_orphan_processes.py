@@ -9,6 +9,8 @@ import pytest
 
 from tests.support.processes import is_alive, wait_until_ended
 
+pytestmark = pytest.mark.slow("starts interpreters")
+
 SERVER = """
 import asyncio, os, signal, sys
 from reference_sim import benchmark_registry

@@ -35,7 +35,13 @@ WORLD = benchmark_registry.resolve("calibration").world
 OTHER_WORLD = benchmark_registry.resolve(
     "calibration", images={"codec": "png", "width": 64, "height": 48}
 ).world
-fork_and_exec = pytest.mark.parametrize("fork", [True, False], ids=["fork", "exec"])
+fork_and_exec = pytest.mark.parametrize(
+    "fork",
+    [
+        pytest.param(True, id="fork"),
+        pytest.param(False, id="exec", marks=pytest.mark.slow("starts interpreters")),
+    ],
+)
 
 
 @asynccontextmanager
