@@ -139,9 +139,7 @@ class ControlClient:
         server does not answer soon.
         """
         # An event of its own: that of the workers is set when one of them has failed.
-        soon = replace(
-            self._retry_policy, total_s=WITHDRAW_S, stop=threading.Event()
-        )
+        soon = replace(self._retry_policy, total_s=WITHDRAW_S, stop=threading.Event())
         client = ControlClient(self._control, soon)
         try:
             progress = client.read(run_id).progress

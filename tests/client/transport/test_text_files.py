@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from conformance.cli.arguments import BadArguments, read_known_failures
+from conformance.cli.arguments import read_known_failures
+from conformance.cli.kit_command import BadArguments
 from reference_client.policies import PolicyMapping
 from reference_record.command_line.text_file import NotText, decode_text
 from reference_sim.benchmarks.question_file.question_lines import read_questions
