@@ -36,7 +36,7 @@ from reference_client.protocol.connection_advice import (
 UNREACHABLE = "unreachable"
 BAD_ANSWER = "bad_answer"
 NOT_TRUSTED = "not_trusted"
-# What a wrong endpoint of a run may look like.
+# A wrong endpoint of a run may look like one of these.
 ENDPOINT_FAULTS = (UNREACHABLE, BAD_ANSWER, NOT_TRUSTED, "not_found")
 # Two more, of workers in their own processes: the process exited, or the policy raised.
 WORKER_DIED = "worker_died"

@@ -40,7 +40,7 @@ from reference_client.evaluation.status_board import (
 )
 from reference_client.evaluation.uncaught_errors import shorten_report
 from reference_client.evaluation.wait_reminder import remind_of_waits
-from reference_client.evaluation.worker_pool import (
+from reference_client.evaluation.workers.worker_pool import (
     EvaluationContext,
     ThreadWorkerPool,
     WorkerPool,

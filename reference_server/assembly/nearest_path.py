@@ -34,7 +34,7 @@ class UnknownPath:
             base, ending = path.removesuffix(nearest), path.endswith(nearest)
             if ending and base.strip("/"):
                 detail += f" Leave {base} out of the base URL."
-        refused = Refused("not_found", detail)
+        refused = Refused("not_found", detail)  # ERR-009
         await problem_response(refused)(scope, receive, send)
 
     def nearest(self, path: str) -> str:

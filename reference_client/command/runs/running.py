@@ -57,8 +57,8 @@ from reference_client.evaluation.status_board import (
     describe_left,
 )
 from reference_client.evaluation.wait_reminder import EVERY_S, remind_of_waits
-from reference_client.evaluation.worker_pool import ThreadWorkerPool, WorkerPool
-from reference_client.evaluation.worker_processes import ProcessWorkerPool
+from reference_client.evaluation.workers.worker_pool import ThreadWorkerPool, WorkerPool
+from reference_client.evaluation.workers.worker_processes import ProcessWorkerPool
 from reference_client.policies import (
     BadMapping,
     BadPolicy,

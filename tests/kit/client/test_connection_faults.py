@@ -5,16 +5,14 @@ import errno
 import socket
 import threading
 import time
-from collections.abc import Callable, Iterator
-from typing import Any, Protocol
+from collections.abc import Callable
+from typing import Any
 
 import pytest
 
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.proxy_answers import find_dropping_proxy, find_proxy
 from conformance.client.http_client import AnsweredByProxy, NoAnswer
-from conformance.client.request_context import SharedContext
-from conformance.run_settings import Settings
 from conformance.runner.pytest_plugin import _call_check
 from conformance.verdicts import expect
 from conformance.verdicts.expect import (
@@ -24,6 +22,7 @@ from conformance.verdicts.expect import (
     TooLate,
     Violation,
 )
+from tests.support.kit.check_contexts import open_context
 
 OK = b"HTTP/1.1 200 OK\r\nContent-Type: application/json\r\nContent-Length: 2\r\n\r\n{}"
 NGINX_413 = (
@@ -36,15 +35,6 @@ HAPROXY_400 = (
     b"Your browser sent an invalid request.\n</body></html>\n"
 )
 _STALL_S = 0.4
-
-
-class AnyServer(Protocol):
-    """A server of one test."""
-
-    url: str
-
-    def close(self) -> None:
-        """Stop listening."""
 
 
 class OneAnswerPerConnection:
@@ -82,17 +72,6 @@ class OneAnswerPerConnection:
 
     def close(self) -> None:
         self._listener.close()
-
-
-@contextlib.contextmanager
-def open_context(server: AnyServer) -> Iterator[CheckContext]:
-    settings = Settings(url=server.url, token="secret")
-    settings.service = {"profiles": [], "limits": {}}
-    with (
-        contextlib.closing(server),
-        contextlib.closing(SharedContext.of(settings)) as shared,
-    ):
-        yield CheckContext(shared, "TEST-001")
 
 
 def test_a_kept_connection_that_was_closed_is_replaced() -> None:

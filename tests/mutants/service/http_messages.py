@@ -9,6 +9,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
+from reference_server.assembly.nearest_path import UnknownPath
 from reference_server.http import application, codec, dispatch, problems
 from reference_server.http.application import Application
 from reference_server.http.bodies import request_bodies
@@ -41,9 +42,9 @@ def checks_the_version_after_the_work() -> None:
     put(application, "perform", wrong)
 
 
-@mutant("ERR-009", through=instead_of(application, "not_found"))
+@mutant("ERR-009", through=instead_of(UnknownPath, "__call__"))
 async def calls_an_unknown_path_a_bad_request(
-    _right: Any, scope: Scope, receive: Receive, send: Send
+    _right: Any, _self: UnknownPath, scope: Scope, receive: Receive, send: Send
 ) -> None:
     """A wrong address looks like a wrong body."""
     refused = Refused("invalid_request", "No such path.")

@@ -134,6 +134,7 @@ MORE_SIBLINGS = {
     "reference_server/settings": "a file for each subject, and the options of all",
     "reference_server/storage": "a file for each store, and the database below them",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
+    "reference_record/pages/templates": "a template for each page",
     "requirements": "a file for each environment and each extra",
     "spec": "a document for each subject; spec/README.md names them",
     "spec/profiles": "a document for each profile",

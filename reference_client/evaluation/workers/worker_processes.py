@@ -26,7 +26,7 @@ from reference_client.api.action_layout import ClipCount
 from reference_client.errors import WORKER_DIED, PolicyFailed, ProctorError
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
-from reference_client.evaluation.worker_pool import EvaluationContext
+from reference_client.evaluation.workers.worker_pool import EvaluationContext
 from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, detach
@@ -110,7 +110,7 @@ class WorkerProcess:
         self.is_playing = False
         root = str(Path(__file__).resolve().parents[2])
         self.process = subprocess.Popen(
-            [sys.executable, "-m", "reference_client.evaluation.worker_main"],
+            [sys.executable, "-m", "reference_client.evaluation.workers.worker_main"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,

@@ -17,7 +17,7 @@ from reference_client.evaluation.dry_turn import play_dry_turn
 from reference_client.evaluation.parameters import EvaluationPlan
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
-from reference_client.evaluation.worker_loop import WorkerLoop
+from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies.policy_loader import close_policy
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import RetryPolicy

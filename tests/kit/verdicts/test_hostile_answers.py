@@ -13,8 +13,8 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NoAnswer
 from conformance.runner.pytest_plugin import judge
 from conformance.verdicts.verdict import Outcome
-from tests.kit.client.test_connection_faults import open_context
 from tests.support.client.spelled_answers import spell
+from tests.support.kit.check_contexts import open_context
 from tests.support.kit.null_servers import SERVICE
 
 VERSION = b"Proctor-Version: 1.0\r\n"

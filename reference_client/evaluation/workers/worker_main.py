@@ -26,7 +26,7 @@ from reference_client.errors import PolicyFailed, ProctorError
 from reference_client.evaluation.dry_turn import play_dry_turn
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.evaluation.turn_report import LatestTurn
-from reference_client.evaluation.worker_loop import WorkerLoop
+from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import policy_failure
 from reference_client.protocol.connection import Connection
