@@ -17,7 +17,7 @@ from typing import cast
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Outcome, Result, Run, State
 from reference_server.runs.benchmarks import digest
-from reference_server.storage.store import Store
+from reference_server.storage.run_store import Store
 from reference_sim import benchmark_registry
 
 FIRST_FINISHED, FIRST_READY = 10, 10**6

@@ -1,15 +1,14 @@
 """The pytest plugin that runs the checks: selection, contexts, background, verdicts.
 
 pytest collects and schedules; it decides nothing. The exception of a check becomes a
-verdict here, and is attached to the test report (also of xdist workers) for the command
-line, which owns the result.
+verdict in verdicts/judge.py. The verdict is attached to the test report (also of xdist
+workers) for the command line, which owns the result.
 """
 
 import functools
 import inspect
 import threading
 import time
-import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
@@ -21,13 +20,12 @@ import pytest
 
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
-from conformance.exchanges.curl import select_exchanges_for
 from conformance.run_settings import Settings
 from conformance.runner.private_server import close_private_servers
-from conformance.specification.ledger import load_ledger
 from conformance.verdicts import expect
+from conformance.verdicts.judge import is_violation, judge
 from conformance.verdicts.result import is_offered
-from conformance.verdicts.verdict import Outcome, Verdict
+from conformance.verdicts.verdict import Outcome
 
 VERDICT = "kit_verdict"
 TALLY = "kit_tally"
@@ -98,7 +96,7 @@ class BackgroundChecks:
         """Say whether a check that has ended found a violation."""
         return any(
             future.done()
-            and _is_violation(
+            and is_violation(
                 judge(self._contexts[name].name, future.exception()),
                 self._contexts[name],
             )
@@ -350,7 +348,7 @@ def pytest_runtest_makereport(
         verdict.story = docstring_of(item)
         verdict.elapsed_s = call.duration
         item.user_properties.append((VERDICT, verdict.as_plain()))
-        if _is_violation(verdict, check_context):
+        if is_violation(verdict, check_context):
             item.config.stash[_FAILED_FAST] = True
         if check_context is not None and verdict.outcome != Outcome.PASSED:
             _stop_if_unreachable(item, check_context)
@@ -383,59 +381,3 @@ def _is_reachable(shared: SharedContext) -> bool:
         else:
             return True
     return False
-
-
-def _find_invalid_answer(context: CheckContext | None) -> str | None:
-    """Describe an answer that broke its schema: then a check may lack a value."""
-    if context is None:
-        return None
-    for breach in context.tally.breaches:
-        if breach.requirement_id in ("SVC-003", "ERR-001"):
-            return f"{breach.observed}; see {breach.requirement_id}"
-    return None
-
-
-def _is_violation(verdict: Verdict, context: CheckContext | None) -> bool:
-    """Whether a MUST is violated, by the check or by an answer that it received."""
-    is_must = load_ledger()[verdict.requirement_id].level == "MUST"
-    is_failed = verdict.outcome == Outcome.FAILED and is_must
-    return is_failed or (context is not None and context.tally.broken.total() > 0)
-
-
-def judge(
-    requirement_id: str,
-    error: BaseException | None,
-    context: CheckContext | None = None,
-) -> Verdict:
-    """Derive the verdict from the exception of a check."""
-    verdict = Verdict(requirement_id, Outcome.PASSED)
-    if error is None:
-        return verdict
-    if context is not None:
-        verdict.exchanges = list(context.exchange_log.exchanges)
-    match error:
-        case expect.Violation():
-            verdict.outcome = Outcome.FAILED
-            verdict.expected, verdict.observed = error.expected, error.observed
-            if error.is_alone:
-                verdict.exchanges = select_exchanges_for(
-                    error.exchange, verdict.exchanges
-                )
-        case expect.SetUpFailed():
-            verdict.outcome = Outcome.NOT_VERIFIED
-            verdict.reason, verdict.allowed = error.reason, error.allowed
-            verdict.breaks = error.breaks or ""
-        case expect.Inconclusive():
-            verdict.outcome, verdict.reason = Outcome.INCONCLUSIVE, str(error)
-        case expect.NotApplicable():
-            verdict.outcome, verdict.reason = Outcome.NOT_APPLICABLE, str(error)
-        case _ if (
-            not isinstance(error, expect.KitError)
-            and (invalid := _find_invalid_answer(context)) is not None
-        ):
-            verdict.outcome = Outcome.NOT_VERIFIED
-            verdict.reason = f"an answer was invalid: {invalid} ({error!r})"
-        case _:
-            verdict.outcome = Outcome.KIT_ERROR
-            verdict.reason = "".join(traceback.format_exception(error)[-4:])
-    return verdict

@@ -33,7 +33,7 @@ from reference_server.rules.run_owner import (
     place_of,
 )
 from reference_server.storage.node_store import Node, NodeStore
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.cluster")

@@ -17,8 +17,8 @@ from typing import Any
 
 from starlette.responses import Response, StreamingResponse
 
-from reference_record.export import blocks_of
 from reference_record.formats.names import record_file_name
+from reference_record.unsigned_record import blocks_of
 from reference_server.generated import models
 from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.bodies import request_bodies

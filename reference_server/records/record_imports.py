@@ -19,11 +19,11 @@ from typing import Protocol
 import msgspec
 
 from reference_record.broken import BrokenRecord
-from reference_record.export import Record, with_verdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_name
 from reference_record.formats.opened_seeds import OpenedBenchmark
 from reference_record.replay_verdict import ReplaySummary
+from reference_record.unsigned_record import Record, with_verdict
 from reference_server.records.examination_turns import NoTurn
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays

@@ -48,7 +48,7 @@ from reference_record.recording import (
 )
 from reference_record.recording_file import DRAFT_SUFFIX, join_parts
 from reference_server.rules.run import Episode, Recording, Result, Run
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from reference_sim.process.pool import RecordingPlan
 

@@ -19,7 +19,6 @@ from typing import Any, Literal
 import msgspec
 
 from reference_record.broken import UnusableRecord
-from reference_record.export import Record, UnsignedRecord, host_of, read_files
 from reference_record.formats.envelope import read_envelope
 from reference_record.formats.names import (
     ARCHIVE_BYTES_MAX,
@@ -41,6 +40,7 @@ from reference_record.statement import (
     Statement,
     digests_by_name,
 )
+from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.private_files import restrict
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
@@ -48,7 +48,7 @@ from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.manifest import without_sealed_seeds
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.storage.record_store import NotTheNext, RecordStore
-from reference_server.storage.store import Store, StoreFailed
+from reference_server.storage.run_store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")

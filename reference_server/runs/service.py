@@ -18,8 +18,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Literal, cast
 
-from reference_record.export import Record
 from reference_record.formats.strict_json import sha256_of_json
+from reference_record.unsigned_record import Record
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
@@ -52,7 +52,7 @@ from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.memory.score_cache import ScoreCache
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.session_executor import SessionExecutor
-from reference_server.storage.store import RunIsKept
+from reference_server.storage.run_store import RunIsKept
 from reference_server.views import run_views, turn_view
 
 Json = dict[str, Any]

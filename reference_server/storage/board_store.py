@@ -29,7 +29,7 @@ from reference_server.storage.database_tables import entries as _entries
 from reference_server.storage.database_tables import history as _leaves
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.run_statements import is_deleted
-from reference_server.storage.store import RunIsKept, Store
+from reference_server.storage.run_store import RunIsKept, Store
 
 _NUMBERED = sa.select(_entries.c.number, _entries.c.entry)
 _SIZE = sa.select(sa.func.count()).select_from(_leaves)

@@ -18,7 +18,7 @@ from reference_server.rules.imported_record import (
 )
 from reference_server.storage.column_types import any_number
 from reference_server.storage.database_tables import record_imports as _imports
-from reference_server.storage.store import Store
+from reference_server.storage.run_store import Store
 
 _COLUMNS = [_imports.c[field.name] for field in fields(RecordImport)]
 _IS_UNFINISHED = _imports.c.state != "finished"

@@ -22,7 +22,7 @@ from reference_server.rules.run_owner import StoredOwner
 from reference_server.storage.database_tables import cluster_facts as _facts
 from reference_server.storage.database_tables import nodes as _nodes
 from reference_server.storage.database_tables import runs as _runs
-from reference_server.storage.store import Store, StoreFailed
+from reference_server.storage.run_store import Store, StoreFailed
 
 
 class Node(NamedTuple):

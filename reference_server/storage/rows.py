@@ -1,6 +1,6 @@
 """A run as rows of a database, and back: plain values, and bytes that hold JSON.
 
-It knows the names of the columns and nothing of the database (`store.py`).
+It knows the names of the columns and nothing of the database (`run_store.py`).
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ import msgspec
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
-from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.recorder import RecordingPlan
 from reference_sim.process.simulator_main import (
     ChunkReply,

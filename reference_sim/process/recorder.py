@@ -26,7 +26,7 @@ from reference_record.recording import (
 )
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator
-from reference_sim.process.encoding import encode_image
+from reference_sim.process.observation_encoding import encode_image
 
 # A state up to this size is written as it is, and hashed when the turns are read, which
 # costs a turn less time. A larger state is written as its digest alone.

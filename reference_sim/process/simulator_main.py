@@ -29,7 +29,7 @@ import msgspec
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator, TaskUnplayable
-from reference_sim.process.encoding import EncodedObservation, encode
+from reference_sim.process.observation_encoding import EncodedObservation, encode
 from reference_sim.process.recorder import (
     EpisodeRecorder,
     RecordingPlan,

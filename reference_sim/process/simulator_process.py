@@ -27,7 +27,7 @@ import msgspec
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
-from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
 # Set by the server (the rendering backend), possibly after the fork server started.

@@ -28,13 +28,13 @@ from reference_record.command_line.click_commands import (
     option,
     parse_options,
 )
-from reference_record.export import add_verdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.keys import load_or_make
 from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
+from reference_record.unsigned_record import add_verdict
 from reference_record.verification import Report, verify
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark

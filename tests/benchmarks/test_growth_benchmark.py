@@ -10,7 +10,7 @@ from benchmarks.growth.filled_databases import READY_RUNS, DatabaseCase, fill
 from benchmarks.growth.storage_growth import DATABASE_CASES
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage.store import Store
+from reference_server.storage.run_store import Store
 from reference_server.views import run_views
 from tests.support.server.server_parts import count_rows
 

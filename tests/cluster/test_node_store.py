@@ -29,8 +29,8 @@ from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock
 from reference_server.storage.database_tables import nodes as node_rows
 from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.run_store import OwnershipLost, Store, StoreFailed
 from reference_server.storage.server_lock import lock_of
-from reference_server.storage.store import OwnershipLost, Store, StoreFailed
 from reference_server.telemetry.log_output import REQUEST_ID
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer

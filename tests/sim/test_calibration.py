@@ -12,7 +12,11 @@ from PIL import Image
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.calibration import DEATH_EXIT_CODE, TASKS, Calibration
 from reference_sim.interface import TaskUnplayable
-from reference_sim.process.encoding import encode, encode_image, encode_tensor
+from reference_sim.process.observation_encoding import (
+    encode,
+    encode_image,
+    encode_tensor,
+)
 from tests.support.sim.calibration_action import calibration_action as action
 
 WIDTH, HEIGHT = 16, 12

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import (
     ChunkReply,
     EpisodeStart,

@@ -16,7 +16,7 @@ from typing import Any
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.storage import rows
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from tests.simulation.world import Life, World
 
 READ_S, WRITE_S = 0.002, 0.1

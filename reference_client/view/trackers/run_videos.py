@@ -14,7 +14,7 @@ import msgspec
 from proctor_client import Episode
 
 from reference_client.command import programs
-from reference_record.export import save_blocks
+from reference_record.unsigned_record import save_blocks
 
 
 def draw_videos(

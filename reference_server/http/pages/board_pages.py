@@ -20,7 +20,7 @@ from reference_record.pages.page_templates import render_page
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import LINKS, PageCall
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 
 # The id of a run's entry, withdrawn or not; None: it has none.
 FindEntryId = Callable[[str], Awaitable[str | None]]

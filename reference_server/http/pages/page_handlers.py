@@ -46,7 +46,7 @@ from reference_server.http.pages.films import Film, Films, FilmSettings
 from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import LINKS, PageCall
 from reference_server.rules.refusal import Refused
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 
 ROWS = 100
 EPISODES_PER_CALL = 1000  # the most that the API gives at once

@@ -13,7 +13,7 @@ from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 
 from reference_server.rules.refusal import Refused
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 
 log = logging.getLogger("proctor.tokens")
 

@@ -13,7 +13,7 @@ import pytest
 from reference_client import ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.generated.messages import Turn
-from reference_sim.process.encoding import encode_image
+from reference_sim.process.observation_encoding import encode_image
 from tests.support.kit.null_servers import TURN
 
 BLACK = np.zeros((2, 2, 3), np.uint8)

@@ -21,7 +21,7 @@ from reference_server.storage.node_store import (
     OwnedRun,
     StoredQueue,
 )
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from tests.support.waiting import wait_in_loop
 
 OTHER = Node("other", "http://other", "secret")

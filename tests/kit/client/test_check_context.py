@@ -17,7 +17,6 @@ from conformance.client.request_context import SharedContext
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.runner.preflight import inspect
-from conformance.runner.pytest_plugin import judge
 from conformance.specification.document import load_spec
 from conformance.verdicts import expect
 from conformance.verdicts.expect import (
@@ -27,6 +26,7 @@ from conformance.verdicts.expect import (
     SetUpFailed,
     Violation,
 )
+from conformance.verdicts.judge import judge
 from conformance.verdicts.verdict import Outcome
 from tests.support.kit import null_servers
 from tests.support.kit.null_servers import run_server

@@ -11,7 +11,7 @@ import pytest
 
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NoAnswer
-from conformance.runner.pytest_plugin import judge
+from conformance.verdicts.judge import judge
 from conformance.verdicts.verdict import Outcome
 from tests.support.client.spelled_answers import spell
 from tests.support.kit.check_contexts import open_context

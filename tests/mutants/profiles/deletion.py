@@ -15,8 +15,8 @@ from reference_server.runs import service
 from reference_server.runs.memory.run_events import Departure
 from reference_server.runs.run_writer import RunWriter
 from reference_server.runs.service import RunService
-from reference_server.storage import database_tables, rows, store
-from reference_server.storage.store import Store
+from reference_server.storage import database_tables, rows, run_store
+from reference_server.storage.run_store import Store
 from tests.mutants import instead_of, mutant, put
 from tests.mutants.server_changes import instead_of_guard, no_guard, replace_guard
 
@@ -96,7 +96,7 @@ async def uses_the_key_of_a_deleted_run_again(
         await connection.execute(keys.delete().where(keys.c.run_id == run.run_id))
 
 
-@mutant("DEL-006", through=instead_of(store, "last_played"))
+@mutant("DEL-006", through=instead_of(run_store, "last_played"))
 def counts_what_every_account_has_played(_right: Any, run: RunHead) -> Any:
     """The first run of an account seems to be one of many tries."""
     runs = database_tables.runs.c

@@ -22,7 +22,7 @@ from reference_server.records import recordings, run_records
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import RunRecords
 from reference_server.runs import service
-from reference_server.storage import record_store, store
+from reference_server.storage import record_store, run_store
 from reference_server.storage.database_tables import signing_keys
 from reference_server.storage.record_store import RecordStore
 from reference_server.views import run_views
@@ -156,7 +156,7 @@ def signs_a_record_anew_each_time() -> None:
 @mutant("REC-110")
 def counts_every_run_as_the_first() -> None:
     """The best of a hundred runs looks like the only one."""
-    for module in (store, record_store):
+    for module in (run_store, record_store):
         put(module, "last_attempt", lambda _run: sa.select(sa.literal(0)))
 
 

@@ -12,7 +12,7 @@ from reference_server.http.handlers import Handlers
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.runs.run_reader import RunReader
-from reference_server.storage.store import Store
+from reference_server.storage.run_store import Store
 from tests.mutants import instead_of, mutant, put
 
 

@@ -27,7 +27,7 @@ from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService
 from reference_server.storage.board_store import BoardStore, RunDeleted
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (
     RESULT,

@@ -21,7 +21,7 @@ from reference_server.rules.lifecycle import (
     decide,
 )
 from reference_server.rules.run import Run, Session, State
-from reference_server.storage.store import Store
+from reference_server.storage.run_store import Store
 from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 

@@ -18,7 +18,7 @@ from reference_server.rules.run import Run, RunHead
 from reference_server.runs import run_reader
 from reference_server.runs.admission import places
 from reference_server.storage.rows import EPISODE_BYTES, stored_bytes
-from reference_server.storage.store import Store, StoreFailed
+from reference_server.storage.run_store import Store, StoreFailed
 from tests.support.server.server_parts import (
     ServerParts,
     assert_no_simulator_lent,

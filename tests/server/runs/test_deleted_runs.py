@@ -20,7 +20,7 @@ from reference_server.rules.run import Run
 from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (

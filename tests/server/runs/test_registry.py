@@ -15,7 +15,7 @@ from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Detach
 from reference_server.rules.run import Run
 from reference_server.runs.memory import recent_runs
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.log_output import REQUEST_ID
 from tests.support.server.server_parts import (
     BlockedCall,

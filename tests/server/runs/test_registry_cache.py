@@ -15,7 +15,7 @@ from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs import session_resources
 from reference_server.runs.admission import places
 from reference_server.runs.memory import recent_runs
-from reference_server.storage.store import StoreFailed
+from reference_server.storage.run_store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
     BlockedCall,

@@ -8,7 +8,7 @@ import pytest
 
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Detach
-from reference_server.storage.store import Store
+from reference_server.storage.run_store import Store
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 from tests.support.server.server_parts import (
     BlockedCall,

@@ -14,8 +14,8 @@ import pytest
 
 from reference_server.process.backoff import Backoff
 from reference_server.storage import server_lock
+from reference_server.storage.run_store import Store, StoreFailed
 from reference_server.storage.server_lock import lock_of
-from reference_server.storage.store import Store, StoreFailed
 from tests.support.paths import ROOT
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer

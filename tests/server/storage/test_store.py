@@ -23,7 +23,7 @@ from reference_server.storage import store as store_module
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.import_store import ImportStore
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.store import Store, StoreFailed
+from reference_server.storage.run_store import Store, StoreFailed
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.server.server_parts import (

@@ -22,7 +22,7 @@ from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.check import BenchmarkCheck
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.interface import TaskUnplayable
-from reference_sim.process.encoding import EncodedObservation
+from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer

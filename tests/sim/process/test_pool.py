@@ -16,7 +16,7 @@ import pytest
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.process import simulator_process
-from reference_sim.process.encoding import encode
+from reference_sim.process.observation_encoding import encode
 from reference_sim.process.pool import (
     NoCapacity,
     SimulatorFault,

@@ -18,7 +18,7 @@ from reference_server.http.codec import (
     encode_segments,
 )
 from reference_sim import benchmark_registry
-from reference_sim.process.encoding import EncodedObservation, encode_image
+from reference_sim.process.observation_encoding import EncodedObservation, encode_image
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.simulator_process import LocalProcess
 from reference_sim.shared_frame_buffer import (

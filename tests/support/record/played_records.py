@@ -10,7 +10,6 @@ from typing import Any
 
 import msgspec
 
-from reference_record.export import build_record, host_of, save_blocks
 from reference_record.formats.names import recording_name
 from reference_record.formats.recording_parts import (
     TurnCommand,
@@ -31,6 +30,7 @@ from reference_record.statement import (
     RecordingFacts,
     RunFacts,
 )
+from reference_record.unsigned_record import build_record, host_of, save_blocks
 from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
 from reference_sim.episode import Episode

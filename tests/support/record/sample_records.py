@@ -14,7 +14,6 @@ from typing import Any
 
 import msgspec
 
-from reference_record.export import Record, build_record, host_of
 from reference_record.formats.archive import Content
 from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.names import recording_name
@@ -39,6 +38,7 @@ from reference_record.statement import (
     RecordingFacts,
     RunFacts,
 )
+from reference_record.unsigned_record import Record, build_record, host_of
 
 HOST_KEY = SigningKey(bytes(range(32)))
 OTHER_KEY = SigningKey(bytes(range(1, 33)))
