@@ -37,6 +37,8 @@ from reference_client.policies.mapping import (
 from reference_client.policies.servers.wire_settings import ServerSettings
 from reference_record.command_line.spelling import did_you_mean
 
+_WEBSOCKET_KINDS = ("openpi", "vla-eval")
+
 
 def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], Policy]:
     """A factory, called once per worker to make its policy.
@@ -46,6 +48,8 @@ def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], P
     """
     kind, rest = server_kind(reference), reference.partition(":")[2]
     if kind is not None:
+        if kind in _WEBSOCKET_KINDS:
+            _require_scheme(kind, rest, ("ws", "wss"))
         if mapping is None:
             raise BadPolicy(
                 f"{kind}: needs --mapping FILE, which maps observation and action "
@@ -84,7 +88,6 @@ def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
 
 
 def _openpi(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
-    _require_scheme("openpi", url, ("ws", "wss"))
     readable = {"expect", "answer_s", "new_connection"}
     settings = ServerSettings.of(mapping.server, "openpi:", readable)
     key = token_of("OPENPI_API_KEY")
@@ -119,7 +122,6 @@ def _websocket_policies(
 def _vla_eval(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     from reference_client.policies.servers.vla_eval_client import VlaEvalClient
 
-    _require_scheme("vla-eval", url, ("ws", "wss"))
     settings = ServerSettings.of(
         mapping.server, "vla-eval:", {"expect", "answer_s"}, format="msgpack-text"
     )

@@ -4,6 +4,7 @@ In their order, all can be sent one after another on the same live run.
 """
 
 import json
+import uuid
 from collections.abc import Iterator
 from functools import partial
 from typing import Any
@@ -139,7 +140,9 @@ def completed_run(context: RequestContext) -> RunClient:
 
 def submit_another(context: RequestContext) -> RunClient:
     """Submit a run of one episode, for what would spoil the run of a check."""
-    body = context.submit_body(options={"tasks": ["score"]})
+    # A policy of its own: an account has one entry of one result of a policy (BRD-022).
+    policy = {"name": f"conformance kit {uuid.uuid4()}"}
+    body = context.submit_body(options={"tasks": ["score"]}, policy=policy)
     accepted = context.require(
         lambda: context.call("submit_run", json=body), 201, "submit_run"
     )

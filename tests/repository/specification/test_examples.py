@@ -27,7 +27,7 @@ UNSEEN = {"AUTH-006", "AUTH-007", "AUTH-008", "ATT-009", "LIFE-808", "LIFE-809"}
 # Both serve `calibration` alone; the server in JavaScript speaks JSON and raw images.
 ONE_BENCHMARK = {"RUN-007"}
 ONLY_JSON_AND_RAW = {"PRED-016", "ENC-002", "ENC-006", "ENC-007", "ENC-008"}
-ONLY_JSON_AND_RAW |= {"ENC-011", "ENC-012"}
+ONLY_JSON_AND_RAW |= {"ENC-011", "ENC-012", "ENC-014"}
 
 
 def not_offered(profiles: set[str]) -> set[str]:

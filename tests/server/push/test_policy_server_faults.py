@@ -120,7 +120,7 @@ DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
     ),
     "digits": (
         description_with(protocol={"min": "9" * 9999 + ".0", "max": "1.0"}),
-        "supports versions",
+        "/protocol/min String should match pattern",
     ),
     "no_room": (description_with(max_sessions=0), "/max_sessions"),
     "huge_room": (description_with(max_sessions=10**9), "/max_sessions"),
