@@ -1,8 +1,8 @@
 """The pytest plugin that runs the checks: selection, contexts, background, verdicts.
 
 pytest collects and schedules; it decides nothing. The exception of a check becomes a
-verdict in verdicts/judge.py. The verdict is attached to the test report (also of xdist
-workers) for the command line, which owns the result.
+verdict in verdicts/verdict_of_check.py. The verdict is attached to the test report
+(also of xdist workers) for the command line, which owns the result.
 """
 
 import functools
@@ -23,9 +23,9 @@ from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.private_server import close_private_servers
 from conformance.verdicts import expect
-from conformance.verdicts.judge import is_violation, judge
 from conformance.verdicts.result import is_offered
 from conformance.verdicts.verdict import Outcome
+from conformance.verdicts.verdict_of_check import is_violation, judge
 
 VERDICT = "kit_verdict"
 TALLY = "kit_tally"

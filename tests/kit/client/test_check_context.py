@@ -26,8 +26,8 @@ from conformance.verdicts.expect import (
     SetUpFailed,
     Violation,
 )
-from conformance.verdicts.judge import judge
 from conformance.verdicts.verdict import Outcome
+from conformance.verdicts.verdict_of_check import judge
 from tests.support.kit import null_servers
 from tests.support.kit.null_servers import run_server
 

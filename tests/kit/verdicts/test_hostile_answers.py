@@ -11,8 +11,8 @@ import pytest
 
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NoAnswer
-from conformance.verdicts.judge import judge
 from conformance.verdicts.verdict import Outcome
+from conformance.verdicts.verdict_of_check import judge
 from tests.support.client.spelled_answers import spell
 from tests.support.kit.check_contexts import open_context
 from tests.support.kit.null_servers import SERVICE

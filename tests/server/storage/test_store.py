@@ -19,7 +19,7 @@ from reference_server.rules.imported_record import RecordImport
 from reference_server.rules.manifest import Submission
 from reference_server.rules.run import Result, Run, RunHead
 from reference_server.storage import postgresql as postgresql_module
-from reference_server.storage import store as store_module
+from reference_server.storage import run_store as store_module
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.import_store import ImportStore
 from reference_server.storage.record_store import RecordStore
