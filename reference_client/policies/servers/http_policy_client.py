@@ -24,11 +24,13 @@ from reference_client.policies.servers.server_faults import (
     who_speaks_at,
 )
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
-from reference_client.policies.servers.wire_settings import ServerSettings
+from reference_client.policies.servers.wire_settings import (
+    FIRST_CONTACT_S,
+    PAUSE_S,
+    ServerSettings,
+)
 
-PAUSE_S = 0.2
 CONNECT_S = 5.0
-FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
 FIRST_ANSWER_S = 10.0
 RETRY_STATUSES = (429, 502, 503, 504)
 _MEDIA_TYPES = {"json": "application/json", "msgpack": "application/msgpack"}

@@ -21,14 +21,16 @@ from reference_client.errors import ProctorError
 from reference_client.policies.servers.http_policy_client import (
     CONNECT_S,
     FIRST_ANSWER_S,
-    FIRST_CONTACT_S,
-    PAUSE_S,
     no_answer,
     why_unreachable,
     wrong_server,
 )
 from reference_client.policies.servers.server_faults import failed
-from reference_client.policies.servers.wire_settings import ANSWER_S
+from reference_client.policies.servers.wire_settings import (
+    ANSWER_S,
+    FIRST_CONTACT_S,
+    PAUSE_S,
+)
 
 _RETRY_STATUSES = (429, 500, 502, 503, 504)
 

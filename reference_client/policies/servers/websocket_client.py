@@ -34,12 +34,14 @@ from reference_client.policies.servers.server_faults import (
     who_speaks_at,
 )
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
-from reference_client.policies.servers.wire_settings import ServerSettings
+from reference_client.policies.servers.wire_settings import (
+    FIRST_CONTACT_S,
+    PAUSE_S,
+    ServerSettings,
+)
 
-PAUSE_S = 0.2
 OPEN_S = 5.0
 CLOSE_S = 1.0  # a server that computes does not answer a close frame
-FIRST_CONTACT_S = 3.0  # a mistyped URL is reported before the run is created
 GREETING_S = 10.0
 UNASKED_S = 0.05  # a greeting that was not expected comes at once
 # Close codes that the same request meets again; the others are of servers that end.

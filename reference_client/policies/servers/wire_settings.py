@@ -13,6 +13,9 @@ from reference_client.errors import BadPolicy
 from reference_client.policies.servers.wire_formats import FORMATS
 from reference_record.command_line.spelling import did_you_mean
 
+# A mistyped address is reported before the run is created.
+FIRST_CONTACT_S = 3.0
+PAUSE_S = 0.2  # between attempts to reach a server
 # The first answer may take minutes, while a network is compiled.
 ANSWER_S = 600.0
 

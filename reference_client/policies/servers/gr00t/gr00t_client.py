@@ -27,10 +27,12 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
     ZmqRequester,
 )
 from reference_client.policies.servers.server_faults import check_answer, failed
-from reference_client.policies.servers.wire_settings import ANSWER_S
+from reference_client.policies.servers.wire_settings import (
+    ANSWER_S,
+    FIRST_CONTACT_S,
+    PAUSE_S,
+)
 
-PAUSE_S = 0.2
-FIRST_CONTACT_S = 3.0  # a mistyped address is reported before the run is created
 GROUPS = ("video", "state", "language")
 
 
