@@ -10,7 +10,7 @@ import contextlib
 import logging
 import sys
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 from urllib.parse import quote
@@ -216,7 +216,7 @@ def _play(
     board: StatusBoard,
     tracking: Tracking,
 ) -> Score:
-    stop, abandoned, runs = threading.Event(), 0, list[Run]()
+    stop, abandoned = threading.Event(), 0
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
@@ -231,28 +231,28 @@ def _play(
                 lambda: worker_pool.prepare(plan.worker_ids),
                 worker_pool.play_dry_turn,
             )
-            runs.append(run)
             on_run(run)
             link = f"{connection.url}/pages/runs/{quote(run.run_id, safe='')}"
             tracking.begin(run, link, workers)
             board.max_attempts = plan.max_attempts(benchmark)
             board.max_steps = benchmark["max_steps"] if benchmark else None
-            run_workers = worker_pool.make_workers(
-                EvaluationContext(
-                    plan, run, connection, retry_policy, board, benchmark, player
+            with _withdrawn_if_unplayed(plan, run, control_client, board):
+                run_workers = worker_pool.make_workers(
+                    EvaluationContext(
+                        plan, run, connection, retry_policy, board, benchmark, player
+                    )
                 )
-            )
-            score = EvaluationRounds(
-                run,
-                run_workers,
-                control_client,
-                board,
-                stop,
-                plan.takeover,
-                progress,
-                say,
-                plan.episodes,
-            ).play_to_score()
+                score = EvaluationRounds(
+                    run,
+                    run_workers,
+                    control_client,
+                    board,
+                    stop,
+                    plan.takeover,
+                    progress,
+                    say,
+                    plan.episodes,
+                ).play_to_score()
             if board.clips.clipped:
                 say(f"Clipped: {board.clips.describe()}.")
             abandoned = score.counts.abandoned
@@ -260,16 +260,24 @@ def _play(
                 rows = control_client.episodes(run.run_id)
                 record = partial(fetch_record, connection, retry_policy, run.run_id)
                 tracking.finish(score, rows, partial(draw_videos, record, rows))
-        except ProctorError as error:
-            if plan.submission is not None and error.code in ENDPOINT_FAULTS and runs:
-                board.is_withdrawn = control_client.withdraw_unplayed(runs[0].run_id)
-            raise
-        else:
             return score
         finally:
             worker_pool.close()
             if board.lost:
                 say(summary(board.lost, abandoned))
+
+
+@contextlib.contextmanager
+def _withdrawn_if_unplayed(
+    plan: EvaluationPlan, run: Run, control_client: ControlClient, board: StatusBoard
+) -> Iterator[None]:
+    """Withdraw a new run of which a wrong endpoint let no turn be played."""
+    try:
+        yield
+    except ProctorError as error:
+        if plan.submission is not None and error.code in ENDPOINT_FAULTS:
+            board.is_withdrawn = control_client.withdraw_unplayed(run.run_id)
+        raise
 
 
 def _how_to_continue(run: Run, board: StatusBoard) -> str:
