@@ -20,6 +20,8 @@ import numpy as np
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
 
+from tests.support.network.tls_gateway import serve_plainly
+
 TRACE = (
     "Traceback (most recent call last):\n"
     '  File "server.py", line 9, in handler\n'
@@ -260,9 +262,5 @@ def start_http(talk: Callable[[str, bytes, Log], Reply]) -> Iterator[tuple[str, 
         def log_message(self, *_: Any) -> None:
             """Nothing is printed."""
 
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    server.daemon_threads = True
-    with server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"127.0.0.1:{server.server_port}", log
-        server.shutdown()
+    with serve_plainly(Handler) as url:
+        yield url.removeprefix("http://"), log

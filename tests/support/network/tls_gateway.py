@@ -72,5 +72,7 @@ def serve_plainly(
             server.socket = tls.wrap_socket(server.socket, server_side=True)
         serve = threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True)
         serve.start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
+        try:
+            yield f"http://127.0.0.1:{server.server_port}"
+        finally:
+            server.shutdown()
