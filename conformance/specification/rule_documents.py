@@ -16,8 +16,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-# In the order in which they are read; then those of profiles, by name.
-_DOCUMENTS = ("http", "benchmarks", "runs", "play", "calibration", "scoring", "policy")
+# In the order in which they are read; then those of profiles, by name. Conventions
+# defines the words of rules and states none.
+_DOCUMENTS = (
+    *("http", "benchmarks", "runs", "play"),
+    *("calibration", "conventions", "scoring", "policy"),
+)
 _PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
 _RULE = re.compile(r"^- \[([A-Z]{2,6}-\d{3})(, verifier)?\] (.+)$")
 _LEVEL = re.compile(r"\b(?:MUST|SHOULD|MAY)\b")
@@ -52,7 +56,7 @@ class StatedRule:
 
 
 def rule_documents(directory: Path) -> list[Path]:
-    """The files that state rules, in the order in which they are read."""
+    """The normative documents, in the order in which they are read."""
     named = [directory / f"{name}.md" for name in _DOCUMENTS]
     return [*named, *sorted((directory / "profiles").glob("*.md"))]
 

@@ -91,7 +91,7 @@ def start_page(reports: KitReports) -> str:
     documents = "\n".join(
         path.relative_to(ROOT).with_suffix("").as_posix()
         for path in rule_documents(SPEC_DIRECTORY)
-    ).replace("spec/scoring", "spec/conventions\nspec/scoring")
+    )
     return f"""# Proctor {spec.version}
 
 Proctor is an open HTTP protocol for evaluating robot policies. A server owns the
