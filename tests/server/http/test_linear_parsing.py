@@ -222,8 +222,8 @@ def test_json_bodies(server: AsgiServer, path: str, before: str, after: str) -> 
         assert_linear(send, most // 2, f"{path}: {before}{unit!r}")
 
 
-# What is repeated in a body of MessagePack, and what stands before it: nothing, a list
-# and a map that announce more entries than there are, the head of a message.
+# The unit that a body of MessagePack repeats, and its beginning: nothing, a list and a
+# map that announce more entries than there are, the head of a message.
 PACKED_UNITS = (
     *(
         b"\x81\xa1a",

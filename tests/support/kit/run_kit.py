@@ -28,7 +28,7 @@ TIMEOUT_S = 1200.0
 
 @dataclass(frozen=True)
 class KitRun:
-    """What a kit that has ended left: exit code, output, and its folder of reports."""
+    """The exit code, the output and the folder of reports of a kit that has ended."""
 
     code: int
     output: str

@@ -178,7 +178,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer
 def test_streams_and_waits_end_within_seconds(
     server: ReferenceServer, gone: str
 ) -> None:
-    """Of a run that waits for its worker. Expect the end long before 20 s are over."""
+    """The run waits for its worker. Expect the end long before 20 s are over."""
     file = Path(f"{server.database_file}.tokens")
     file.write_text(f"alice:read:sha256={hash_of(gone)}\n")
     with server.client() as owner:
