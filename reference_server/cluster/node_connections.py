@@ -27,6 +27,7 @@ from reference_server.cluster.node_headers import (
 from reference_server.cluster.reachability import Reachability
 from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
+from reference_server.process.outgoing_streams import OutgoingBackend
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
 from reference_server.storage.node_store import Node
@@ -66,7 +67,9 @@ class NodeConnections:
         self.failures = RepeatedFailures(log)
         self._reused = ReusedConnections(CONNECTIONS_MAX, KEEPALIVE_S)
         self._questions = httpcore.AsyncConnectionPool(
-            max_connections=QUESTIONS_AT_ONCE_MAX, max_keepalive_connections=0
+            max_connections=QUESTIONS_AT_ONCE_MAX,
+            max_keepalive_connections=0,
+            network_backend=OutgoingBackend(),
         )
         self._reachability = Reachability(
             self._answers,

@@ -17,6 +17,8 @@ from typing import Any
 
 import httpcore
 
+from reference_server.process.outgoing_streams import OutgoingBackend
+
 
 class ReusedConnections:
     """A connection for each request; those without one are kept for a while.
@@ -30,7 +32,7 @@ class ReusedConnections:
         self._expiry_s = expiry_s
         # Connections without a request, by origin; the one used last is at the end.
         self._idle: dict[str, deque[httpcore.AsyncHTTPConnection]] = {}
-        self._backend = httpcore.AnyIOBackend()
+        self._backend = OutgoingBackend()
         self._timer: asyncio.TimerHandle | None = None
         self._closing: asyncio.Task[None] | None = None
         self._is_closed = False

@@ -16,6 +16,7 @@ from ipaddress import IPv4Address, IPv6Network, ip_address, ip_network
 
 import httpcore
 
+from reference_server.process.outgoing_streams import OutgoingBackend
 from reference_server.push.account_threads import AccountThreads
 from reference_server.settings.allowed_networks import Address, AllowedNetworks, Network
 
@@ -109,7 +110,7 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
     def __init__(self, egress: EgressPolicy, account: str) -> None:
         self._egress = egress
         self._account = account
-        self._backend = httpcore.AnyIOBackend()
+        self._backend = OutgoingBackend()
 
     async def connect_tcp(
         self,

@@ -73,7 +73,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
     "push": {"files", "generated", "http", "process", "rules", "runs", "settings"}
     | {"storage", "telemetry"},
-    "cluster": {"http", "rules", "runs", "storage", "telemetry"},
+    "cluster": {"http", "process", "rules", "runs", "storage", "telemetry"},
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry", "views"},
     "monitoring": {"http", "telemetry"},

@@ -1,0 +1,64 @@
+"""A connection to another server that is lost, on the event loop of the server."""
+
+from __future__ import annotations
+
+import socket
+import struct
+import threading
+from collections.abc import Iterator
+
+import httpcore
+import pytest
+import uvloop
+
+from reference_server.process.outgoing_streams import OutgoingBackend
+
+# Close with a reset, and not with an end of data.
+RESET = struct.pack("ii", 1, 0)
+# httpcore asks these of a connection: when it was opened, and before it is used again.
+QUESTIONS = {"ssl_object": None, "client_addr": None, "is_readable": True}
+
+
+@pytest.fixture
+def resetting_port() -> Iterator[int]:
+    """The port of a server that resets each connection as soon as it is open."""
+    listener = socket.create_server(("127.0.0.1", 0))
+
+    def reset_all() -> None:
+        while True:
+            try:
+                connection, _ = listener.accept()
+            except OSError:
+                return
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
+            connection.close()
+
+    thread = threading.Thread(target=reset_all)
+    thread.start()
+    yield listener.getsockname()[1]
+    listener.shutdown(socket.SHUT_RDWR)
+    listener.close()
+    thread.join()
+
+
+def test_a_lost_connection_answers_what_httpcore_asks(resetting_port: int) -> None:
+    async def ask() -> dict[str, object]:
+        stream = await OutgoingBackend().connect_tcp("127.0.0.1", resetting_port)
+        # The reset arrives: nothing else ends the read.
+        with pytest.raises(httpcore.ReadError):
+            await stream.read(1, timeout=10)
+        await stream.aclose()
+        return {question: stream.get_extra_info(question) for question in QUESTIONS}
+
+    assert uvloop.run(ask()) == QUESTIONS
+
+
+def test_a_reset_is_an_error_of_the_network(resetting_port: int) -> None:
+    async def ask() -> None:
+        backend = OutgoingBackend()
+        async with httpcore.AsyncConnectionPool(network_backend=backend) as pool:
+            for _ in range(200):
+                with pytest.raises(httpcore.NetworkError):
+                    await pool.request("GET", f"http://127.0.0.1:{resetting_port}/")
+
+    uvloop.run(ask())
