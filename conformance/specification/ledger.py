@@ -14,14 +14,20 @@ from conformance.specification.rule_documents import StatedRule, read_rules
 _FIRST_RULE_OF_OPERATIONS = 100
 _OF_FILES = "a rule of a file, which the vectors in vectors/record/ judge"
 _OF_VERIFIERS = "a rule of who reads a file, which the vectors in vectors/record/ judge"
+CORE = "core"
+# Those that make a server of Core one of Service, as `x-levels` has them.
+SERVICE = (
+    *("sessions", "control", "faults", "accounts", "submit_once", "lists", "waiting"),
+    *("observations", "conventions", "strict_http"),
+)
 PROFILES = (
-    *("core", "msgpack", "compare", "events", "push", "limits", "record"),
+    *(CORE, *SERVICE, "msgpack", "compare", "events", "push", "limits", "record"),
     *("record_import", "attribution", "subsets", "sealed_seeds", "deletion"),
     *("board", "public_board", "crash", "cluster"),
     *("ebench", "flageval"),
 )
 POLICY = "policy"  # of policy servers, which are checked by a command of their own
-NEVER_ANNOUNCED = ("core", "crash")  # checked on every server
+NEVER_ANNOUNCED = (CORE, "crash")  # checked on every server
 CLUSTER = "cluster"  # checked on every service with several base URLs
 
 

@@ -2,11 +2,13 @@
 
 A rule is an item of a list in a Markdown file of `spec/`: its id, its sentence, and the
 operations that it is about, or none where it holds for every operation. A line
-``Profile: `NAME`.`` says to which profile the rules below it belong. The last sentence
-of an item may say why no outsider can judge it.
+``Profile: `NAME`.`` below the title says to which profile the rules of the document
+belong; below another heading, those of that section. A profile behind the id holds for
+that rule alone. The last sentence of an item may say why no outsider can judge it.
 
     - [BEN-002] `get_benchmark` of an unknown id MUST be refused with `not_found`.
       — `get_benchmark`
+    - [ERR-011, strict_http] Every response with status 429 MUST carry Retry-After.
 """
 
 from __future__ import annotations
@@ -23,7 +25,9 @@ _DOCUMENTS = (
     *("calibration", "conventions", "scoring", "policy"),
 )
 _PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
-_RULE = re.compile(r"^- \[([A-Z]{2,6}-\d{3})(, verifier)?\] (.+)$")
+_HEADING = re.compile(r"^##+ ")
+_RULE = re.compile(r"^- \[([A-Z]{2,6}-\d{3})(?:, (\w+))?\] (.+)$")
+_VERIFIER = "verifier"
 _LEVEL = re.compile(r"\b(?:MUST|SHOULD|MAY)\b")
 _NOT_JUDGED = re.compile(r" \*Not judged: (.+)\.\*$")
 _LINK = re.compile(r"\[([^\]]+)\]\([^)]+\)")
@@ -69,11 +73,17 @@ def read_rules(directory: Path) -> Iterator[StatedRule]:
     for path in rule_documents(directory):
         document = path.relative_to(directory).as_posix()
         text = path.read_text(encoding="utf-8")
-        profile = None
+        of_document = of_section = None
+        is_below_title = True
         for line, item in _paragraphs(text):
-            if match := _PROFILE.match(item):
-                profile = match[1]
+            if _HEADING.match(item):
+                is_below_title, of_section = False, of_document
+            elif match := _PROFILE.match(item):
+                of_section = match[1]
+                of_document = of_section if is_below_title else of_document
             elif match := _RULE.match(item):
+                mark = match[2] if match[2] != _VERIFIER else None
+                profile = mark or of_section
                 if profile is None:
                     raise ValueError(f"{document} names no profile above {match[1]}")
                 yield _rule(match, profile, document, line)
@@ -108,5 +118,7 @@ def _rule(match: re.Match[str], profile: str, document: str, line: int) -> State
     # Reports and other pages show the sentence, where a relative link leads nowhere.
     text = without_links(text)
     return StatedRule(
-        match[1], profile, text, operations, document, line, bool(match[2]), why
+        *(match[1], profile, text, operations, document, line),
+        is_of_verifiers=match[2] == _VERIFIER,
+        why_not_judged=why,
     )

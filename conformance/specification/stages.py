@@ -1,12 +1,12 @@
 """The stages in which a server is written, and the rules that each of them adds.
 
 A rule belongs to the first stage whose operations are enough for its check. Rules of
-profiles are judged in the last stage, where every rule that applies is.
+further profiles are judged in the last stage, where every rule that applies is.
 """
 
 from dataclasses import dataclass
 
-from conformance.specification.ledger import Requirement
+from conformance.specification.ledger import CORE, SERVICE, Requirement
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ _BY_ID = {
 
 def stage_of(rule: Requirement) -> int:
     """Give the number of the first stage in which a rule is judged."""
-    if rule.profile != "core":
+    if rule.profile not in (CORE, *SERVICE):
         return LAST
     return _BY_ID.get(rule.id) or _BY_AREA.get(rule.area, LAST)
 

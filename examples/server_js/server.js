@@ -73,9 +73,12 @@ function listEpisodes(context) {
   return { body: { episodes, next_cursor } };
 }
 
+const PROFILES = ['core', 'sessions', 'control', 'faults', 'accounts', 'submit_once', 'lists', 'waiting', 'observations',
+  'conventions', 'strict_http'];
+
 function service() {
   return {
-    name: 'Proctor example in JavaScript', version: '1.0.0', protocol: { min: '1.0', max: '1.0' }, profiles: ['core'],
+    name: 'Proctor example in JavaScript', version: '1.0.0', protocol: { min: '1.0', max: '1.0' }, profiles: PROFILES,
     limits: LIMITS, encodings: ['application/json'], image_codecs: ['raw'], server_time: new Date().toISOString(),
   };
 }

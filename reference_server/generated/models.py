@@ -36,7 +36,7 @@ class Assumption(BaseModel):
 
 class Assumptions(BaseModel):
     """
-    What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
+    What the policy takes for granted; refused when the benchmark says otherwise (ATT-010). For the profile `conventions`.
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
@@ -57,7 +57,9 @@ class AttachWorker(BaseModel):
     ]
     takeover: Annotated[
         bool | MISSING,
-        Field(description="Fence out a live session; false when absent."),
+        Field(
+            description="Fence out a live session; false when absent. For the profile `sessions`."
+        ),
     ] = MISSING
     assumes: Assumptions | MISSING = MISSING
     player: Player | MISSING = MISSING
@@ -219,10 +221,12 @@ class CalibrationOptions(BaseModel):
     ] = MISSING
     success_rule: SuccessRule | MISSING = MISSING
     max_attempts: Annotated[
-        int | MISSING, Field(description="3 when absent.", ge=1, le=10)
+        int | MISSING,
+        Field(description="3 when absent. For the profile `sessions`.", ge=1, le=10),
     ] = MISSING
     max_faults: Annotated[
-        int | MISSING, Field(description="3 when absent.", ge=1, le=10)
+        int | MISSING,
+        Field(description="3 when absent. For the profile `faults`.", ge=1, le=10),
     ] = MISSING
     sealed: Annotated[
         bool | MISSING,
@@ -233,7 +237,7 @@ class CalibrationOptions(BaseModel):
     queue_s: Annotated[
         float | MISSING,
         Field(
-            description="Seconds for which the run stays queued after submit and after resume; 0 when absent.",
+            description="Seconds for which the run stays queued after submit and after resume; 0 when absent. For the profile `control`.",
             ge=0.0,
             le=10.0,
         ),
@@ -241,7 +245,13 @@ class CalibrationOptions(BaseModel):
 
 
 CalibrationTask = TypeAliasType(
-    "CalibrationTask", Literal["score", "count", "echo", "delay", "fault"]
+    "CalibrationTask",
+    Annotated[
+        Literal["score", "count", "echo", "delay", "fault"],
+        Field(
+            description="`echo` is for the profile `observations`, `fault` for `faults`."
+        ),
+    ],
 )
 
 
@@ -757,7 +767,7 @@ Observe = TypeAliasType(
     Annotated[
         Literal["last", "all"],
         Field(
-            description="`last` when absent; `all` adds the observation after every executed action."
+            description="`last` when absent; `all` adds the observation after every executed action. For the profile `observations`."
         ),
     ],
 )
@@ -1412,7 +1422,7 @@ class Service(BaseModel):
     profiles: Annotated[
         list[Profile],
         Field(
-            description="Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these.",
+            description="Parts of the protocol offered, which [levels](levels.md) explains; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these.",
             max_length=256,
         ),
     ]
@@ -1473,7 +1483,10 @@ StateAdditionalProperty = TypeAliasType(
 
 StopMode = TypeAliasType(
     "StopMode",
-    Annotated[Literal["abort", "drain"], Field(description="`abort` when absent.")],
+    Annotated[
+        Literal["abort", "drain"],
+        Field(description="`abort` when absent. `drain` is for the profile `control`."),
+    ],
 )
 
 
@@ -1497,7 +1510,7 @@ class SubmitRun(BaseModel):
     idle_timeout_s: Annotated[
         float | MISSING,
         Field(
-            description="Lease of a session; the server's maximum when absent.",
+            description="Lease of a session; the server's maximum when absent. For the profile `sessions`.",
             ge=1.0,
             le=86400.0,
         ),

@@ -49,7 +49,9 @@ IDLE_TIMEOUT_S_MIN = 1.0
 PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
 PROFILES: tuple[models.Profile, ...] = (
-    *("core", "msgpack", "compare", "events", "push", "limits"),
+    *("core", "sessions", "control", "faults", "accounts", "submit_once", "lists"),
+    *("waiting", "observations", "conventions", "strict_http"),
+    *("msgpack", "compare", "events", "push", "limits"),
     *("attribution", "subsets", "sealed_seeds", "deletion"),
 )
 

@@ -211,7 +211,8 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     Expect every bit of them in the observation, in every encoding; JSON may also write
     negative zero as `-0`.
     """
-    worker = echo(context, max_steps=1000)
+    worker = context.submit("count", max_steps=1000).worker()
+    worker.attach()
     numbers = doubles(context)
     encodings = [False, True] if context.speaks_msgpack else [False]
     for is_msgpack in encodings:

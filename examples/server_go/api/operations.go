@@ -180,11 +180,16 @@ func route(escaped string) (map[string]operation, map[string]string) {
 	return nil, nil
 }
 
+var profiles = []string{
+	"core", "sessions", "control", "faults", "accounts", "submit_once", "lists", "waiting",
+	"observations", "conventions", "strict_http", "msgpack", "compare", "events",
+}
+
 func describeService(*request) (*answer, *wire.Problem) {
 	return ok(wire.Object{
 		{"name", "Proctor example server in Go"}, {"version", "1.0.0"},
 		{"protocol", wire.Object{{"min", protocol}, {"max", protocol}}}, // SVC-002
-		{"profiles", []string{"core", "msgpack", "compare", "events"}},
+		{"profiles", profiles},
 		{"limits", wire.Object{
 			{"max_body_bytes", maxBodyBytes}, {"max_workers", runs.MaxWorkers},
 			{"max_chunk", calibration.MaxChunk}, {"idle_timeout_s_min", runs.IdleMin},

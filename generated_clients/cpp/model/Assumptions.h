@@ -10,7 +10,7 @@
 
 namespace proctor {
 
-/// What the policy takes for granted; refused when the benchmark says otherwise (ATT-010).
+/// What the policy takes for granted; refused when the benchmark says otherwise (ATT-010). For the profile `conventions`.
 struct Assumptions {
     static constexpr char const* schema_name = "Assumptions";
 

@@ -16,7 +16,7 @@ struct AttachWorker {
     static constexpr char const* schema_name = "AttachWorker";
 
     std::string attach_key{}; // New for every attachment; repeated only to repeat a lost request.
-    std::optional<bool> takeover{}; // Fence out a live session; false when absent.
+    std::optional<bool> takeover{}; // Fence out a live session; false when absent. For the profile `sessions`.
     std::optional<Assumptions> assumes{};
     std::optional<Player> player{};
 

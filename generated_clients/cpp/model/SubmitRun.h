@@ -22,7 +22,7 @@ struct SubmitRun {
     std::string benchmark_id{};
     PolicyInfo policy{};
     std::optional<std::int32_t> max_workers{}; // Most live workers wanted; the server's limit when absent.
-    std::optional<double> idle_timeout_s{}; // Lease of a session; the server's maximum when absent.
+    std::optional<double> idle_timeout_s{}; // Lease of a session; the server's maximum when absent. For the profile `sessions`.
     std::optional<ImageChoice> images{};
     std::optional<CalibrationOptions> options{};
     std::optional<RunMode> mode{};

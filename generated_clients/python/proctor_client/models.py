@@ -34,7 +34,7 @@ class Assumption(Message):
 
 
 class Assumptions(Message):
-    """What the policy takes for granted; refused when the benchmark says otherwise (ATT-010)."""
+    """What the policy takes for granted; refused when the benchmark says otherwise (ATT-010). For the profile `conventions`."""
 
     control_rate_hz: Annotated[float, Field(strict=True, ge=0)] | None = None
     action: Annotated[dict[str, Assumption], Field(max_length=64)] | None = None
@@ -45,7 +45,7 @@ class AttachWorker(Message):
     attach_key: Annotated[str, Field(strict=True, min_length=1, max_length=128)]
     """New for every attachment; repeated only to repeat a lost request."""
     takeover: StrictBool | None = None
-    """Fence out a live session; false when absent."""
+    """Fence out a live session; false when absent. For the profile `sessions`."""
     assumes: Assumptions | None = None
     player: Player | None = None
 
@@ -153,16 +153,18 @@ class CalibrationOptions(Message):
     """10 when absent."""
     success_rule: SuccessRule | None = None
     max_attempts: Annotated[int, Field(strict=True, ge=1, le=10)] | None = None
-    """3 when absent."""
+    """3 when absent. For the profile `sessions`."""
     max_faults: Annotated[int, Field(strict=True, ge=1, le=10)] | None = None
-    """3 when absent."""
+    """3 when absent. For the profile `faults`."""
     sealed: StrictBool | None = None
     """Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`."""
     queue_s: Annotated[float, Field(strict=True, ge=0, le=10)] | None = None
-    """Seconds for which the run stays queued after submit and after resume; 0 when absent."""
+    """Seconds for which the run stays queued after submit and after resume; 0 when absent. For the profile `control`."""
 
 
 class CalibrationTask(StrEnum):
+    """`echo` is for the profile `observations`, `fault` for `faults`."""
+
     SCORE = "score"
     COUNT = "count"
     ECHO = "echo"
@@ -493,7 +495,7 @@ class ObservationSpace(Message):
 
 
 class Observe(StrEnum):
-    """`last` when absent; `all` adds the observation after every executed action."""
+    """`last` when absent; `all` adds the observation after every executed action. For the profile `observations`."""
 
     LAST = "last"
     ALL = "all"
@@ -944,7 +946,7 @@ class Service(Message):
         list[Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]],
         Field(max_length=256),
     ]
-    """Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these."""
+    """Parts of the protocol offered, which [levels](levels.md) explains; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these."""
     limits: Limits
     encodings: Annotated[list[StrictStr], Field(max_length=64)]
     """Media types of the data plane."""
@@ -969,7 +971,7 @@ class SimulatorInfo(Message):
 
 
 class StopMode(StrEnum):
-    """`abort` when absent."""
+    """`abort` when absent. `drain` is for the profile `control`."""
 
     ABORT = "abort"
     DRAIN = "drain"
@@ -985,7 +987,7 @@ class SubmitRun(Message):
     max_workers: Annotated[int, Field(strict=True, ge=1, le=1024)] | None = None
     """Most live workers wanted; the server's limit when absent."""
     idle_timeout_s: Annotated[float, Field(strict=True, ge=1, le=86400)] | None = None
-    """Lease of a session; the server's maximum when absent."""
+    """Lease of a session; the server's maximum when absent. For the profile `sessions`."""
     images: ImageChoice | None = None
     options: CalibrationOptions | None = None
     mode: RunMode | None = None

@@ -18,7 +18,7 @@ export interface Assumption {
     gripper_open?: number;
 }
 
-/** What the policy takes for granted; refused when the benchmark says otherwise (ATT-010). */
+/** What the policy takes for granted; refused when the benchmark says otherwise (ATT-010). For the profile `conventions`. */
 export interface Assumptions {
     control_rate_hz?: number;
     action?: Record<string, Assumption>;
@@ -28,7 +28,7 @@ export interface Assumptions {
 export interface AttachWorker {
     /** New for every attachment; repeated only to repeat a lost request. */
     attach_key: string;
-    /** Fence out a live session; false when absent. */
+    /** Fence out a live session; false when absent. For the profile `sessions`. */
     takeover?: boolean;
     assumes?: Assumptions;
     player?: Player;
@@ -125,16 +125,17 @@ export interface CalibrationOptions {
     /** 10 when absent. */
     max_steps?: number;
     success_rule?: SuccessRule;
-    /** 3 when absent. */
+    /** 3 when absent. For the profile `sessions`. */
     max_attempts?: number;
-    /** 3 when absent. */
+    /** 3 when absent. For the profile `faults`. */
     max_faults?: number;
     /** Whether the seeds of the split `odd` are sealed; false when absent. Only for servers that announce the profile `sealed_seeds`. */
     sealed?: boolean;
-    /** Seconds for which the run stays queued after submit and after resume; 0 when absent. */
+    /** Seconds for which the run stays queued after submit and after resume; 0 when absent. For the profile `control`. */
     queue_s?: number;
 }
 
+/** `echo` is for the profile `observations`, `fault` for `faults`. */
 export const CalibrationTask = {
     Score: 'score',
     Count: 'count',
@@ -433,7 +434,7 @@ export interface ObservationSpace {
     tensors: Record<string, TensorSpace>;
 }
 
-/** `last` when absent; `all` adds the observation after every executed action. */
+/** `last` when absent; `all` adds the observation after every executed action. For the profile `observations`. */
 export const Observe = {
     Last: 'last',
     All: 'all',
@@ -817,7 +818,7 @@ export interface Service {
     /** Version of the server software. */
     version: string;
     protocol: ProtocolRange;
-    /** Parts of the protocol offered; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these. */
+    /** Parts of the protocol offered, which [levels](levels.md) explains; `core` may be left out, for it always is. An operation with `x-profile` is there when its profile is announced. The rules of the profile `crash` are not announced. The kit judges them where it may kill and restart the server; a server whose runs do not outlive its process is certified without them and without EVT-009, PUSH-017, REC-123 and REC-124, and its report says that they were not verified. Those of the profile `cluster` are not announced, either. They bind a service that is reached at several base URLs, and the kit judges them where it is given all of these. */
     profiles: string[];
     limits: Limits;
     /** Media types of the data plane. */
@@ -840,7 +841,7 @@ export interface SimulatorInfo {
     quality?: string;
 }
 
-/** `abort` when absent. */
+/** `abort` when absent. `drain` is for the profile `control`. */
 export const StopMode = {
     Abort: 'abort',
     Drain: 'drain',
@@ -856,7 +857,7 @@ export interface SubmitRun {
     policy: PolicyInfo;
     /** Most live workers wanted; the server's limit when absent. */
     max_workers?: number;
-    /** Lease of a session; the server's maximum when absent. */
+    /** Lease of a session; the server's maximum when absent. For the profile `sessions`. */
     idle_timeout_s?: number;
     images?: ImageChoice;
     options?: CalibrationOptions;

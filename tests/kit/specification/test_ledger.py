@@ -20,7 +20,13 @@ from conformance.specification.document import (
     load_profiles,
     load_spec,
 )
-from conformance.specification.ledger import load_areas, load_ledger
+from conformance.specification.ledger import (
+    CORE,
+    PROFILES,
+    SERVICE,
+    load_areas,
+    load_ledger,
+)
 from conformance.specification.rule_documents import read_rules, rule_documents
 from tests.support.paths import ROOT
 
@@ -163,8 +169,16 @@ def test_each_cell_of_the_lifecycle_is_a_rule() -> None:
             ("a", "I MUST go.", ("a", "b"), "N"),
         ),
         (
-            "Profile: `a`.\nProfile: `b`.\n- [ABC-001, verifier] It MUST — or not.",
-            ("b", "It MUST — or not.", (), None),
+            "Profile: `a`.\n## S\nProfile: `b`.\n## T\n- [AB-001] I MUST go.",
+            ("a", "I MUST go.", (), None),
+        ),
+        (
+            "# D\nProfile: `a`.\n- [AB-001, b] I MUST go.",
+            ("b", "I MUST go.", (), None),
+        ),
+        (
+            "Profile: `a`.\n## S\n- [ABC-001, verifier] It MUST — or not.",
+            ("a", "It MUST — or not.", (), None),
         ),
     ],
 )
@@ -186,6 +200,22 @@ def test_a_rule_without_a_profile_is_an_error(tmp_path: Path) -> None:
         path.write_text("- [ABC-001] A server MUST answer.\n")
     with pytest.raises(ValueError, match=r"http\.md names no profile above ABC-001"):
         list(read_rules(tmp_path))
+
+
+def test_levels_are_profiles_and_each_is_closed() -> None:
+    """Expect the levels of `x-levels`, and each rule about an operation of its own
+    profile or of one that this needs.
+    """
+    spec = load_spec()
+    assert spec.document["x-levels"] == {"core": [], "service": [*SERVICE]}
+    needs = spec.document["x-needs"]
+    named = {name for names in needs.values() for name in names}
+    assert needs.keys() | named <= {*SERVICE} <= {*PROFILES}
+    for rule in load_ledger().values():
+        if rule.profile in (CORE, *SERVICE) and rule.operations:
+            known = {CORE, rule.profile, *needs.get(rule.profile, [])}
+            profiles = {spec.operations[name].profile for name in rule.operations}
+            assert profiles & known, rule.id
 
 
 def test_lifecycle_states_each_cell_once_with_declared_names() -> None:

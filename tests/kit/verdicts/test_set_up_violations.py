@@ -20,7 +20,8 @@ SEEN = Exchange(1, "SCORE-006/1", "GET", "http://x", None, {}, b"", 0, 200)
 def result_of(*verdicts: Verdict) -> Result:
     """Conclude these verdicts, and pass all other rules."""
     ids = [verdict.requirement_id for verdict in verdicts]
-    settings = Settings(profiles=["core"], only=ids, service={"profiles": []})
+    profiles = ["core", "control"]
+    settings = Settings(profiles=profiles, only=ids, service={"profiles": profiles})
     result = Result(settings)
     by_id = {verdict.requirement_id: verdict for verdict in verdicts}
     conclude(result, by_id, Tally(load_spec()), set())

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from conformance.specification.ledger import PROFILES, load_ledger
+from conformance.specification.ledger import CORE, PROFILES, SERVICE, load_ledger
 from tests.support.kit.run_kit import run_kit
 from tools.example_servers import (
     GO,
@@ -45,7 +45,7 @@ def without_verdict(command: str, reports: Path) -> set[str]:
 
 def test_server_js_is_conformant(tmp_path: Path) -> None:
     """The kit starts, judges and kills it. Expect every rule it sees to hold."""
-    offered = {"core", "msgpack", "crash"}
+    offered = {CORE, *SERVICE, "crash"}
     rest = UNSEEN | ONE_BENCHMARK | ONLY_JSON_AND_RAW | not_offered(offered)
     assert without_verdict(START_SERVER_JS, tmp_path) == rest
 
@@ -55,7 +55,7 @@ def test_server_go_is_conformant(tmp_path: Path) -> None:
     """The same for the server in Go, built here."""
     server = build_server_go(tmp_path)
     rest = UNSEEN | ONE_BENCHMARK
-    rest |= not_offered({"core", "msgpack", "crash", "compare", "events"})
+    rest |= not_offered({CORE, *SERVICE, "msgpack", "crash", "compare", "events"})
     assert without_verdict(str(server), tmp_path / "report") == rest
 
 

@@ -362,7 +362,7 @@ class ControlApi:
     ) -> Run:
         """State, progress and the reason for both; can wait for a change.
 
-        if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without.
+        if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without. For the profile `waiting`.
         prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014).
         proctor_version: The protocol version the caller was written for.
         """
@@ -796,7 +796,7 @@ class ControlApi:
     ) -> Run:
         """Ask for one evaluation of one policy on one benchmark.
 
-        idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014).
+        idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014). For the profile `submit_once`.
         proctor_version: The protocol version the caller was written for.
         """
         return self.api_client.call(

@@ -100,7 +100,7 @@ export interface GetRankingRequest {
 
 export interface GetRunRequest {
     runId: string;
-    /** The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without. */
+    /** The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without. For the profile `waiting`. */
     ifNoneMatch?: string;
     /** `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014). */
     prefer?: string;
@@ -218,7 +218,7 @@ export interface StopRunRequest {
 
 export interface SubmitRunRequest {
     submitRun: SubmitRun;
-    /** Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014). */
+    /** Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014). For the profile `submit_once`. */
     idempotencyKey?: string;
     /** The protocol version the caller was written for. */
     proctorVersion?: string;
