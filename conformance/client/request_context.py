@@ -35,7 +35,7 @@ from conformance.specification.document import (
     load_policy_spec,
     load_spec,
 )
-from conformance.specification.ledger import POLICY
+from conformance.specification.ledger import CORE, POLICY
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
@@ -46,6 +46,7 @@ _CAPACITY_POLL_S = 0.1
 _ROUND_TRIPS = 12
 _ROUND_TRIP_TIMEOUT_S = 10.0
 _STALL_POLL_S = 0.1
+_PROFILE_OF_TASK = {"echo": "observations", "fault": "faults"}
 # The tolerance of timing checks, in round trips.
 TOLERANCE_ROUND_TRIPS = 20
 
@@ -142,6 +143,16 @@ class RequestContext:
     def offers(self, profile: str) -> bool:
         """Whether the server offers a profile."""
         return self.shared.settings.is_offered(profile)
+
+    def tasks(self, *wanted: str) -> list[str]:
+        """Those of these tasks of calibration that the server offers."""
+        return [
+            task for task in wanted if self.offers(_PROFILE_OF_TASK.get(task, CORE))
+        ]
+
+    def worker_count(self, most: int) -> int:
+        """How many workers may play a run at a time, at most `most`."""
+        return min(most, self.limits["max_workers"]) if self.offers("sessions") else 1
 
     def client_with_token(self, token: str | None) -> HttpClient:
         """Give a client with any token, or without one."""

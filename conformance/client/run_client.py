@@ -45,6 +45,7 @@ class RunClient:
         self.id = str(self.body["run_id"])
         self._worker_numbers = itertools.count(1)
         self._sessions: dict[str, str] = {}  # of each worker, the latest
+        self._results_in_turns: dict[int, dict[str, Any]] = {}  # by the index
 
     def call(self, operation_id: str, **how: Any) -> Answer:
         """Send an operation on this run; the answer is raw."""
@@ -54,6 +55,10 @@ class RunClient:
         answer = self.context.call(operation_id, endpoint=endpoint, **how)
         if operation_id == "attach_worker" and answer.status == 200:
             self._store_session_id(str(how.get("worker_id")), answer.json)
+        if operation_id == "predict" and isinstance(answer.json, dict):
+            result = answer.json.get("episode_result")
+            if isinstance(result, dict) and isinstance(result.get("index"), int):
+                self._results_in_turns[result["index"]] = result
         return answer
 
     @contextlib.contextmanager
@@ -92,6 +97,8 @@ class RunClient:
                 return
             if not self._sessions or self.get()["state"] in _ENDED:
                 return
+            if not self.context.offers("sessions"):
+                return
             for worker_id, session_id in self._sessions.items():
                 self.call(
                     "detach_worker",
@@ -127,6 +134,16 @@ class RunClient:
                 raise SetUpFailed(text, breaks="EPI-006")
         return episodes
 
+    def results(self) -> list[dict[str, Any] | None]:
+        """Give the results by manifest order; None for an episode without one.
+
+        As `list_episodes` shows them, or as turns did where it is not offered.
+        """
+        if self.context.offers("lists"):
+            return SetUpList(episode.get("result") for episode in self.episodes())
+        total = self.body["progress"]["episodes_total"]
+        return SetUpList(map(self._results_in_turns.get, range(total)))
+
     def stop(self, mode: str = "abort") -> dict[str, Any]:
         """Stop the run."""
         self.body = self._require("stop_run", json={"mode": mode})
@@ -159,7 +176,8 @@ class RunClient:
     def snapshot(self) -> dict[str, Any]:
         """Read everything of the run that only a command may change."""
         run = {k: v for k, v in self.get().items() if k not in _VOLATILE}
-        return {"run": run, "episodes": self.episodes(), "score": self.score()}
+        episodes = self.episodes() if self.context.offers("lists") else None
+        return {"run": run, "episodes": episodes, "score": self.score()}
 
 
 class WorkerClient:

@@ -181,7 +181,7 @@ def _number(version: str) -> tuple[int, ...]:
 def _require_admitted(http_client: HttpClient, source: str) -> None:
     if http_client.token is None:
         raise CannotJudge(f"no token: set {source}")
-    answer = _request(http_client, "GET", "/v1/runs", params={"limit": 1})
+    answer = _request(http_client, "GET", "/v1/benchmarks")
     if answer.status in (401, 403):
         raise CannotJudge(
             f"token from {source} was rejected: {describe_answer(answer)}"
@@ -225,9 +225,9 @@ def _require_endpoint(http_client: HttpClient, endpoint: object, run_id: str) ->
     """
     if not str(endpoint).startswith(("http://", "https://")):
         return
-    path = f"/v1/runs/{run_id}/workers/preflight/heartbeat"
+    path = f"/v1/runs/{run_id}/workers/preflight/predict"
     url = str(endpoint).rstrip("/") + path
-    body = {"session_id": "preflight"}
+    body = {"session_id": "preflight", "seq": 1, "actions": []}
     try:
         http_client.request("POST", url, json=body, timeout_s=_TIMEOUT_S)
     except AnsweredByProxy as error:

@@ -207,7 +207,7 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
     repeated `run` event, also for a reader that goes on after the last one.
     """
     run = context.submit(*["count"] * 4)
-    workers = [run.worker() for _ in range(min(2, context.limits["max_workers"]))]
+    workers = [run.worker() for _ in range(context.worker_count(2))]
     worker = workers[0]
     with follow_run(run) as reader:
         expect_change_in_time(context, reader, in_state("ready"), "ready")
@@ -464,7 +464,7 @@ def expect_the_others_after(run: RunClient, second: str) -> None:
 
 def run_ended_by_abort(context: CheckContext) -> RunClient:
     """Give a run of up to four episodes, all of which an abort scored at once."""
-    workers = min(4, context.limits["max_workers"])
+    workers = context.worker_count(4)
     tasks = ["score"] * workers
     run = context.submit(*tasks, max_workers=workers, max_attempts=1)
     attached = attach_workers(run, workers)

@@ -116,7 +116,7 @@ def changes_of_runs(
         (stopped, "stopped", stopped.stop),
         (failing.run, "failed", partial(failing.try_next, fault=1)),
     ]
-    if context.limits["max_workers"] > 1:
+    if context.worker_count(2) > 1:
         _, leaving = attach_workers(context.submit("score", "score"), 2)
         changes.append((leaving.run, "running", leaving.detach))
     return changes

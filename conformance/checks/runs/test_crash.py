@@ -52,7 +52,7 @@ def kill_server_under_load(
     """Kill the server while workers play; give the run and the results received."""
     context = server.context
     run = context.submit(*["score"] * 1000)
-    workers = attach_workers(run, min(3, context.limits["max_workers"]))
+    workers = attach_workers(run, context.worker_count(3))
     results: list[dict[str, Any]] = []
     threads = [
         threading.Thread(target=play_until_killed, args=(worker, results), daemon=True)
@@ -126,7 +126,7 @@ def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
     """
     with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)
-        workers = attach_workers(run, min(2, server.context.limits["max_workers"]))
+        workers = attach_workers(run, server.context.worker_count(2))
         workers[0].play(score=0.75)
         for worker in workers:
             worker.predict(server.context.action())

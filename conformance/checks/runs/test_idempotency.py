@@ -123,7 +123,7 @@ def other_bodies(context: CheckContext, body: dict[str, Any]) -> Iterator[Any]:
     if context.limits["idle_timeout_s_min"] < lease_s:
         yield body | {"idle_timeout_s": context.limits["idle_timeout_s_min"]}
         yield body | {"idle_timeout_s": math.nextafter(lease_s, 0)}
-    if context.limits["max_workers"] > 1:
+    if context.worker_count(2) > 1:
         yield body | {"max_workers": 2}
     for size in context.benchmark["image_sizes"][1:2]:
         yield body | {"images": body["images"] | size}

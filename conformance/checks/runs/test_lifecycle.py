@@ -174,7 +174,7 @@ def test_life_802_running_becomes_ready(context: CheckContext) -> None:
     """
     run = context.submit("count", "count", "count")
     for _ in range(2):
-        *others, last = attach_workers(run, min(2, context.limits["max_workers"]))
+        *others, last = attach_workers(run, context.worker_count(2))
         run.until("running")
         for worker in others:
             worker.detach()
@@ -192,7 +192,7 @@ def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
     """
     run = context.submit("count", "count", "count")
     for _ in range(2):
-        *others, last = attach_workers(run, min(2, context.limits["max_workers"]))
+        *others, last = attach_workers(run, context.worker_count(2))
         start_drain(run)
         for worker in others:
             worker.detach()
@@ -201,7 +201,7 @@ def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
         expect_state_soon(run, "stopped")
         run.resume()
         run.until("ready")
-    if context.limits["max_workers"] > 1:
+    if context.worker_count(2) > 1:
         expect_stopping_beside_a_detach(context)
 
 

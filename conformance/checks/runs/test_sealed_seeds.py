@@ -28,21 +28,26 @@ def results_in(value: Any) -> Iterator[dict[str, Any]]:
 
 
 def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
-    """Play a run with both splits, and abandon one episode of each.
+    """Play a run with both splits, and abandon one episode of each, where any can be.
 
     Gives all that was answered about it.
     """
-    worker = submit_and_attach(context, *TASKS, max_attempts=1, **options)
+    can_abandon, tasks = context.offers("sessions"), context.tasks(*TASKS)
+    observe = "all" if context.offers("observations") else None
+    options |= {"max_attempts": 1} if can_abandon else {}
+    worker = submit_and_attach(context, *tasks, **options)
     read: list[Any] = [worker.run.body, worker.turn]
-    for is_played in (True, True, False, False):
+    for is_played in (True, True, *[not can_abandon] * (len(tasks) - 2)):
         if worker.turn["done"]:
             raise SetUpFailed("no session for the next episode", breaks="EPI-004")
-        read.append(worker.predict(context.action(), observe="all"))
+        read.append(worker.predict(context.action(), observe=observe))
         if is_played:
             read.append(worker.predict(context.action(end=1)))
         else:
             worker.detach()
-        read += [worker.run.get(), worker.run.episodes()]
+        read.append(worker.run.get())
+        if context.offers("lists"):
+            read.append(worker.run.episodes())
         if not is_played and worker.run.body["state"] != "completed":
             read.append(worker.attach())
     read.append(worker.run.score())

@@ -61,7 +61,9 @@ def test_auth_001_cannot_do_anything_without_a_valid_token(
             expect.refused(send(worker.run, sample, http_client), "unauthenticated")
     for header in nearly_right_credentials(token):
         answer = context.call(
-            "list_runs", http_client=without_token, headers={"Authorization": header}
+            "list_benchmarks",
+            http_client=without_token,
+            headers={"Authorization": header},
         )
         expect.refused(answer, "unauthenticated")
     expect.equal(worker.run.snapshot(), before, "the run")
@@ -82,7 +84,7 @@ def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
         for sample in operation_samples(worker)
         if needs_token(context, sample)
     ]
-    answers.append(context.call("list_runs", http_client=with_wrong_token))
+    answers.append(context.call("list_benchmarks", http_client=with_wrong_token))
     for answer in answers:
         expect.refused(answer, "unauthenticated")
         header = answer.headers.get("www-authenticate", "")

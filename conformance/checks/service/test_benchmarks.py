@@ -114,32 +114,37 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
     """
     tasks = ["score", "count"]
     defaults: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"}
-    defaults |= {"max_attempts": 3, "max_faults": 3}
+    own: list[dict[str, Any]] = [{"policy": {"name": "another"}, "max_workers": 1}]
+    choices: list[dict[str, Any]] = []
+    if context.offers("sessions"):
+        defaults["max_attempts"] = 3
+        choices.append({"tasks": tasks, "max_attempts": 4})
+        own.append({"idle_timeout_s": context.limits["idle_timeout_s_min"]})
+    if context.offers("faults"):
+        defaults["max_faults"] = 3
+        choices.append({"tasks": tasks, "max_faults": 4})
+    if context.offers("control"):
+        own.append({"options": {"tasks": tasks, "queue_s": 0.5}})
+    if context.offers("observations"):
+        size = context.benchmark["image_sizes"][-1]
+        images = {name: size[name] for name in ("width", "height")}
+        own.append({"images": images | {"codec": "raw"}})
     first = digest_of(context, options={"tasks": tasks})
-    size = context.benchmark["image_sizes"][-1]
-    images = {name: size[name] for name in ("width", "height")} | {"codec": "raw"}
-    for members in (
-        {"options": {"tasks": tasks}},
-        {"options": {"tasks": tasks, **defaults}},
-        {"options": {"tasks": tasks, "queue_s": 0.5}},
-        {"policy": {"name": "another"}, "max_workers": 1, "images": images},
-        {"idle_timeout_s": context.limits["idle_timeout_s_min"]},
-    ):
+    for members in ({}, {"options": {"tasks": tasks, **defaults}}, *own):
         digest = digest_of(context, **({"options": {"tasks": tasks}} | members))
         expect.equal(digest, first, f"manifest_sha256 with {members}")
     by_hash = {first: "the first choices"}
     for options in (
         *sealed_choices(context, tasks),
         {"tasks": ["count", "score"]},
-        {"tasks": ["score", "echo"]},
+        {"tasks": ["score", "delay"]},
         {"tasks": ["score"]},
         *({"tasks": [*order]} for order in sorted({*permutations([*tasks, "count"])})),
         {"tasks": MANY_TASKS},
         {"tasks": [*MANY_TASKS[:-1], "count"]},
         *({"tasks": tasks, "max_steps": steps} for steps in (11, 9999, 10000)),
         {"tasks": tasks, "success_rule": "last_step"},
-        {"tasks": tasks, "max_attempts": 4},
-        {"tasks": tasks, "max_faults": 4},
+        *choices,
     ):
         digest = digest_of(context, options=options)
         twin = by_hash.get(digest)

@@ -112,8 +112,9 @@ def test_ver_002_cannot_use_a_version_out_of_range(context: CheckContext) -> Non
             )
             expect.refused(answer, "unsupported_version")
     for beyond in versions_outside(protocol):
-        answer = context.call("list_runs", headers={"Proctor-Version": beyond})
+        answer = context.call("list_benchmarks", headers={"Proctor-Version": beyond})
         expect.refused(answer, "unsupported_version")
     for version in (protocol["min"], protocol["max"]):
-        expect.ok(context.call("list_runs", headers={"Proctor-Version": version}))
-        expect.ok(worker.try_heartbeat(headers={"Proctor-Version": version}))
+        headers = {"Proctor-Version": version}
+        expect.ok(context.call("list_benchmarks", headers=headers))
+        expect.ok(worker.try_attach(attach_key=worker.attach_key, headers=headers))

@@ -13,12 +13,12 @@ from conformance.client.check_context import CheckContext
 from conformance.client.request_context import RequestContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
+from conformance.specification.ledger import CORE
 from conformance.verdicts import expect
 from conformance.verdicts.expect import (
     Inconclusive,
     NotApplicable,
     SetUpFailed,
-    SetUpList,
     Violation,
 )
 
@@ -50,7 +50,7 @@ def require_duration(answer: Answer, delay_s: float) -> None:
 
 def require_worker_limit(context: RequestContext, workers: int) -> None:
     """Require that a run may have this number of live workers."""
-    if context.limits["max_workers"] < workers:
+    if context.worker_count(workers) < workers:
         raise NotApplicable(f"server does not allow {workers} live workers in a run")
 
 
@@ -107,7 +107,7 @@ def without(body: Mapping[str, Any], *members: str) -> dict[str, Any]:
 
 def results(run: RunClient) -> list[dict[str, Any] | None]:
     """Results by manifest order; None for an episode without one."""
-    return SetUpList(episode.get("result") for episode in run.episodes())
+    return run.results()
 
 
 def expect_pointer(problem: Mapping[str, Any], *pointers: str) -> None:
@@ -136,6 +136,15 @@ _RULES_BY_STATE = {
     "stopped": "LIFE-102",
     "completed": "LIFE-804",
 }
+
+
+_PROFILES_BY_STATE = {"queued": "control", "stopping": "control", "failed": "faults"}
+
+
+def reachable_states(context: CheckContext) -> list[str]:
+    """Those states of a run that the profiles of the server can bring it into."""
+    states: list[str] = context.spec.lifecycle["states"]
+    return [s for s in states if context.offers(_PROFILES_BY_STATE.get(s, CORE))]
 
 
 def make_run_in_state(context: CheckContext, state: str, **options: Any) -> RunClient:
@@ -215,7 +224,8 @@ def _make_stopping(context: CheckContext, options: dict[str, Any]) -> RunClient:
 
 
 def _make_stopped(context: CheckContext, options: dict[str, Any]) -> RunClient:
-    run = _make_queued(context, options)
+    make = _make_queued if context.offers("control") else _make_ready
+    run = make(context, options)
     run.stop()
     return run
 

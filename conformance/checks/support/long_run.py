@@ -81,9 +81,9 @@ def _stored(context: CheckContext, name: str, *, is_other: bool) -> LongRun:
     return entry
 
 
-def _plan(index: int, is_other: bool) -> PlannedEpisode:
+def _plan(index: int, is_other: bool, tasks: list[str]) -> PlannedEpisode:
     is_success = (index % 7 in (0, 2, 4)) != (is_other and index >= _TIES)
-    outcome, task = "success" if is_success else "failure", _TASKS[index % len(_TASKS)]
+    outcome, task = "success" if is_success else "failure", tasks[index % len(tasks)]
     score = (index * (5 if is_other else 7) % 11) / 11
     return PlannedEpisode(
         outcome, score if task == "score" else float(is_success), task
@@ -91,10 +91,11 @@ def _plan(index: int, is_other: bool) -> PlannedEpisode:
 
 
 def _play(context: CheckContext, is_other: bool) -> LongRun:
-    plan = [_plan(index, is_other) for index in range(EPISODES)]
+    tasks = context.tasks(*_TASKS)
+    plan = [_plan(index, is_other, tasks) for index in range(EPISODES)]
     run = context.submit(*[planned.task for planned in plan])
     long = LongRun(run, plan)
-    wanted = 1 if is_other else min(2, context.limits["max_workers"])
+    wanted = 1 if is_other else context.worker_count(2)
     workers = [run.worker() for _ in range(wanted)]
     for worker in workers:
         long.turns.append(worker.attach())

@@ -170,7 +170,7 @@ class ModelledRun:
     def __init__(
         self, context: CheckContext, clients: int, task: str = "score"
     ) -> None:
-        workers = min(MAX_WORKERS, context.limits["max_workers"])
+        workers = context.worker_count(MAX_WORKERS)
         self.context = context
         self.run = context.submit(
             *[task] * EPISODES,

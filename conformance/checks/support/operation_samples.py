@@ -57,7 +57,17 @@ def attach_live_worker(context: CheckContext) -> WorkerClient:
 
 
 def operation_samples(worker: WorkerClient) -> Iterator[OperationSample]:
-    """Give the id and the parameters of every operation that needs a token."""
+    """Give the id and the parameters of every operation that needs a token.
+
+    Those of profiles only where the server offers them.
+    """
+    context = worker.run.context
+    for sample in _samples(worker):
+        if context.offers(context.spec.operations[sample[0]].profile):
+            yield sample
+
+
+def _samples(worker: WorkerClient) -> Iterator[OperationSample]:
     context = worker.run.context
     worker_id = {"worker_id": worker.id}
     session = {"session_id": worker.session_id}

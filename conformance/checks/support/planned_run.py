@@ -6,7 +6,7 @@ play any pattern of outcomes. The expected score of the run comes from
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -36,13 +36,17 @@ SUCCESS, FAILURE, UNPLAYED = (
     PlannedEpisode(None),
 )
 ABANDONED = PlannedEpisode("abandoned", 0.7)
+_PLAYED: dict[str | None, dict[str, str]] = {"abandoned": {"outcome": "failure"}}
 
 
 class PlannedRun:
     """A run that is played episode by episode, with its expected score."""
 
     def __init__(self, context: CheckContext, plan: Sequence[PlannedEpisode]) -> None:
-        self.run: RunClient = context.submit(*[t.task for t in plan], max_attempts=1)
+        options = {"max_attempts": 1}
+        if not context.offers("sessions"):  # nothing can be abandoned
+            options, plan = {}, [replace(t, **_PLAYED.get(t.outcome, {})) for t in plan]
+        self.run: RunClient = context.submit(*[t.task for t in plan], **options)
         self.played = 0
         self._context = context
         self._plan = plan

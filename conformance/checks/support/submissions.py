@@ -60,14 +60,23 @@ def whole_submission(context: CheckContext) -> dict[str, Any]:
     benchmark = context.benchmark
     policy = {"name": f"conformance kit {uuid.uuid4()}", "version": "1"}
     policy |= {"submitter": "kit", "homepage": "https://a.example"}
-    options = {"tasks": ["score", "count"], "max_steps": 5, "success_rule": "last_step"}
-    options |= {"max_attempts": 2, "max_faults": 2, "queue_s": 1}
-    images = {"codec": benchmark["image_codecs"][0], **benchmark["image_sizes"][0]}
+    options: dict[str, Any] = {"tasks": ["score", "count"], "max_steps": 5}
+    options["success_rule"] = "last_step"
+    members: dict[str, Any] = {}
+    if context.offers("sessions"):
+        options["max_attempts"] = 2
+        members["idle_timeout_s"] = context.limits["idle_timeout_s_max"]
+    if context.offers("faults"):
+        options["max_faults"] = 2
+    if context.offers("control"):
+        options["queue_s"] = 1
+    if context.offers("observations"):
+        codec = benchmark["image_codecs"][0]
+        members["images"] = {"codec": codec, **benchmark["image_sizes"][0]}
     return context.submit_body(
+        **members,
         policy=policy,
         max_workers=1,
-        idle_timeout_s=context.limits["idle_timeout_s_max"],
-        images=images,
         options=options,
         mode="pull" if context.offers("push") else None,
     )

@@ -25,7 +25,6 @@ RULES = {
     "max_faults": 3,
     "success_rule": "any_step",
     "episodes_total": 1,
-    "tasks": TASKS,
     "splits": ["even", "odd"],
 }
 # name: size, unit, minimum, maximum, out of range
@@ -53,9 +52,14 @@ SIZES = [{"width": 16, "height": 12}, {"width": 64, "height": 48}]
 
 def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> None:
     """Expect the declared limits, lists and options of the benchmark."""
+    offered = context.tasks(*TASKS)
+    tasks = [task for task in benchmark["tasks"] if task in offered]
+    expect.equal(tasks, offered, "tasks")
     for member, value in RULES.items():
         expect.equal(benchmark[member], value, member)
     expect.equal(benchmark["max_chunk"], context.limits["max_chunk"], "max_chunk")
+    if not context.offers("observations"):
+        return
     sizes, codecs = benchmark["image_sizes"], benchmark["image_codecs"]
     expect.equal(sizes[0], SIZES[0], "the first of image_sizes")
     expect.true(SIZES[1] in sizes, f"{SIZES[1]} in image_sizes", sizes)
@@ -64,7 +68,7 @@ def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> N
     expect.equal(sorted(codecs), announced, "image_codecs")
 
 
-def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
+def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> None:
     """Expect the names, sizes and ranges of actions and observations."""
     actions, observations = benchmark["action_space"], benchmark["observation_space"]
     expect.equal(sorted(actions), sorted(ACTIONS), "names of the actions")
@@ -83,6 +87,8 @@ def expect_declared_spaces(benchmark: dict[str, Any]) -> None:
             expect.equal(
                 observations["state"][name][member], value, f"{member} of {name}"
             )
+    if not context.offers("observations"):
+        return
     channels = {
         name: image["channels"] for name, image in observations["images"].items()
     }
@@ -114,12 +120,13 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.ok(answer)
     expect_declared_rules(context, benchmark)
-    expect_declared_spaces(benchmark)
-    worker = submit_and_attach(context, *TASKS, max_steps=4)
-    for _ in TASKS:
+    expect_declared_spaces(context, benchmark)
+    tasks = context.tasks(*TASKS)
+    worker = submit_and_attach(context, *tasks, max_steps=4)
+    for _ in tasks:
         view = worker.turn["episode"]
         index, task = view["index"], view["task"]
-        expect.equal(task, TASKS[index], f"task of episode {index}")
+        expect.equal(task, tasks[index], f"task of episode {index}")
         expect.equal(view["max_steps"], 4, "max_steps")
         expect.equal(view["instruction"], f"Calibration task {task}.", "instruction")
         result = worker.play()["episode_result"]
@@ -165,8 +172,9 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
 
     Expect `count` to begin at 0 and to grow by the number of actions.
     """
-    worker = submit_and_attach(context, *TASKS, "echo", max_steps=10000)
-    for task in TASKS:
+    tasks = context.tasks(*TASKS)
+    worker = submit_and_attach(context, *tasks, "count", max_steps=10000)
+    for task in tasks:
         expect.equal(count(worker.turn), [0], f"count at the beginning of {task}")
         turn = worker.predict(context.action())
         expect.equal(count(turn), [1], f"count after an action of {task}")
@@ -206,12 +214,13 @@ def test_cal_005_end_ends_every_task(context: CheckContext) -> None:
 
     Expect the episode to continue after the first, and to terminate with the second.
     """
-    worker = submit_and_attach(context, *TASKS, *TASKS)
-    for task in TASKS:
+    tasks = context.tasks(*TASKS)
+    worker = submit_and_attach(context, *tasks, *tasks)
+    for task in tasks:
         last = [context.action()] * 2 + [context.action(end=1)]
         turn = worker.predict(*last)
         expect.equal(turn["terminated"], True, f"terminated in {task} by the last of 3")
-    for task in TASKS:
+    for task in tasks:
         for end in (0.999, BELOW_1):
             turn = worker.predict(context.action(end=end))
             expect.equal(turn["terminated"], False, f"terminated in {task} below 1")
@@ -261,17 +270,20 @@ def test_cal_007_states_are_those_of_the_last_action(context: CheckContext) -> N
 
     Expect the vectors of the last executed action, and zeros at each beginning.
     """
-    worker = submit_and_attach(context, *TASKS, max_attempts=3)
+    tasks, attaches_again = context.tasks(*TASKS), context.offers("sessions")
+    options = {"max_attempts": 3} if attaches_again else {}
+    worker = submit_and_attach(context, *tasks, **options)
     zeros = [0.0] * 8, [0.0] * 2
     first = context.action(vector=[float(n) for n in range(1, 9)], clipped=[0.5, -3])
     last = context.action(vector=[-n / 3 for n in range(8)], clipped=[2, 1 / 3])
-    for task in TASKS:
+    for task in tasks:
         expect_echoed(worker.turn, *zeros, f"at the beginning of {task}")
         turn = worker.predict(first, last)
         expect_echoed(turn, [-n / 3 for n in range(8)], [1, 1 / 3], f"in {task}")
-        worker.detach()
-        worker.attach()
-        expect_echoed(worker.turn, *zeros, f"in the next attempt of {task}")
+        if attaches_again:
+            worker.detach()
+            worker.attach()
+            expect_echoed(worker.turn, *zeros, f"in the next attempt of {task}")
         worker.predict(first)
         if task == "fault":
             expect_echoed(worker.predict(context.action(fault=1)), *zeros, "at a fault")
@@ -286,9 +298,10 @@ def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
 
     Expect each of them as the reward of its step.
     """
-    worker = submit_and_attach(context, *TASKS, max_steps=1000)
+    tasks = context.tasks(*TASKS)
+    worker = submit_and_attach(context, *tasks, max_steps=1000)
     actions = [context.action(score=score) for score in SCORES]
-    for task in TASKS:
+    for task in tasks:
         for is_msgpack in (False, True) if context.speaks_msgpack else (False,):
             for first in range(0, len(SCORES), 4):
                 part = slice(first, first + 4)
@@ -341,8 +354,9 @@ def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) ->
 
     Expect all actions executed, at once and without a fault.
     """
-    worker = submit_and_attach(context, *TASKS, max_steps=100)
-    for task in TASKS:
+    tasks = context.tasks(*TASKS)
+    worker = submit_and_attach(context, *tasks, max_steps=100)
+    for task in tasks:
         if task != "delay":
             expect_no_effect(worker, task, delay_s=NO_DELAY_S[0])
         if task != "fault":
@@ -359,7 +373,7 @@ def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
 
     Expect 1 for each success, and 0 for each failure.
     """
-    others = [task for task in TASKS if task != "score"]
+    others = [task for task in context.tasks(*TASKS) if task != "score"]
     tasks = others * 3
     worker = submit_and_attach(context, *tasks)
     scores: dict[int, float] = {}

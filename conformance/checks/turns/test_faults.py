@@ -143,7 +143,7 @@ def test_fault_006_predict_that_fails_the_run(context: CheckContext) -> None:
 
 def attach_beside_a_fault_task(run: RunClient) -> list[WorkerClient]:
     """Attach a worker to the first episode, and another one if that is allowed."""
-    return attach_workers(run, min(2, run.context.limits["max_workers"]))
+    return attach_workers(run, run.context.worker_count(2))
 
 
 def fail_beside_a_turn(context: CheckContext) -> None:
@@ -368,7 +368,7 @@ def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
             answer = worker.try_predict(context.action())
             expect.refused(answer, "session_ended", **ended)
             expect.refused(worker.try_heartbeat(), "session_ended", **ended)
-    if context.limits["max_workers"] > 1:
+    if context.worker_count(2) > 1:
         done, failing = attach_workers(context.submit("count", "fault"), 2)
         done.play()
         accepted = done.try_heartbeat()

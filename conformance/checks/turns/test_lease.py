@@ -320,7 +320,7 @@ def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
 
     Expect a third to attach when the lease has ended.
     """
-    slots = min(2, context.limits["max_workers"])
+    slots = context.worker_count(2)
     silent, began = attach_with_lease(context, *["delay"] * 3, max_workers=slots)
     waiting, *others = [silent.run.worker() for _ in range(slots)]
     for busy in others:

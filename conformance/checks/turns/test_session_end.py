@@ -106,12 +106,14 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
         expect.refused(answer, "worker_busy")
     again = expect.ok(worker.try_attach(attach_key=key))
     expect.equal(again["session_id"], worker.session_id, "session_id of the repeat")
-    for name in ("two", "three")[: context.limits["max_workers"] - 1]:
+    for name in ("two", "three")[: context.worker_count(3) - 1]:
         expect_another_session(worker, run.worker(name).try_attach(attach_key=key))
-    if context.limits["max_workers"] > 1:
+    if context.worker_count(2) > 1:
         expect_no_joined_names(context)
     elsewhere = context.submit("count").worker("one")
     expect_another_session(worker, elsewhere.try_attach(attach_key=key))
+    if not context.offers("sessions"):
+        return
     later = run.worker("one")
     later.attach(takeover=True)
     expect.refused(worker.try_attach(attach_key=key), "worker_busy")
@@ -201,7 +203,7 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
     for own in (first, second):
         own.predict(context.action())
     workers = [first.run.worker("free"), second]
-    if context.limits["max_workers"] > 1:
+    if context.worker_count(2) > 1:
         workers.append(first.run.worker("second"))
         workers[-1].attach()
     for wrong in workers:

@@ -1,0 +1,136 @@
+"""The reference server without the profiles that ONLY_PROFILES does not name.
+
+`ONLY_PROFILES=core,lists python -m tests.support.kit.server_of_profiles`. Operations,
+fields, values and headers of other profiles are unknown to it, as levels.md has it.
+"""
+
+import dataclasses
+import functools
+import json
+import os
+import sys
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+from starlette.responses import Response
+
+from conformance.specification.document import load_spec
+from reference_server.__main__ import main
+from reference_server.http.codec import JSON
+from reference_server.http.dispatch import Operation, OperationCall
+from reference_server.http.handlers import Handlers
+from reference_server.rules.refusal import Refused
+from tests.mutants import put
+
+Handler = Callable[[OperationCall], Awaitable[Response]]
+ANNOUNCED = {"core", *os.environ.get("ONLY_PROFILES", "").split(",")} - {""}
+# operation → JSON pointer → the profile of the field there
+FIELDS = {
+    "submit_run": {
+        "/idle_timeout_s": "sessions",
+        "/images": "observations",
+        "/select": "subsets",
+        "/any_policy": "attribution",
+        "/mode": "push",
+        "/policy_server": "push",
+        "/options/max_attempts": "sessions",
+        "/options/max_faults": "faults",
+        "/options/queue_s": "control",
+        "/options/sealed": "sealed_seeds",
+    },
+    "attach_worker": {
+        "/takeover": "sessions",
+        "/assumes": "conventions",
+        "/player": "attribution",
+    },
+    "predict": {"/observe": "observations"},
+}
+TASKS = {"echo": "observations", "fault": "faults"}
+HEADERS = {
+    "if-none-match": "waiting",
+    "prefer": "waiting",
+    "idempotency-key": "submit_once",
+    "last-event-id": "events",
+}
+
+
+def require_known(name: str, body: Any) -> None:
+    """Raise Refused if a body has a field or a value of a profile that is missing."""
+    for pointer, profile in FIELDS.get(name, {}).items():
+        *parents, last = pointer.split("/")[1:]
+        holder = functools.reduce(lambda at, key: at.get(key, {}), parents, body)
+        if last in holder and profile not in ANNOUNCED:
+            raise Refused("invalid_request", "Unknown.", errors=[(pointer, "unknown")])
+    tasks = body.get("options", {}).get("tasks", []) if name == "submit_run" else []
+    if any(TASKS.get(task, "core") not in ANNOUNCED for task in tasks):
+        raise Refused("invalid_request", "Unknown.", errors=[("/options/tasks", "unknown")])
+    if body.get("mode") == "drain" and "control" not in ANNOUNCED:
+        raise Refused("invalid_request", "Unknown.", errors=[("/mode", "unknown")])
+
+
+def changed_body(response: Response, change: Callable[[Any], None]) -> Response:
+    body = json.loads(response.body)
+    change(body)
+    headers = {k: v for k, v in response.headers.items() if k != "content-length"}
+    return Response(json.dumps(body), response.status_code, headers)
+
+
+def without_echo(benchmark: dict[str, Any]) -> None:
+    if benchmark["benchmark_id"] == "calibration":
+        offered = [t for t in benchmark["tasks"] if TASKS.get(t, "core") in ANNOUNCED]
+        benchmark["tasks"] = offered
+        if "observations" not in ANNOUNCED:
+            benchmark["observation_space"] |= {"images": {}, "tensors": {}}
+            benchmark |= {"image_sizes": [], "image_codecs": []}
+
+
+def announce(service: dict[str, Any]) -> None:
+    service["profiles"] = sorted(ANNOUNCED)
+
+
+CHANGES = {"describe_service": announce, "get_benchmark": without_echo}
+
+
+def stripped(name: str, handler: Handler) -> Handler:
+    profile = load_spec().operations[name].profile
+
+    @functools.wraps(handler)
+    async def handle(call: OperationCall) -> Response:
+        if profile not in ANNOUNCED:
+            raise Refused("not_found", "There is no such operation.")
+        if call.raw[:1] == b"{":
+            require_known(name, json.loads(call.raw))
+        response = await handler(call)
+        if "waiting" not in ANNOUNCED and "etag" in response.headers:
+            del response.headers["etag"]
+        change = CHANGES.get(name)
+        return changed_body(response, change) if change else response
+
+    return handle
+
+
+def stripped_operation(operation: Operation) -> Operation:
+    headers = tuple(
+        name for name in operation.headers if HEADERS.get(name, "core") in ANNOUNCED
+    )
+    handler = stripped(operation.handler.__name__, operation.handler)
+    operation = dataclasses.replace(operation, handler=handler, headers=headers)
+    if JSON in operation.reads and "msgpack" not in ANNOUNCED:
+        operation = dataclasses.replace(operation, reads=(JSON,))
+    if JSON in operation.writes and "msgpack" not in ANNOUNCED:
+        operation = dataclasses.replace(operation, writes=(JSON,))
+    return operation
+
+
+def stripped_table(handlers: Handlers) -> dict[str, dict[str, Operation]]:
+    return {
+        path: {method: stripped_operation(one) for method, one in operations.items()}
+        for path, operations in whole_table(handlers).items()
+    }
+
+
+whole_table = Handlers.table
+
+if __name__ == "__main__":
+    put(Handlers, "table", stripped_table)
+    sys.exit(main())
