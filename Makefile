@@ -32,14 +32,14 @@ endif
 
 conformance: setup ## Judge a server; without URL, the reference server
 #                   URL=https://... TOKEN=... TOKEN_2=... RESTART_CMD='...'
-#                   QUICK=1 SEED=... ONLY=... ARGS='...'
+#                   LEVEL=core QUICK=1 SEED=... ONLY=... ARGS='...'
 #                   Fails unless conformant: "Error 1" violated, "Error 2" not judged
 	@set --; \
 	if [ -n "$$URL" ]; then set -- --url "$$URL"; \
 	else set -- --start-cmd "$(python) -m reference_server"; fi; \
 	$(python) -m conformance "$$@" $${QUICK:+--quick} \
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
-		$${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
+		$${LEVEL:+--level "$$LEVEL"} $${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
 conformance-policy: setup ## Judge a policy server at URL; PROCTOR_POLICY_KEY, ARGS
 	@$(python) -m conformance.policy --url "$$URL" $(ARGS)
 

@@ -13,6 +13,7 @@ from typing import Any
 
 from conformance.specification.ledger import (
     CLUSTER,
+    LEVELS,
     NEVER_ANNOUNCED,
     POLICY,
     PROFILES,
@@ -40,6 +41,7 @@ class Settings:
     seed: int = 0
     quick: bool = False
     stage: int | None = None
+    level: str | None = None  # judge its rules alone
     fail_fast: bool = False
     stress: bool = False
     exchanges: bool = False
@@ -87,10 +89,15 @@ class Settings:
     @property
     def is_partial(self) -> bool:
         """Whether only a selection of the rules is checked."""
-        is_policy = self.profiles == [POLICY]
-        is_narrow = not is_policy and bool(set(PROFILES) - set(self.profiles))
+        whole = LEVELS[self.level] if self.level else PROFILES
+        is_narrow = not self.is_of_policy and bool({*whole} - {*self.profiles})
         is_stage = self.stage not in (None, LAST)
         return bool(self.only or self.quick or is_narrow or is_stage)
+
+    @property
+    def is_of_policy(self) -> bool:
+        """Whether a policy server is judged."""
+        return self.profiles == [POLICY]
 
     @property
     def is_time_up(self) -> bool:

@@ -26,7 +26,7 @@ from conformance.client.connections.transport.text_file import NotText, read_tex
 from conformance.reports.attestation import CannotAttest, load_key, read_subject
 from conformance.run_settings import Settings
 from conformance.specification.document import spec_name
-from conformance.specification.ledger import PROFILES, load_ledger
+from conformance.specification.ledger import LEVELS, PROFILES, load_ledger
 from conformance.specification.stages import STAGES
 
 PROGRAM = "proctor-conformance"
@@ -59,7 +59,7 @@ def build_command() -> KitCommand:
         help="Check a Proctor server against the specification over HTTP (black box).",
         epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 not decided (no "
         "server, no token, kit error). Every run writes report.html, report.json, "
-        "junit.xml and badge.svg to the directory --report.",
+        "junit.xml, badge.svg and a badge of each level to the directory --report.",
     )
 
 
@@ -140,6 +140,13 @@ def _selection_options() -> list[click.Option]:
     return [
         option("--only", "rule ids or id prefixes", metavar="ID,..."),
         option("--profile", ", ".join(PROFILES), metavar="NAME,..."),
+        option(
+            "--level",
+            "the rules of a level alone, which the server has to reach: "
+            + ", ".join(LEVELS),
+            type=click.Choice([*LEVELS]),
+            metavar="NAME",
+        ),
         flag("--quick", "skip checks that wait, kill the server or play a long run"),
         option(
             "--stage",
@@ -243,6 +250,8 @@ def read_selection(options: KitOptions) -> Settings:
             problem = f"--only {wanted}: no rule id starts with {wanted}"
             raise BadArguments(problem + _suggestion(wanted))
     profiles = _split(options.profile)
+    if profiles and options.level:
+        raise BadArguments("--profile and --level exclude each other")
     for profile in profiles:
         if profile not in PROFILES:
             close = close_names(profile, PROFILES)
@@ -250,11 +259,13 @@ def read_selection(options: KitOptions) -> Settings:
                 f"--profile {profile}: unknown profile{close or ';'} "
                 f"known: {', '.join(PROFILES)}"
             )
+    of_level = LEVELS[options.level] if options.level else PROFILES
     return Settings(
         quick=options.quick,
         stage=options.stage,
+        level=options.level,
         only=only,
-        profiles=profiles or list(PROFILES),
+        profiles=profiles or list(of_level),
         report=options.report,
     )
 

@@ -40,7 +40,11 @@ class CheckContext(RequestContext):
         select: Mapping[str, Any] | None = None,
         **options: Any,
     ) -> RunClient:
-        """Submit a calibration run, one episode per task; wait until it is ready."""
+        """Submit a calibration run, one episode per task; wait until it is ready.
+
+        options: those of calibration; None where one is left out.
+        """
+        options = {name: value for name, value in options.items() if value is not None}
         if tasks:
             options["tasks"] = list(tasks)
         members: dict[str, Any] = {

@@ -22,6 +22,7 @@ from cryptography.hazmat.primitives.serialization import (
 
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import load_ledger
+from conformance.verdicts.levels import level_verdicts
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome
 
@@ -69,6 +70,7 @@ def statement(result: Result, report: bytes, subject: str | None) -> dict[str, A
                         "server": settings.service.get("name"),
                         "server_version": settings.service.get("version"),
                         "profiles": settings.service.get("profiles"),
+                        "levels": {v.name: v.text for v in level_verdicts(result)},
                         "seed": settings.seed,
                         "started_at": result.started_at,
                     },

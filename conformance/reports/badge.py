@@ -1,4 +1,4 @@
-"""badge.svg: the result in a few words, for the page of a server.
+"""badge.svg and one for each level: the result in a few words, for a server's page.
 
 Red when a MUST is violated, known or not; green only for a whole conformant run.
 """
@@ -6,6 +6,7 @@ Red when a MUST is violated, known or not; green only for a whole conformant run
 from xml.sax.saxutils import escape
 
 from conformance.specification.document import load_spec
+from conformance.verdicts.levels import LevelVerdict
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome
 
@@ -17,8 +18,24 @@ _PADDING = 6
 
 def badge(result: Result) -> str:
     """Draw the badge."""
-    version = load_spec().version.rpartition(".")[0]
-    name, summary, colour = f"proctor {version}", *_summarise(result)
+    return _drawn(f"proctor {_version()}", *_summarise(result))
+
+
+def level_badge(verdict: LevelVerdict) -> str:
+    """Draw the badge of a level: green only where the server has reached it."""
+    name = f"proctor {verdict.name} {_version()}"
+    if verdict.code == 0:
+        judged = verdict.count(Outcome.PASSED)
+        return _drawn(name, f"{judged}/{len(verdict.rows)} verified", _GREEN)
+    colour = _RED if verdict.count(Outcome.FAILED) else _GREY
+    return _drawn(name, verdict.text.partition(":")[0], colour)
+
+
+def _version() -> str:
+    return load_spec().version.rpartition(".")[0]
+
+
+def _drawn(name: str, summary: str, colour: str) -> str:
     left, right = (_width(text) for text in (name, summary))
     whole = left + right
     label = escape(f"{name}: {summary}", {'"': "&quot;"})

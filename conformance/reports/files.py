@@ -1,4 +1,4 @@
-"""Writes all report files: report.json, junit.xml, report.html, badge.svg.
+"""Writes all report files: report.json, junit.xml, report.html, and badges.
 
 All carry the same rule ids; all are written after every run.
 """
@@ -7,11 +7,12 @@ import json
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from conformance.reports.badge import badge
+from conformance.reports.badge import badge, level_badge
 from conformance.reports.failure_card import card
 from conformance.reports.html import page
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import load_ledger
+from conformance.verdicts.levels import level_verdicts
 from conformance.verdicts.result import Result, as_plain
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -29,6 +30,8 @@ def write_reports(result: Result) -> None:
     _write(directory / "junit.xml", junit(result))
     _write(directory / "report.html", page(result))
     _write(directory / "badge.svg", badge(result))
+    for verdict in level_verdicts(result):
+        _write(directory / f"badge-{verdict.name}.svg", level_badge(verdict))
 
 
 def _write(path: Path, text: str) -> None:

@@ -7,7 +7,7 @@ tolerances of all timing checks derive.
 
 import contextlib
 import statistics
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from typing import Any
 
@@ -48,12 +48,14 @@ class Findings:
     round_trip_p50_s: float
     round_trip_p95_s: float
     clock_skew_s: float
+    unmet_needs: list[str] = field(default_factory=list)
 
     def notes(self) -> list[str]:
         """Give the notes for the operator."""
         if abs(self.clock_skew_s) < _SKEW_NOTED_S:
-            return []
-        return [f"server clock differs from this machine by {self.clock_skew_s:+.1f} s"]
+            return self.unmet_needs
+        skew = f"server clock differs from this machine by {self.clock_skew_s:+.1f} s"
+        return [skew, *self.unmet_needs]
 
 
 def inspect(settings: Settings) -> Findings:
@@ -77,7 +79,18 @@ def _inspect(context: CheckContext, settings: Settings) -> Findings:
         settings.benchmark = _read_calibration(context)
     if stage >= RUNS:
         _require_submit_allowed(context)
-    return findings
+    return replace(findings, unmet_needs=_unmet_needs(settings))
+
+
+def _unmet_needs(settings: Settings) -> list[str]:
+    """Name the announced profiles without one that they need."""
+    needs: dict[str, list[str]] = load_spec().document["x-needs"]
+    return [
+        f"profile {profile} needs {need}, which is not announced"
+        for profile in settings.service.get("profiles", [])
+        for need in needs.get(profile, ())
+        if not settings.is_offered(need)
+    ]
 
 
 def _require_accounts(context: CheckContext, settings: Settings) -> None:

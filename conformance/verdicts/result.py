@@ -9,11 +9,14 @@ from conformance.exchanges.curl import script
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import (
+    CORE,
+    LEVELS,
     Requirement,
     load_ledger,
 )
 from conformance.specification.stages import advice
 from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
+from conformance.verdicts.levels import level_verdicts
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
@@ -52,7 +55,13 @@ class Result:
             row.reason.startswith(TIME_WAS_UP) for row in self.rows.values()
         ):
             return 2
-        return 1 if self.stale and code == 0 else code
+        is_short = self.settings.level is not None and bool(self.missing_profiles())
+        return 1 if (self.stale or is_short) and code == 0 else code
+
+    def missing_profiles(self) -> list[str]:
+        """Name the profiles of the level --level that the server does not announce."""
+        of_level = LEVELS[self.settings.level or CORE]
+        return [name for name in of_level if not self.settings.is_offered(name)]
 
     @property
     def is_partial(self) -> bool:
@@ -145,6 +154,8 @@ class Result:
         if self.exit_code == 1:
             if self.stale:
                 return f"known failures that now pass: {self.stale}"
+            if self.missing_profiles():
+                return f"NOT conformant: {', '.join(self.missing_profiles())} missing"
             return f"NOT conformant{scope}"
         return f"not decided: {self._undecided()}"
 
@@ -312,6 +323,7 @@ def as_plain(result: Result) -> dict[str, Any]:
         "elapsed_s": round(result.elapsed_s, 3),
         "seed": settings.seed,
         "only": settings.only,
+        "level": settings.level,
         "profiles": settings.profiles,
         "quick": settings.quick,
         "stage": settings.stage,
@@ -323,6 +335,7 @@ def as_plain(result: Result) -> dict[str, Any]:
         "problem": result.problem,
         "stale_known_failures": result.stale,
         "headline": result.headline(),
+        "levels": {one.name: one.text for one in level_verdicts(result)},
         "conclusion": result.conclusion(),
         "exit_code": result.exit_code,
         "counts": {

@@ -145,10 +145,10 @@ def test_rules_after_the_time_limit_are_not_verified(
 def test_the_time_limit_hides_no_violation(
     outcome: Outcome, is_known: bool, code: int
 ) -> None:
-    judged = Result(Settings(only=["ATT-003", "ATT-004"], profiles=["core"]))
+    judged = Result(Settings(only=["ATT-001", "ATT-003"], profiles=["core"]))
     first = Verdict("ATT-003", outcome)
-    left = Verdict("ATT-004", Outcome.NOT_VERIFIED, "time limit reached (--max-time 5)")
-    found = {"ATT-003": first, "ATT-004": left}
+    left = Verdict("ATT-001", Outcome.NOT_VERIFIED, "time limit reached (--max-time 5)")
+    found = {"ATT-003": first, "ATT-001": left}
     known = {"ATT-003"} if is_known else set[str]()
     conclude(judged, found, Tally(load_spec()), known)
     assert judged.exit_code == code

@@ -174,8 +174,8 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     after, and the same ones for ever.
     """
     before, is_whole = now_of(context), context.offers("control")
-    options = {"max_attempts": 1} if is_whole else {}
-    worker = submit_and_attach(context, "score", "score", "score", **options)
+    max_attempts = 1 if is_whole else None
+    worker = submit_and_attach(context, *["score"] * 3, max_attempts=max_attempts)
     run = worker.run
     created_at = run.body["created_at"]
     expect_between(created_at, before, now_of(context), "created_at")

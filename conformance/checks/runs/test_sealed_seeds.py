@@ -34,7 +34,7 @@ def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
     """
     can_abandon, tasks = context.offers("sessions"), context.tasks(*TASKS)
     observe = "all" if context.offers("observations") else None
-    options |= {"max_attempts": 1} if can_abandon else {}
+    options["max_attempts"] = 1 if can_abandon else None
     worker = submit_and_attach(context, *tasks, **options)
     read: list[Any] = [worker.run.body, worker.turn]
     for is_played in (True, True, *[not can_abandon] * (len(tasks) - 2)):

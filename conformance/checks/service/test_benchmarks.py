@@ -104,15 +104,12 @@ def sealed_choices(context: CheckContext, tasks: list[str]) -> list[dict[str, An
     return [options, {"sealed": True}]
 
 
-@requirement("BEN-005")
-def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
-    """Runs whose options differ in one choice, also in the last of many episodes and in
-    large numbers, and runs with the same choices.
-
-    Expect another hash for each choice of the manifest, and the same one for a default
-    that is spelled out and for choices that are the run's own.
+def choices_of_profiles(
+    context: CheckContext, tasks: list[str]
+) -> tuple[dict[str, Any], list[dict[str, Any]], list[dict[str, Any]]]:
+    """Give the defaults of all options, members that are a run's own, and options that
+    make another manifest, as far as the server offers them.
     """
-    tasks = ["score", "count"]
     defaults: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"}
     own: list[dict[str, Any]] = [{"policy": {"name": "another"}, "max_workers": 1}]
     choices: list[dict[str, Any]] = []
@@ -129,6 +126,19 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
         size = context.benchmark["image_sizes"][-1]
         images = {name: size[name] for name in ("width", "height")}
         own.append({"images": images | {"codec": "raw"}})
+    return defaults, own, choices
+
+
+@requirement("BEN-005")
+def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
+    """Runs whose options differ in one choice, also in the last of many episodes and in
+    large numbers, and runs with the same choices.
+
+    Expect another hash for each choice of the manifest, and the same one for a default
+    that is spelled out and for choices that are the run's own.
+    """
+    tasks = ["score", "count"]
+    defaults, own, choices = choices_of_profiles(context, tasks)
     first = digest_of(context, options={"tasks": tasks})
     for members in ({}, {"options": {"tasks": tasks, **defaults}}, *own):
         digest = digest_of(context, **({"options": {"tasks": tasks}} | members))

@@ -36,17 +36,18 @@ SUCCESS, FAILURE, UNPLAYED = (
     PlannedEpisode(None),
 )
 ABANDONED = PlannedEpisode("abandoned", 0.7)
-_PLAYED: dict[str | None, dict[str, str]] = {"abandoned": {"outcome": "failure"}}
 
 
 class PlannedRun:
     """A run that is played episode by episode, with its expected score."""
 
     def __init__(self, context: CheckContext, plan: Sequence[PlannedEpisode]) -> None:
-        options = {"max_attempts": 1}
-        if not context.offers("sessions"):  # nothing can be abandoned
-            options, plan = {}, [replace(t, **_PLAYED.get(t.outcome, {})) for t in plan]
-        self.run: RunClient = context.submit(*[t.task for t in plan], **options)
+        max_attempts = 1 if context.offers("sessions") else None
+        if max_attempts is None:  # nothing can be abandoned
+            plan = [_without_abandonment(planned) for planned in plan]
+        self.run: RunClient = context.submit(
+            *[t.task for t in plan], max_attempts=max_attempts
+        )
         self.played = 0
         self._context = context
         self._plan = plan
@@ -101,6 +102,11 @@ class PlannedRun:
             }
             for index, planned_episode in enumerate(self._plan)
         ]
+
+
+def _without_abandonment(planned: PlannedEpisode) -> PlannedEpisode:
+    is_abandoned = planned.outcome == "abandoned"
+    return replace(planned, outcome="failure") if is_abandoned else planned
 
 
 def _score_of(planned_episode: PlannedEpisode) -> float:

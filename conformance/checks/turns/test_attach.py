@@ -49,7 +49,7 @@ def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
     Expect all sessions to begin at seq 0 and step 0 with nothing executed.
     """
     attaches_again = context.offers("sessions")
-    run = context.submit("count", **{"max_attempts": 10} if attaches_again else {})
+    run = context.submit("count", max_attempts=10 if attaches_again else None)
     for worker_id in ("worker", "worker", *NAMES_OF_LANGUAGES):
         worker = run.worker(worker_id)
         turn = worker.attach()

@@ -271,8 +271,8 @@ def test_cal_007_states_are_those_of_the_last_action(context: CheckContext) -> N
     Expect the vectors of the last executed action, and zeros at each beginning.
     """
     tasks, attaches_again = context.tasks(*TASKS), context.offers("sessions")
-    options = {"max_attempts": 3} if attaches_again else {}
-    worker = submit_and_attach(context, *tasks, **options)
+    max_attempts = 3 if attaches_again else None
+    worker = submit_and_attach(context, *tasks, max_attempts=max_attempts)
     zeros = [0.0] * 8, [0.0] * 2
     first = context.action(vector=[float(n) for n in range(1, 9)], clipped=[0.5, -3])
     last = context.action(vector=[-n / 3 for n in range(8)], clipped=[2, 1 / 3])

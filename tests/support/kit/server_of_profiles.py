@@ -54,22 +54,26 @@ HEADERS = {
 }
 
 
+def unknown(pointer: str) -> Refused:
+    return Refused("invalid_request", "Unknown.", errors=[(pointer, "unknown")])
+
+
 def require_known(name: str, body: Any) -> None:
     """Raise Refused if a body has a field or a value of a profile that is missing."""
     for pointer, profile in FIELDS.get(name, {}).items():
         *parents, last = pointer.split("/")[1:]
         holder = functools.reduce(lambda at, key: at.get(key, {}), parents, body)
         if last in holder and profile not in ANNOUNCED:
-            raise Refused("invalid_request", "Unknown.", errors=[(pointer, "unknown")])
+            raise unknown(pointer)
     tasks = body.get("options", {}).get("tasks", []) if name == "submit_run" else []
     if any(TASKS.get(task, "core") not in ANNOUNCED for task in tasks):
-        raise Refused("invalid_request", "Unknown.", errors=[("/options/tasks", "unknown")])
+        raise unknown("/options/tasks")
     if body.get("mode") == "drain" and "control" not in ANNOUNCED:
-        raise Refused("invalid_request", "Unknown.", errors=[("/mode", "unknown")])
+        raise unknown("/mode")
 
 
 def changed_body(response: Response, change: Callable[[Any], None]) -> Response:
-    body = json.loads(response.body)
+    body = json.loads(bytes(response.body))
     change(body)
     headers = {k: v for k, v in response.headers.items() if k != "content-length"}
     return Response(json.dumps(body), response.status_code, headers)

@@ -1,0 +1,80 @@
+"""The verdict on each level: which of them the server has reached, and what is missing.
+
+A level is a set of profiles (levels.md). A server that does not announce one of them
+has not reached the level, however right the others are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from conformance.specification.ledger import LEVELS, load_ledger
+from conformance.verdicts.expect import TIME_WAS_UP
+from conformance.verdicts.verdict import Outcome, Verdict, exit_code
+
+if TYPE_CHECKING:
+    from conformance.verdicts.result import Result
+
+
+@dataclass(frozen=True)
+class LevelVerdict:
+    """rows: the verdicts on its rules. missing: its profiles that are not announced.
+
+    code: 0 conformant, 1 not, 2 not decided; None where not all of its rules were
+    selected and none of them was violated.
+    """
+
+    name: str
+    rows: list[Verdict]
+    missing: list[str]
+    code: int | None
+
+    @property
+    def title(self) -> str:
+        """The name as a report writes it."""
+        return self.name.capitalize()
+
+    def count(self, outcome: Outcome) -> int:
+        """How many rules of the level have an outcome."""
+        return sum(row.outcome == outcome for row in self.rows)
+
+    @property
+    def text(self) -> str:
+        """The verdict in words."""
+        if self.missing:
+            noun = "profile" if len(self.missing) == 1 else "profiles"
+            return f"{len(self.missing)} {noun} missing: {', '.join(self.missing)}"
+        violated = self.count(Outcome.FAILED)
+        return {
+            0: "conformant",
+            1: f"NOT conformant, {violated} violated",
+            2: "not decided",
+            None: "not judged as a whole",
+        }[self.code]
+
+
+def level_verdicts(result: Result) -> list[LevelVerdict]:
+    """Judge each level by the rows of its profiles; none where nothing was judged."""
+    if not result.settings.service or result.settings.is_of_policy:
+        return []
+    return [_level_verdict(result, name) for name in LEVELS]
+
+
+def level_lines(result: Result) -> list[str]:
+    """Give the verdict on each level as a sentence."""
+    return [f"{one.title}: {one.text}." for one in level_verdicts(result)]
+
+
+def _level_verdict(result: Result, name: str) -> LevelVerdict:
+    settings, ledger, profiles = result.settings, load_ledger(), LEVELS[name]
+    ids = [rule.id for rule in ledger.values() if rule.profile in profiles]
+    rows = [result.rows[id_] for id_ in ids if id_ in result.rows]
+    missing = [profile for profile in profiles if not settings.is_offered(profile)]
+    code: int | None = exit_code(rows, {id_: ledger[id_].level for id_ in ids})
+    is_late = any(row.reason.startswith(TIME_WAS_UP) for row in rows)
+    if code == 0 and (is_late or result.problem is not None):
+        code = 2
+    if code != 1 and (settings.quick or len(rows) < len(ids)):
+        code = None
+    return LevelVerdict(name, rows, missing, 1 if missing else code)
