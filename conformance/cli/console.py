@@ -20,7 +20,6 @@ from conformance.client.connections.transport.printable_text import (
 from conformance.reports.failure_card import CARD_WIDTH, OUTCOME_WORDS, card
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
-from conformance.verdicts.levels import level_lines
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -96,7 +95,7 @@ class Terminal:
             )
         for note in result.notes:
             self.say(f"note: {note}", "yellow")
-        self._wrapped(" ".join(level_lines(result)))
+        self._wrapped(" ".join(result.level_lines()))
         style = {0: "bold green", 1: "bold red"}.get(result.exit_code, "bold yellow")
         self.say(result.conclusion(), style)
         if (advice := result.advice()) is not None:

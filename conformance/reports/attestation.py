@@ -22,7 +22,6 @@ from cryptography.hazmat.primitives.serialization import (
 
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import load_ledger
-from conformance.verdicts.levels import level_verdicts
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome
 
@@ -70,7 +69,7 @@ def statement(result: Result, report: bytes, subject: str | None) -> dict[str, A
                         "server": settings.service.get("name"),
                         "server_version": settings.service.get("version"),
                         "profiles": settings.service.get("profiles"),
-                        "levels": {v.name: v.text for v in level_verdicts(result)},
+                        "levels": {v.name: v.text for v in result.levels()},
                         "seed": settings.seed,
                         "started_at": result.started_at,
                     },

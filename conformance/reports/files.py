@@ -12,7 +12,6 @@ from conformance.reports.failure_card import card
 from conformance.reports.html import page
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import load_ledger
-from conformance.verdicts.levels import level_verdicts
 from conformance.verdicts.result import Result, as_plain
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -30,7 +29,7 @@ def write_reports(result: Result) -> None:
     _write(directory / "junit.xml", junit(result))
     _write(directory / "report.html", page(result))
     _write(directory / "badge.svg", badge(result))
-    for verdict in level_verdicts(result):
+    for verdict in result.levels():
         _write(directory / f"badge-{verdict.name}.svg", level_badge(verdict))
 
 

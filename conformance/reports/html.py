@@ -18,7 +18,6 @@ from conformance.exchanges.curl import outcome_of, script
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import Requirement, load_areas, load_ledger
-from conformance.verdicts.levels import level_lines
 from conformance.verdicts.result import WORST_FIRST, Result, label
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -130,7 +129,7 @@ def _about(result: Result) -> dict[str, str]:
         "url": settings.url,
         "specification": f"Proctor {load_spec().version}, sha256 {spec_sha256()}",
         "profiles": " · ".join(f"{p} {n}" for p, n in result.profiles().items()),
-        "levels": " ".join(level_lines(result)),
+        "levels": " ".join(result.level_lines()),
         "selection": " ".join(selection),
         "known failures": ", ".join(known_failures),
         "started": f"{result.started_at}, took {result.elapsed_s:.1f} s",

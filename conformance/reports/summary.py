@@ -9,7 +9,6 @@ from pathlib import Path
 
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
-from conformance.verdicts.levels import level_lines
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -38,7 +37,7 @@ def summary(result: Result) -> str:
     lines += [" · ".join(_plain(fact) for fact in facts if fact), ""]
     if result.problem is None:
         lines += [f"{result.headline()} ({result.elapsed_s:.0f} s).", ""]
-        lines += [*(f"{_plain(line)}  " for line in level_lines(result)), ""]
+        lines += [*(f"{_plain(line)}  " for line in result.level_lines()), ""]
     lines += _failures(result)
     lines += [f"- {_plain(reason)}: {_shown(ids)}" for reason, ids in _open(result)]
     lines += [f"- note: {_plain(note)}" for note in result.notes]

@@ -26,7 +26,7 @@ PROFILES = (
     *("board", "public_board", "crash", "cluster"),
     *("ebench", "flageval"),
 )
-# What a level consists of; a server that announces none of SERVICE is one of Core.
+# The profiles of each level; a server that announces none of SERVICE is one of Core.
 LEVELS = {CORE: (CORE,), "service": (CORE, *SERVICE)}
 POLICY = "policy"  # of policy servers, which are checked by a command of their own
 NEVER_ANNOUNCED = (CORE, "crash")  # checked on every server

@@ -19,10 +19,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 # In the order in which they are read; then those of profiles, by name. Conventions
-# defines the words of rules and states none.
+# and levels say what rules mean and state none.
 _DOCUMENTS = (
     *("http", "benchmarks", "runs", "play"),
-    *("calibration", "conventions", "scoring", "policy"),
+    *("calibration", "conventions", "scoring", "policy", "levels"),
 )
 _PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
 _HEADING = re.compile(r"^##+ ")

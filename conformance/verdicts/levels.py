@@ -4,17 +4,13 @@ A level is a set of profiles (levels.md). A server that does not announce one of
 has not reached the level, however right the others are.
 """
 
-from __future__ import annotations
-
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
+from conformance.run_settings import Settings
 from conformance.specification.ledger import LEVELS, load_ledger
 from conformance.verdicts.expect import TIME_WAS_UP
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
-
-if TYPE_CHECKING:
-    from conformance.verdicts.result import Result
 
 
 @dataclass(frozen=True)
@@ -54,26 +50,20 @@ class LevelVerdict:
         }[self.code]
 
 
-def level_verdicts(result: Result) -> list[LevelVerdict]:
-    """Judge each level by the rows of its profiles; none where nothing was judged."""
-    if not result.settings.service or result.settings.is_of_policy:
-        return []
-    return [_level_verdict(result, name) for name in LEVELS]
+def judge_level(
+    name: str, verdicts: Mapping[str, Verdict], settings: Settings, *, is_decided: bool
+) -> LevelVerdict:
+    """Judge a level by the verdicts on its rules, by their ids.
 
-
-def level_lines(result: Result) -> list[str]:
-    """Give the verdict on each level as a sentence."""
-    return [f"{one.title}: {one.text}." for one in level_verdicts(result)]
-
-
-def _level_verdict(result: Result, name: str) -> LevelVerdict:
-    settings, ledger, profiles = result.settings, load_ledger(), LEVELS[name]
+    is_decided: nothing kept the kit from judging at all.
+    """
+    ledger, profiles = load_ledger(), LEVELS[name]
     ids = [rule.id for rule in ledger.values() if rule.profile in profiles]
-    rows = [result.rows[id_] for id_ in ids if id_ in result.rows]
+    rows = [verdicts[id_] for id_ in ids if id_ in verdicts]
     missing = [profile for profile in profiles if not settings.is_offered(profile)]
     code: int | None = exit_code(rows, {id_: ledger[id_].level for id_ in ids})
     is_late = any(row.reason.startswith(TIME_WAS_UP) for row in rows)
-    if code == 0 and (is_late or result.problem is not None):
+    if code == 0 and (is_late or not is_decided):
         code = 2
     if code != 1 and (settings.quick or len(rows) < len(ids)):
         code = None

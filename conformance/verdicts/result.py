@@ -16,7 +16,7 @@ from conformance.specification.ledger import (
 )
 from conformance.specification.stages import advice
 from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
-from conformance.verdicts.levels import level_verdicts
+from conformance.verdicts.levels import LevelVerdict, judge_level
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
@@ -105,6 +105,20 @@ class Result:
             if rule.level == "MUST":
                 counts.setdefault(rule.profile, Counter())[verdict.outcome] += 1
         return {profile: _of_all(count) for profile, count in counts.items()}
+
+    def levels(self) -> list[LevelVerdict]:
+        """Judge each level; none where a policy server or nothing was judged."""
+        if not self.settings.service or self.settings.is_of_policy:
+            return []
+        is_decided = self.problem is None
+        return [
+            judge_level(name, self.rows, self.settings, is_decided=is_decided)
+            for name in LEVELS
+        ]
+
+    def level_lines(self) -> list[str]:
+        """Give the verdict on each level as a sentence."""
+        return [f"{level.title}: {level.text}." for level in self.levels()]
 
     def open_rules(self) -> dict[str, list[str]]:
         """Give the rules that were not verified, by verdict and reason, worst first."""
@@ -335,7 +349,7 @@ def as_plain(result: Result) -> dict[str, Any]:
         "problem": result.problem,
         "stale_known_failures": result.stale,
         "headline": result.headline(),
-        "levels": {one.name: one.text for one in level_verdicts(result)},
+        "levels": {level.name: level.text for level in result.levels()},
         "conclusion": result.conclusion(),
         "exit_code": result.exit_code,
         "counts": {

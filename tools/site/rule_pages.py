@@ -16,7 +16,13 @@ from itertools import chain
 from typing import Any
 
 from conformance.specification.document import SPEC_DIRECTORY, load_spec
-from conformance.specification.ledger import POLICY, load_areas, load_ledger
+from conformance.specification.ledger import (
+    CORE,
+    POLICY,
+    SERVICE,
+    load_areas,
+    load_ledger,
+)
 from conformance.specification.rule_documents import rule_documents, without_links
 from tests.mutants import load as load_mutants
 from tools.site.kit_reports import KitReports
@@ -106,8 +112,10 @@ def rule_page(
 
 def profile_of(profile: str) -> str:
     """Where a rule holds, in words."""
-    if profile == "core":
-        return "every server"
+    if profile == CORE:
+        return "every server (Proctor Core)"
+    if profile in SERVICE:
+        return f"servers with the profile `{profile}`, such as every Proctor Service"
     if profile == POLICY:
         return "every policy server"
     return f"servers with the profile `{profile}`"

@@ -9,7 +9,6 @@ from conformance.reports.badge import level_badge
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import LEVELS, PROFILES, SERVICE, load_ledger
-from conformance.verdicts.levels import level_lines, level_verdicts
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
@@ -73,11 +72,11 @@ def judged(
 def test_each_level_has_a_verdict(
     result: Result, core: str, service: str, code: int
 ) -> None:
-    of_core, of_service = level_lines(result)
+    of_core, of_service = result.level_lines()
     assert of_core.startswith(f"Core: {core}")
     assert of_service.startswith(f"Service: {service}")
     assert result.exit_code == code
-    for verdict in level_verdicts(result):
+    for verdict in result.levels():
         drawn = level_badge(verdict)
         assert ("#1f7a38" in drawn) == (verdict.text == "conformant")
         assert ("#c62828" in drawn) == verdict.text.startswith("NOT")
