@@ -19,6 +19,7 @@ import uvicorn
 
 from reference_record.broken import UnusableRecord
 from reference_record.command_line.click_commands import WrongUsage
+from reference_record.command_line.closed_output import run_program
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
 from reference_server.files.seed_secret import SeedSecret
@@ -56,6 +57,10 @@ THREAD_SWITCH_S = 0.001
 
 def main() -> int:
     """Returns the exit code; a failure to start is 2 and one line on stderr."""
+    return run_program(_start)
+
+
+def _start() -> int:
     try:
         settings = read_settings(sys.argv[1:])
         tokens = Tokens.parse(settings.tokens) if settings.tokens else None

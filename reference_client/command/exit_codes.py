@@ -2,7 +2,7 @@
 
 0: success. 1: the run failed, was stopped, is incomplete, or fails the release check.
 2: usage error, or the server is unreachable or refuses the request. 128 + n: ended by
-signal n, as in shells.
+signal n, as in shells; 141, whose output is read no more, is that of SIGPIPE.
 """
 
 from __future__ import annotations

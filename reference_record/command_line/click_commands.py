@@ -204,6 +204,7 @@ def parse_options(
     Ends the process after --help, and when a shell asks at Tab what it may complete.
     """
     _show_every_character()
+    output = sys.stdout
     try:
         parsed = command.main(
             sys.argv[1:] if arguments is None else [*arguments],
@@ -212,6 +213,10 @@ def parse_options(
         )
     except click.UsageError as error:
         raise WrongUsage(_explain(error, command)) from error
+    except SystemExit as ended:
+        if sys.stdout is not output:  # closed: the library replaces it, to exit with 1
+            raise BrokenPipeError from ended
+        raise
     if isinstance(parsed, Options):
         return parsed
     raise SystemExit(parsed)

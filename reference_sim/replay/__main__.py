@@ -28,6 +28,7 @@ from reference_record.command_line.click_commands import (
     option,
     parse_options,
 )
+from reference_record.command_line.closed_output import run_program
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
@@ -203,4 +204,4 @@ def _say(line: str) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))
