@@ -7,6 +7,7 @@ programs looks and how a mistake is explained. Nothing is printed in colour.
 from __future__ import annotations
 
 import io
+import re
 import shutil
 import sys
 import textwrap
@@ -239,6 +240,16 @@ def checked(check: Callable[[str], Any]) -> Callable[[str], Any]:
             raise click.BadParameter(str(error)) from error
 
     return convert
+
+
+@checked
+def episode_indices(text: str) -> list[int]:
+    """Indices from 0, or ids as the pages show them: `0,3,12`, `e0003`."""
+    if not re.fullmatch(r"e?\d{1,5}(,e?\d{1,5})*", text):
+        raise ValueError(
+            f"{text}: expected indices such as 0,3,12, or ids such as e0003"
+        )
+    return [int(name.removeprefix("e")) for name in text.split(",")]
 
 
 def _sentence(text: str) -> str:

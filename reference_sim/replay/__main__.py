@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import os
 import platform
-import re
 import sys
 import time
 from pathlib import Path
@@ -23,7 +22,7 @@ from reference_record.command_line.click_commands import (
     Options,
     WrongUsage,
     argument,
-    checked,
+    episode_indices,
     flag,
     option,
     parse_options,
@@ -71,7 +70,7 @@ def build_command() -> Command:
         argument("file", "the record, or its directory"),
         option(
             "--episodes", "only these (default: all)",
-            type=checked(_indices), metavar="I,J,…",
+            type=episode_indices, metavar="I,J,…",
         ),
         option(
             "--processes", "how many simulate at once (default: one for each CPU)",
@@ -97,12 +96,6 @@ def build_command() -> Command:
         flag("--json", "print one JSON value"),
     ]  # fmt: skip
     return Command("proctor replay", "", parameters, help_text=__doc__)
-
-
-def _indices(text: str) -> list[int]:
-    if not re.fullmatch(r"\d{1,5}(,\d{1,5})*", text):
-        raise ValueError(f"{text}: expected indices such as 0,3,12")
-    return [int(index) for index in text.split(",")]
 
 
 def _replay(args: Options) -> int:

@@ -10,7 +10,6 @@ import contextlib
 import json
 import os
 import shlex
-import shutil
 import signal
 import sys
 import traceback
@@ -40,6 +39,7 @@ from reference_client.command.output.printer import (
     ProgressDisplay,
     scored_text,
 )
+from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.runs.control import (
     check_run_id,
@@ -156,7 +156,7 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
     policy = without_user(args.policy)  # of a policy server, with a password
-    command = [_own_name(), "run", "--run-id", run_id, "--policy", policy]
+    command = [own_name(), "run", "--run-id", run_id, "--policy", policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
@@ -181,16 +181,6 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     command += ["--log-videos", str(args.log_videos)] if args.log_videos else []
     command += ["--takeover"] if takeover else []
     return shlex.join(command)
-
-
-def _own_name() -> str:
-    """`proctor`; or as it was called, where a shell would not find it by that name."""
-    called = Path(sys.argv[0])
-    if called.name != "proctor" or not called.exists():
-        return "proctor"
-    installed = shutil.which("proctor")
-    is_found = installed is not None and called.samefile(installed)
-    return "proctor" if is_found else sys.argv[0]
 
 
 class _EvaluationCommand:

@@ -102,6 +102,7 @@ def test_a_record_under_the_name_of_another_run_is_refused(
     [
         (["video", "run-1.proctor"], "needs --episode N, or --failures"),
         (["video", "run-1.proctor", "--episode", "one"], "expected indices"),
+        (["video", "run-1.proctor", "--episode", "e1,x2"], "expected indices"),
         (["video", "run-1.proctor", "--size", "8x8"], "each from 16 to 4096"),
         (["video", "run-1.proctor", "--size", "33x32"], "a video has even sides"),
         (["video", "absent.proctor", "--failures"], "absent.proctor: no such file"),
