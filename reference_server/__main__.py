@@ -10,6 +10,8 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
+import os
+import re
 import socket
 import sys
 from pathlib import Path
@@ -92,7 +94,15 @@ def _start() -> int:
 
 
 def _print_line(line: str) -> None:
-    print(f"proctor: {line}", file=sys.stderr, flush=True)
+    print(f"proctor: {line}{_option_of_make(line)}", file=sys.stderr, flush=True)
+
+
+def _option_of_make(line: str) -> str:
+    """How `make serve` passes on the option that the line advises."""
+    advised = re.search(r" with (--[a-z-]+)", line)
+    if advised is None or "MAKELEVEL" not in os.environ:
+        return ""
+    return f" (make serve ARGS='{advised[1]} …')"
 
 
 def _listen(host: str, port: int, prefix: str = "--") -> socket.socket:
@@ -107,8 +117,8 @@ def _listen(host: str, port: int, prefix: str = "--") -> socket.socket:
     except OSError as error:
         listener.close()
         raise _CannotUse(
-            f"cannot listen on {host}:{port} ({error.strerror}); choose another with "
-            f"{prefix}port"
+            f"cannot listen on {host}:{port} ({error.strerror}); end the server that "
+            f"is there, or choose another port with {prefix}port"
         ) from error
     return listener
 
