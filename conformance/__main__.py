@@ -35,7 +35,7 @@ def _start(module: str) -> int:
             file=sys.stderr,
         )
         return 2
-    code = 2
+    code = 141  # as shells report the end by SIGPIPE
     with contextlib.suppress(BrokenPipeError):  # `proctor-conformance --list | head`
         code = int(begin())
     with output_that_may_end(sys.stdout):

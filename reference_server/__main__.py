@@ -10,6 +10,8 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
+import os
+import re
 import socket
 import sys
 from pathlib import Path
@@ -19,6 +21,7 @@ import uvicorn
 
 from reference_record.broken import UnusableRecord
 from reference_record.command_line.click_commands import WrongUsage
+from reference_record.command_line.closed_output import run_program
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
 from reference_server.files.seed_secret import SeedSecret
@@ -56,6 +59,10 @@ THREAD_SWITCH_S = 0.001
 
 def main() -> int:
     """Returns the exit code; a failure to start is 2 and one line on stderr."""
+    return run_program(_start)
+
+
+def _start() -> int:
     try:
         settings = read_settings(sys.argv[1:])
         tokens = Tokens.parse(settings.tokens) if settings.tokens else None
@@ -87,7 +94,15 @@ def main() -> int:
 
 
 def _print_line(line: str) -> None:
-    print(f"proctor: {line}", file=sys.stderr, flush=True)
+    print(f"proctor: {line}{_option_of_make(line)}", file=sys.stderr, flush=True)
+
+
+def _option_of_make(line: str) -> str:
+    """How `make serve` passes on the option that the line advises."""
+    advised = re.search(r" with (--[a-z-]+)", line)
+    if advised is None or "MAKELEVEL" not in os.environ:
+        return ""
+    return f" (make serve ARGS='{advised[1]} …')"
 
 
 def _listen(host: str, port: int, prefix: str = "--") -> socket.socket:
@@ -102,8 +117,8 @@ def _listen(host: str, port: int, prefix: str = "--") -> socket.socket:
     except OSError as error:
         listener.close()
         raise _CannotUse(
-            f"cannot listen on {host}:{port} ({error.strerror}); choose another with "
-            f"{prefix}port"
+            f"cannot listen on {host}:{port} ({error.strerror}); end the server that "
+            f"is there, or choose another port with {prefix}port"
         ) from error
     return listener
 

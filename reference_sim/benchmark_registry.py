@@ -61,6 +61,11 @@ class SimulatorConfig:
         return str(self.settings["codec"])
 
     @property
+    def imports_own_files(self) -> bool:
+        """Whether the simulator consists of files of the host's own."""
+        return self.settings.get("adapter") == "gymnasium"
+
+    @property
     def success_scored_tasks(self) -> Sequence[str]:
         """Tasks whose score is 1 on success by the success rule, and 0 otherwise."""
         tasks: Sequence[str] = self.settings.get("success_scored_tasks", ())

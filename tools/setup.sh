@@ -13,12 +13,17 @@ if [ "$name" = dev ]; then environment=.venv; fi
 uv=.venv/bin/uv
 probe='import ensurepip, venv, sys; sys.exit(sys.version_info < (3, 11))'
 
-stop() {
+say() {
     echo "set-up: $*" >&2
+}
+
+stop() {
+    say "$@"
     exit 1
 }
 
 install_uv() {
+    say "making $environment, once; it takes half a minute, longer on a slow network"
     for python in ${PYTHON:-python3 python3.14 python3.13 python3.12 python3.11}; do
         "$python" -c "$probe" 2> /dev/null && break
         python=
@@ -26,6 +31,7 @@ install_uv() {
     [ "$python" ] || stop "no Python 3.11 or newer that has the module venv; install one" \
         "(Debian, Ubuntu: apt-get install python3-venv) or name it: make PYTHON=..."
     "$python" -m venv --clear .venv
+    say "fetching the installer, uv"
     grep '^uv==' requirements/hashes.txt > .venv/uv.txt
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
         --require-hashes --no-deps --only-binary :all: --requirement .venv/uv.txt
@@ -36,7 +42,7 @@ provide_rendering() {
     if $probe > /dev/null 2>&1; then return; fi
     sh tools/debian_packages.sh "for camera images" libegl1 libopengl0 libgl1-mesa-dri || true
     problem=$($probe 2>&1) ||
-        echo "set-up: only camera images are missing: $(echo "$problem" | tail -n 1)"
+        say "only camera images are missing: $(echo "$problem" | tail -n 1)"
 }
 
 if [ ! -x "$uv" ]; then install_uv; fi
@@ -48,11 +54,13 @@ if [ "$name" != own ]; then  # `make add` wrote the hashes into own.txt
     lock=$environment/lock.txt
     .venv/bin/python tools/locks/complete.py "$name" > "$lock"
 fi
+say "installing $(grep -c == "$lock") packages of requirements/$name.txt into $environment"
 # The lock is complete: nothing is resolved, nothing is compiled.
 "$uv" pip sync --quiet --python "$environment" --require-hashes --no-build "$lock"
 case $name in aloha | cluster | dev | lerobot | metaworld | own | robosuite)
     "$uv" pip install --quiet --python "$environment" --no-deps --no-build-isolation \
         --editable .
+    say "trying whether camera images can be drawn"
     provide_rendering
     ;;
 esac
@@ -62,3 +70,4 @@ if [ -n "${PYTHONDONTWRITEBYTECODE:-}" ]; then
         reference_client reference_server reference_sim > /dev/null || true
 fi
 touch "$environment/ready"
+say "$environment is ready"

@@ -25,7 +25,7 @@ from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import TextTable, fact_table
 from reference_client.command.records.record_commands import usable
 from reference_client.command.runs import control
-from reference_client.command.server_connection import connect
+from reference_client.command.server_connection import connect, explaining_state
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 from reference_client.printable_text import printable
@@ -55,7 +55,8 @@ def publish(args: Options, printer: Printer) -> int:
         if args.name is None:
             run = retry_policy.call(lambda: connection.control.get_run(run_id))
             description.model_name = run.policy.name
-        entry = BoardClient(connection, retry_policy).publish(run_id, description)
+        with explaining_state(connection, retry_policy, run_id):
+            entry = BoardClient(connection, retry_policy).publish(run_id, description)
     printer.answer(entry.to_dict(), _entry_facts(entry))
     return DONE
 

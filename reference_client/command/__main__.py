@@ -8,11 +8,16 @@ may be missing.
 import sys
 
 from reference_client.printable_text import prepare_output
+from reference_record.command_line.closed_output import run_program
 
 
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     prepare_output()
+    return run_program(_run_command)
+
+
+def _run_command() -> int:
     try:
         from reference_client.command.main import prepare
 

@@ -6,8 +6,6 @@ Every error is one line on stderr; with --json it is a JSON value on stdout as w
 from __future__ import annotations
 
 import importlib
-import os
-import sys
 import traceback
 from collections.abc import Callable, Sequence
 
@@ -69,9 +67,6 @@ def execute(
         return report_wrong_usage(error, as_json=as_json)
     except KeyboardInterrupt:
         return INTERRUPTED
-    except BrokenPipeError:  # `proctor results | head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return WRONG_USAGE_OR_NO_SERVER
 
 
 def report_wrong_usage(error: WrongUsage, *, as_json: bool) -> int:

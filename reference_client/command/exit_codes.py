@@ -2,7 +2,7 @@
 
 0: success. 1: the run failed, was stopped, is incomplete, or fails the release check.
 2: usage error, or the server is unreachable or refuses the request. 128 + n: ended by
-signal n, as in shells.
+signal n, as in shells; 141, whose output is read no more, is that of SIGPIPE.
 """
 
 from __future__ import annotations
@@ -51,6 +51,7 @@ _ARGUMENTS = {
     # These parts of the protocol's texts point at a document that a user does not see.
     " Correct what `errors` points at.": "",
     "Read `detail`: ": "",
+    " Read `state`; the lifecycle table says what it allows.": "",
 }
 # Pointer into a refused request → the flag that sets the value there.
 _POINTERS = {

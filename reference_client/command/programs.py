@@ -1,11 +1,13 @@
-"""Programs that `proctor` starts in its place, and what each needs to be installed."""
+"""Programs that `proctor` starts in its place, what each needs, and its own name."""
 
 from __future__ import annotations
 
 import importlib.util
 import os
+import shutil
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from reference_client.command.usage_error import UsageError
 
@@ -57,3 +59,13 @@ def require(command: str) -> str:
             f"pip install 'proctor-eval[{extra}]'"
         )
     return module
+
+
+def own_name() -> str:
+    """`proctor`; or as it was called, where a shell would not find it by that name."""
+    called = Path(sys.argv[0])
+    if called.name != "proctor" or not called.exists():
+        return "proctor"
+    installed = shutil.which("proctor")
+    is_found = installed is not None and called.samefile(installed)
+    return "proctor" if is_found else sys.argv[0]

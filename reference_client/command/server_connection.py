@@ -10,7 +10,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from proctor_client import Run
+
 from reference_client.command.output.printer import Printer
+from reference_client.command.programs import own_name
+from reference_client.errors import ProctorError
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
@@ -45,6 +49,33 @@ def connect(
 ) -> Iterator[tuple[Connection, RetryPolicy]]:
     with Connection(url, token, requests=1) as connection:
         yield connection, retry_policy_of(connection, args, printer)
+
+
+@contextmanager
+def explaining_state(
+    connection: Connection, retry_policy: RetryPolicy, run_id: str
+) -> Iterator[None]:
+    """A request that the state of the run does not allow: says what to do first."""
+    try:
+        yield
+    except ProctorError as error:
+        if error.code != "illegal_transition":
+            raise
+        run = retry_policy.call(lambda: connection.control.get_run(run_id))
+        raise error.explained(_way_to_completion(run)) from error
+
+
+def _way_to_completion(run: Run) -> str:
+    scored, total = run.progress.episodes_scored, run.progress.episodes_total
+    counts = f"{scored} of {total} episodes are scored"
+    if run.state.value == "failed" and not run.retryable:
+        return f"{counts}, and the run cannot be resumed."
+    if run.policy_server is not None:
+        return f"{counts}; `{own_name()} status {run.run_id} --watch` waits for it."
+    return (
+        f"{counts}. Play the rest, then repeat this command: "
+        f"{own_name()} run --run-id {run.run_id} --policy …"
+    )
 
 
 def _waiting_reporter(printer: Printer) -> Any:

@@ -20,6 +20,7 @@ from reference_record.command_line.click_commands import (
     option,
     parse_options,
 )
+from reference_record.command_line.closed_output import run_program
 
 PORT = 8470
 
@@ -80,4 +81,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))

@@ -7,6 +7,7 @@ programs looks and how a mistake is explained. Nothing is printed in colour.
 from __future__ import annotations
 
 import io
+import re
 import shutil
 import sys
 import textwrap
@@ -204,6 +205,7 @@ def parse_options(
     Ends the process after --help, and when a shell asks at Tab what it may complete.
     """
     _show_every_character()
+    output = sys.stdout
     try:
         parsed = command.main(
             sys.argv[1:] if arguments is None else [*arguments],
@@ -212,6 +214,10 @@ def parse_options(
         )
     except click.UsageError as error:
         raise WrongUsage(_explain(error, command)) from error
+    except SystemExit as ended:
+        if sys.stdout is not output:  # closed: the library replaces it, to exit with 1
+            raise BrokenPipeError from ended
+        raise
     if isinstance(parsed, Options):
         return parsed
     raise SystemExit(parsed)
@@ -234,6 +240,16 @@ def checked(check: Callable[[str], Any]) -> Callable[[str], Any]:
             raise click.BadParameter(str(error)) from error
 
     return convert
+
+
+@checked
+def episode_indices(text: str) -> list[int]:
+    """Indices from 0, or ids as the pages show them: `0,3,12`, `e0003`."""
+    if not re.fullmatch(r"e?\d{1,5}(,e?\d{1,5})*", text):
+        raise ValueError(
+            f"{text}: expected indices such as 0,3,12, or ids such as e0003"
+        )
+    return [int(name.removeprefix("e")) for name in text.split(",")]
 
 
 def _sentence(text: str) -> str:

@@ -39,6 +39,13 @@ from reference_record.recording import Turn
 _NOT_PROVEN: Final = (
     "No level proves that the actions came from the policy that is named."
 )
+# Who can draw an episode whose seed is sealed, and how.
+SEALED: Final = (
+    "The seed of this episode is the secret of the host. So only the user who runs the "
+    "server can draw its film: with the command below, on the machine of the server, "
+    "or here as long as no other account uses the server. Others can draw it with "
+    "--seeds FILE when the host has opened the seeds."
+)
 # The words of the leaderboard for the same run.
 LEVELS: Final = {
     "reported": f"Level: reported by this host. {_NOT_PROVEN}",
@@ -265,12 +272,19 @@ def episode_html(
         stages=known.stages_reached,
         why=_reason(episode),
         command=run_page.video_command(run, episode),
+        sealed=SEALED if film is None and _is_sealed(run, episode) else "",
         facts=_episode_facts(episode),
         problem=problem,
         film=film,
         before=before,
         after=after,
     )
+
+
+def _is_sealed(run: Document, episode: Document) -> bool:
+    """Whether there is a record of the episode, and its seed is not shown."""
+    result = episode.get("result") or {"seed": None}
+    return run["state"] == "completed" and "seed" not in result
 
 
 def _reason(episode: Document) -> str:

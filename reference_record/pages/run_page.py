@@ -258,8 +258,8 @@ def player_text(player: Document) -> str:
 
 
 def video_command(run: Document, episode: Document) -> str:
-    """The command that draws an episode; empty without a result, or a seed, of it."""
-    if "seed" not in (episode.get("result") or {}):
+    """The command that draws an episode; empty as long as the run has no record."""
+    if run["state"] != "completed":
         return ""
     return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import hashlib
 import re
 import secrets
-from collections.abc import Mapping
+from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass
 
 from starlette.requests import Request
@@ -55,6 +55,7 @@ class Tokens:
     def __init__(self, by_hash: Mapping[str, Caller]) -> None:
         self._by_hash = dict(by_hash)
         self._in_file: Mapping[str, Caller] = {}
+        self._sources: list[Callable[[], Awaitable[None]]] = []
 
     @classmethod
     def parse(cls, text: str) -> Tokens:
@@ -75,6 +76,16 @@ class Tokens:
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
         """Make these tokens valid, in place of all that the file had before."""
         self._in_file = by_hash
+
+    def add_source(self, look_again: Callable[[], Awaitable[None]]) -> None:
+        """look_again: reads what may have changed; see authenticate_again."""
+        self._sources.append(look_again)
+
+    async def authenticate_again(self, authorization: str | None, scope: str) -> Caller:
+        """As authenticate, for a token that may have been added a moment ago."""
+        for look_again in self._sources:
+            await look_again()
+        return self.authenticate(authorization, scope)
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:
         """The caller that a header names (AUTH-001, AUTH-005, AUTH-007)."""

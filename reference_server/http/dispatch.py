@@ -179,7 +179,7 @@ async def _check_request(
     check_version(request)
     caller = None
     if operation.scope is not None:
-        caller = _caller(request, operation, operation.scope, tokens)
+        caller = await _admit(request, operation, operation.scope, tokens)
         request.scope[ACCOUNT] = caller.account
     call = OperationCall(
         request,
@@ -205,6 +205,19 @@ async def _check_request(
             operation.body, call.raw, media_type
         )
     return call
+
+
+async def _admit(
+    request: Request, operation: Operation, scope: str, tokens: Tokens
+) -> Caller:
+    """As `_caller`; a token that is not known may have been added a moment ago."""
+    try:
+        return _caller(request, operation, scope, tokens)
+    except Refused as refused:
+        authorization = request.headers.get("authorization")
+        if refused.code != "unauthenticated" or authorization is None:
+            raise
+    return await tokens.authenticate_again(authorization, scope)
 
 
 def _caller(

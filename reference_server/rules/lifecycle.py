@@ -265,6 +265,13 @@ def lease_over(session: Session, now: float) -> bool:
 # --- guards: (run, command, now) → a verdict, or None to pass to the next guard ---
 
 
+_REFUSED = {
+    Attach: "accepts no worker",
+    Stop: "cannot be stopped",
+    Resume: "cannot be resumed",
+}
+
+
 def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
     event = _event_of(command)
     if legal(run, event):
@@ -272,9 +279,10 @@ def _event_is_legal(run: Run, command: Command, _now: float) -> Verdict | None:
     hint = ""
     if run.state == "failed":
         hint = f" It failed because: {run.reason}"
+    refused = _REFUSED[type(command)]
     return Refuse(
         "illegal_transition",
-        f"A run that is {run.state} does not allow {event}; nothing was changed.{hint}",
+        f"A run that is {run.state} {refused}; nothing was changed.{hint}",
         members={"state": run.state},
     )
 

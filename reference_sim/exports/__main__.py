@@ -2,13 +2,12 @@
 
 JOB is the JSON of `job.Job`, as `proctor export --to` and `proctor video` write it.
 Exit codes: 0 done; 1 the record is broken, or a replay left it; 2 it cannot be done
-here, or its output was closed; 130 interrupted: what it made is removed.
+here; 130 interrupted and 141 its output was closed: what it made is removed.
 """
 
 from __future__ import annotations
 
 import json
-import os
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
@@ -18,6 +17,11 @@ from typing import Any
 import msgspec
 
 from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.command_line.closed_output import (
+    READ_NO_MORE,
+    discard_standard_output,
+    run_program,
+)
 from reference_sim.exports.job import Job, printable
 from reference_sim.exports.source import Source, new_folder, open_source
 
@@ -35,8 +39,8 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         code = INTERRUPTED
     except BrokenPipeError:  # `proctor export --to parquet RUN | head -0`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        code = IMPOSSIBLE
+        discard_standard_output()
+        code = READ_NO_MORE
     if is_new:  # else it has files of others
         shutil.rmtree(folder, ignore_errors=True)
     return code
@@ -129,4 +133,4 @@ def _refuse(job: Job, exit_code: int, code: str, text: str) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))

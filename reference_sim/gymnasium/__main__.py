@@ -15,6 +15,7 @@ from reference_record.command_line.click_commands import (
     argument,
     parse_options,
 )
+from reference_record.command_line.closed_output import run_program
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import read
 from reference_sim.gymnasium.registration import examine
@@ -51,4 +52,4 @@ def _check(what: str) -> bool:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))

@@ -194,6 +194,7 @@ class Benchmark(_Strict):
     environment: Name | None = None
     made_by: Reference | None = None
     modules: list[str] = []
+    files: list[str] = []
     kwargs: dict[str, Any] = {}
     tasks: list[Task] = []
     splits: list[Split] = [Split(name="test", episodes=_DEFAULT_EPISODES)]

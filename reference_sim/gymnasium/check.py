@@ -16,6 +16,7 @@ import sys
 import time
 import warnings
 from collections.abc import Callable, Mapping
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from pathlib import Path
 from typing import TypeAlias
@@ -27,6 +28,7 @@ from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.entries import Entry
 from reference_sim.gymnasium.manifest_plan import PlanDraft, Unsettled
+from reference_sim.gymnasium.own_sources import OWN_SOURCES, observe_reads
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 
 SEED, OTHER_SEED = 20, 21
@@ -42,12 +44,20 @@ class TaskFault(Exception):
 
 
 class BenchmarkCheck:
-    """Checks one benchmark, task by task."""
+    """Checks one benchmark, task by task.
+
+    files_read: the files in the folder that this process has opened; it may grow.
+    """
 
     def __init__(
-        self, benchmark: Benchmark, folder: Path, report_progress: Callable[[str], None]
+        self,
+        benchmark: Benchmark,
+        folder: Path,
+        report_progress: Callable[[str], None],
+        files_read: AbstractSet[str] = frozenset(),
     ) -> None:
         self._draft = PlanDraft(benchmark, folder)
+        self._folder, self._files_read = folder, files_read
         self._report_progress = report_progress
         self._findings: dict[str, dict[str, list[str]]] = {"faults": {}, "warnings": {}}
         self._observed: list[Entry] = []
@@ -59,6 +69,7 @@ class BenchmarkCheck:
     def run(self) -> Json:
         """faults, warnings, notes: lines; without faults, also what `settle` gives."""
         draft = self._draft
+        OWN_SOURCES.record(self._folder)
         self._report_progress(f"importing {draft.benchmark.source}")
         try:
             draft.begin()
@@ -86,12 +97,20 @@ class BenchmarkCheck:
             settled = draft.settle(self._actions, self._observed, self._frame)
         except (Unsettled, entries.UnsupportedSpace) as unsettled:
             return self._report({str(unsettled): [""]})
+        self._warn_of_undeclared_files(settled["manifest"]["simulator"]["sources"])
         pace = self._steps_played / max(self._play_s, 1e-9)
         return (
             self._report({})
             | settled
             | {"notes": [*draft.notes, f"{pace:.0f} steps/s"]}
         )
+
+    def _warn_of_undeclared_files(self, declared: Mapping[str, str]) -> None:
+        for name in sorted(self._files_read - declared.keys()):
+            self._draft.warnings.append(
+                f"reads {name}, which is not in the manifest, so a change of it is not "
+                f"noticed: add files = [{json.dumps(name)}] to the benchmark file"
+            )
 
     def _add_finding(self, kind: str, task: str, text: str) -> None:
         self._findings[kind].setdefault(text, []).append(task)
@@ -248,6 +267,8 @@ def _unbounded(entry: Entry) -> Entry:
 
 
 def _line(error: Exception) -> str:
+    if isinstance(error, environments.NotAnEnvironment):
+        return str(error)  # its lines are to be copied
     words = " ".join(str(error).split())[:300]
     expected = (
         TaskFault,
@@ -288,8 +309,9 @@ def main() -> None:
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
+        folder = Path(request["folder"])
         check = BenchmarkCheck(
-            benchmark, Path(request["folder"]), lambda t: send({"doing": t})
+            benchmark, folder, lambda t: send({"doing": t}), observe_reads(folder)
         )
         send({"found": check.run()})
 

@@ -20,6 +20,7 @@ import numpy as np
 from gymnasium import spaces
 
 from reference_sim.gymnasium.entries import Entry, Structure, UnsupportedSpace
+from reference_sim.gymnasium.own_sources import OWN_SOURCES, OwnLoader
 
 Environment: TypeAlias = "gymnasium.Env[Any, Any]"
 
@@ -28,8 +29,33 @@ _STEP_LIMITS = ("max_steps", "max_path_length")  # what environments call theirs
 GYMNASIUM_VERSION = gymnasium.__version__
 
 
+# The lines that a class needs, to be copied.
+_NEEDED = """
+    class {name}(gymnasium.Env):
+        action_space = gymnasium.spaces.Box(-1, 1, (2,))
+        observation_space = gymnasium.spaces.Box(-10, 10, (4,))
+
+        def reset(self, *, seed=None, options=None):
+            super().reset(seed=seed)  # then draw from self.np_random
+            return observation, {{}}
+
+        def step(self, action):
+            return observation, reward, terminated, truncated, {{"success": done}}"""
+
+
 class EnvironmentUnavailable(Exception):
     """The environment cannot be made; the text says why, in one line."""
+
+
+class NotAnEnvironment(EnvironmentUnavailable):
+    """An object with another interface; the text has the lines that it needs."""
+
+    def __init__(self, made: object, why: str) -> None:
+        name = type(made).__name__
+        lines = _NEEDED.format(name=name)
+        super().__init__(
+            f"{name} is not a Gymnasium environment: {why}; write\n{lines}"
+        )
 
 
 # Making
@@ -57,7 +83,37 @@ def make(
     if draws and not _takes(maker, "render_mode"):
         chosen.pop("render_mode")
     made: Environment = maker(**chosen)
+    _require_interface(made)
     return made
+
+
+def _require_interface(made: Environment) -> None:
+    """Raises NotAnEnvironment. `close`, `render` and `metadata` may be absent."""
+    names = ("action_space", "observation_space", "reset", "step")
+    lacking = [name for name in names if not hasattr(made, name)]
+    if lacking:
+        raise NotAnEnvironment(made, f"it has no {', '.join(lacking)}")
+    for keyword in ("seed", "options"):
+        if not _takes(made.reset, keyword):
+            raise NotAnEnvironment(made, f"its reset takes no {keyword}")
+
+
+def parts_of(made: Environment, method: str, returned: Any) -> tuple[Any, ...]:
+    """The parts of a returned value. Raises NotAnEnvironment if they are others."""
+    parts = {
+        "reset": "(observation, info)",
+        "step": "(observation, reward, terminated, truncated, info)",
+    }[method]
+    count = parts.count(",") + 1
+    if not isinstance(returned, tuple) or len(returned) != count:
+        kind = type(returned).__name__
+        is_tuple = isinstance(returned, tuple)
+        what = f"{len(returned)} values" if is_tuple else f"a {kind}"
+        raise NotAnEnvironment(made, f"its {method} returns {what}, not {parts}")
+    if not isinstance(returned[-1], Mapping):
+        kind = type(returned[-1]).__name__
+        raise NotAnEnvironment(made, f"the info of its {method} is a {kind}, no dict")
+    return returned
 
 
 def _import_modules(made_of: Mapping[str, Any]) -> str:
@@ -73,7 +129,7 @@ def _require_registered(environment_id: str) -> None:
         gymnasium.spec(environment_id)
     except gymnasium.error.Error as error:
         raise EnvironmentUnavailable(
-            f"{_first_line(error)} (is the module that registers it it?)"
+            f"{_first_line(error)} (a module that registers it is named in `modules`)"
         ) from error
 
 
@@ -91,29 +147,50 @@ def find(reference: str, folder: str) -> Callable[..., Any]:
 
 
 def _import(module: str, folder: str) -> ModuleType:
-    if folder not in sys.path:
-        sys.path.append(folder)
+    OWN_SOURCES.add_folder(Path(folder))
     try:
         return importlib.import_module(module)
     except ImportError as error:
         raise EnvironmentUnavailable(
-            f"cannot import {module}: {_first_line(error)}"
+            f"cannot import {module}: {_why_missing(error, folder)}"
         ) from error
 
 
 def _load(file: Path) -> ModuleType:
+    """The module of a file; what stands beside the file can be imported by it."""
     name = f"benchmark_file_{file.stem}"
     if name in sys.modules and sys.modules[name].__file__ == str(file):
         return sys.modules[name]
     if not file.is_file():
         raise EnvironmentUnavailable(f"there is no file {file}")
-    spec = importlib.util.spec_from_file_location(name, file)
+    OWN_SOURCES.add_folder(file.parent)
+    loader = OwnLoader(name, str(file))
+    spec = importlib.util.spec_from_file_location(name, file, loader=loader)
     assert spec is not None
-    assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
-    spec.loader.exec_module(module)
+    try:
+        loader.exec_module(module)
+    except BaseException as error:
+        del sys.modules[name]  # it is incomplete
+        if isinstance(error, ImportError):
+            why = _why_missing(error, str(file.parent))
+            raise EnvironmentUnavailable(f"cannot import {file.name}: {why}") from error
+        raise
     return module
+
+
+def _why_missing(error: ImportError, folder: str) -> str:
+    """The reason, and what to do if a module is neither installed nor in the folder."""
+    why = _first_line(error)
+    if "relative import" in why:
+        return f"{why}; write `import NAME` for NAME.py beside it"
+    if not isinstance(error, ModuleNotFoundError) or error.name is None:
+        return why
+    return (
+        f"{why}; put {error.name.partition('.')[0]}.py into {folder}, or install its "
+        "package: make add PACKAGE=…"
+    )
 
 
 def _takes(maker: Callable[..., Any], keyword: str) -> bool:
@@ -151,16 +228,17 @@ def facts(environment: Environment, environment_id: str | None) -> dict[str, Any
     """Declared step limit, reward threshold and control rate; None if undeclared."""
     registered = gymnasium.spec(environment_id) if environment_id else None
     metadata = getattr(environment, "metadata", None) or {}
+    unwrapped = getattr(environment, "unwrapped", environment)
     rate = metadata.get("render_fps")
-    if not rate and (dt_s := getattr(environment.unwrapped, "dt", None)):
+    if not rate and (dt_s := getattr(unwrapped, "dt", None)):
         rate = 1 / dt_s
-    declared = (getattr(environment.unwrapped, name, None) for name in _STEP_LIMITS)
+    declared = (getattr(unwrapped, name, None) for name in _STEP_LIMITS)
     own_limit = next((n for n in declared if isinstance(n, int) and n > 0), None)
     return {
         "max_steps": (registered and registered.max_episode_steps) or own_limit,
         "reward_threshold": registered.reward_threshold if registered else None,
         "control_rate_hz": float(rate) if rate else None,
-        "modules": [cls.__module__ for cls in type(environment.unwrapped).__mro__],
+        "modules": [cls.__module__ for cls in type(unwrapped).__mro__],
     }
 
 
@@ -219,7 +297,11 @@ def _leaf(space: Any, name: str) -> Entry:
         case spaces.MultiBinary():
             low = np.zeros(space.shape)
             return _entry(name, text, space.dtype, low, low + 1, whole=True)
-    raise UnsupportedSpace(f"{name!r} is a {type(space).__name__}, which has no vector")
+    kind = type(space)
+    if not isinstance(space, spaces.Space):
+        named = f"{kind.__module__}.{kind.__qualname__}"
+        raise UnsupportedSpace(f"{name!r} is a {named}, no space of gymnasium.spaces")
+    raise UnsupportedSpace(f"{name!r} is a {kind.__name__}, which has no vector")
 
 
 def _entry(

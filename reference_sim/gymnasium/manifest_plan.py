@@ -6,10 +6,9 @@ everything that can change a score. Both are JSON-able.
 
 from __future__ import annotations
 
-import hashlib
 import importlib.metadata
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -23,6 +22,11 @@ from reference_sim.gymnasium.benchmark_file import (
     Convention,
 )
 from reference_sim.gymnasium.entries import Entry
+from reference_sim.gymnasium.own_sources import (
+    OWN_SOURCES,
+    hash_files,
+    packages_imported_by_own_files,
+)
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.ray_resources import check_resources
 
@@ -40,6 +44,7 @@ _ENGINES = (
     "numpy",
     "pybullet",
     "pygame",
+    "pymunk",
 )
 
 
@@ -55,6 +60,7 @@ class PlanDraft:
 
     def __init__(self, benchmark: Benchmark, folder: Path) -> None:
         self.benchmark = benchmark
+        self._folder = folder
         self.warnings: list[str] = []
         self.notes: list[str] = []
         self.tasks = [task.model_dump() for task in benchmark.tasks]
@@ -75,6 +81,10 @@ class PlanDraft:
             "rebuild_every_episode": benchmark.rebuild_every_episode,
             "max_steps": benchmark.max_steps or _MAX_STEPS,
             "images_as_tensors": [],
+            # Set by settle; a simulator process compares them.
+            "sources": {},
+            "files": {},
+            "packages": {},
         }
 
     def begin(self) -> None:
@@ -90,6 +100,10 @@ class PlanDraft:
             self.plan["camera"] = (requested or Camera()).model_dump()
         if not self.tasks:
             self.tasks.append(self._only_task())
+        try:
+            self.plan["files"] = hash_files(self._folder, self.benchmark.files)
+        except ValueError as error:
+            raise Unsettled(f"files: {error}") from error
         self._ray_resources = self._declared_resources()
         self._max_faults = self._declared_max_faults()
 
@@ -276,19 +290,19 @@ class PlanDraft:
 
     def _simulator(self) -> Json:
         """Versions, and all settings without a member of their own in the manifest."""
-        made_of = self.plan["made_of"]
-        sources = {"modules": made_of["modules"]} if made_of["modules"] else {}
-        if made_of["made_by"] is not None:
-            file = Path(made_of["folder"], made_of["made_by"].rpartition(":")[0])
-            if file.is_file():
-                sources["sha256"] = hashlib.sha256(file.read_bytes()).hexdigest()
+        loaded = OWN_SOURCES.loaded
+        self.plan["sources"] = {name: own.sha256 for name, own in loaded.items()}
+        self.plan["packages"] = _versions(self._modules)
+        modules = self.plan["made_of"]["modules"]
+        sources = OWN_SOURCES.by_name() | self.plan["files"]
         chosen = ("kwargs", "camera", "success", "score", "ends_on_success")
         return {
             "name": "gymnasium",
             "version": environments.GYMNASIUM_VERSION,
             "environment": self.benchmark.source,
-            **sources,
-            "packages": _versions(self._modules),
+            **({"modules": modules} if modules else {}),
+            "sources": dict(sorted(sources.items())),
+            "packages": self.plan["packages"],
             **{name: self.plan[name] for name in chosen},
             "rebuild_every_episode": self.plan["rebuild_every_episode"],
             "tasks": self.tasks,
@@ -307,12 +321,17 @@ def _declare(space: Json, declared: Mapping[str, Convention], where: str) -> Non
 
 
 def _versions(modules: Sequence[str]) -> dict[str, str]:
-    """Versions of the packages that define the environment, and of physics engines."""
+    """Versions of the packages that define the environment, or that its own files
+    import, and of physics engines."""
     tops = {module.partition(".")[0] for module in modules}
+    tops |= packages_imported_by_own_files()
     owners = importlib.metadata.packages_distributions()
-    packages = {owner for top in tops for owner in owners.get(top, ())}
-    loaded = {owner for top in sys.modules for owner in owners.get(top, ())}
-    # A package may write itself otherwise than its index does: dm_control.
-    spelled = {owner.lower().replace("_", "-") for owner in loaded}
-    packages |= {engine for engine in _ENGINES if engine in spelled}
+    packages = _owners_of(tops, owners)
+    packages |= _owners_of(sys.modules, owners).intersection(_ENGINES)
     return {name: installed_version(name) for name in sorted(packages)}
+
+
+def _owners_of(tops: Iterable[str], owners: Mapping[str, Sequence[str]]) -> set[str]:
+    """The packages of modules; one may write itself otherwise than its index does."""
+    names = {owner for top in tops for owner in owners.get(top, ())}
+    return {name.lower().replace("_", "-") for name in names}

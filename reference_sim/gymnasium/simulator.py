@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,11 @@ from PIL import Image
 from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.entries import Entry
 from reference_sim.gymnasium.environments import Environment
+from reference_sim.gymnasium.own_sources import (
+    OWN_SOURCES,
+    ChangedSource,
+    DeclaredFiles,
+)
 from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
 
 ACTION, OBSERVATION = "action", "observation"  # of spaces that have no names inside
@@ -51,23 +57,29 @@ class GymnasiumSimulator:
         self._is_success = _success_predicate(
             plan["success"], plan["made_of"]["folder"]
         )
+        self._files = DeclaredFiles(Path(plan["made_of"]["folder"]), plan["files"])
         self._environment: Environment | None = None
         self._made_for: Mapping[str, Any] | None = None
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
-        """Raises TaskUnplayable if the benchmark has no such task."""
+        """Raises TaskUnplayable if the benchmark has no such task.
+
+        Raises ChangedSource if a file is not that of the manifest.
+        """
+        self._files.require_unchanged()
         if task not in self._tasks:
             raise TaskUnplayable(f"the benchmark has no task {task!r}")
         chosen = self._tasks[task]
         kwargs = {**self._plan["kwargs"], **chosen["kwargs"]}
         if kwargs != self._made_for or self._plan["rebuild_every_episode"]:
             self._make(kwargs)
-        observation, info = self._require_environment().reset(
-            seed=seed, options=chosen["reset_options"]
-        )
+        environment = self._require_environment()
+        returned = environment.reset(seed=seed, options=chosen["reset_options"])
+        observation, info = environments.parts_of(environment, "reset", returned)
         self.info: Mapping[str, Any] = info
         self._observation = observation
         self._steps, self._return = 0, 0.0
+        _require_sources()
         return str(chosen["instruction"])
 
     def _make(self, kwargs: Mapping[str, Any]) -> None:
@@ -93,9 +105,11 @@ class GymnasiumSimulator:
             entry.name: entries.to_environment(entry, action[entry.name])
             for entry in self.actions
         }
-        self._observation, reward, terminated, truncated, self.info = environment.step(
-            entries.assemble(self._nesting_of_action, values)
+        returned = environment.step(entries.assemble(self._nesting_of_action, values))
+        self._observation, reward, terminated, truncated, self.info = (
+            environments.parts_of(environment, "step", returned)
         )
+        _require_sources()
         self._steps += 1
         self.over = bool(terminated or truncated)  # as the environment sees it
         self._return += float(reward)
@@ -172,8 +186,8 @@ class GymnasiumSimulator:
         return observed + repr((self._steps, self._return)).encode()
 
     def close(self) -> None:
-        if self._environment is not None:
-            self._environment.close()
+        if self._environment is not None and hasattr(self._environment, "close"):
+            self._environment.close()  # a class may do without
         self._environment = self._made_for = None
 
     @property
@@ -188,9 +202,16 @@ class GymnasiumSimulator:
 
 
 def make(settings: Mapping[str, Any]) -> GymnasiumSimulator:
-    """The simulator of these settings; see registration."""
+    """The simulator of these settings; see registration. Raises ChangedSource."""
+    OWN_SOURCES.require(settings["plan"])
     size = (settings["width"], settings["height"])
     return GymnasiumSimulator(settings["plan"], size)
+
+
+def _require_sources() -> None:
+    """The environment may have caught the exception of an import."""
+    if OWN_SOURCES.fault is not None:
+        raise ChangedSource(OWN_SOURCES.fault)
 
 
 def _resize(pixels: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint8]:

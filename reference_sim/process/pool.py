@@ -268,6 +268,9 @@ class SimulatorPool:
                 await idle.build(world)
                 return idle
         process = await self._obtain_process(world)
+        while not _may_play(process, world):
+            process.end("has imported another environment")
+            process = await self._obtain_process(world)
         await process.build(world)
         return process
 
@@ -277,8 +280,11 @@ class SimulatorPool:
 
     def _pick_idle(self, world: SimulatorConfig) -> SimulatorProcess | None:
         """An idle process with this configuration, else a spare, else any."""
-        fitting = self._idle_for(world)
+        idle = self._idle_for(world)
+        fitting = [process for process in idle if _may_play(process, world)]
         if not fitting:
+            if idle:
+                idle[0].end("made room for another environment")
             return None
 
         def preference(process: SimulatorProcess) -> int:
@@ -333,3 +339,14 @@ class SimulatorPool:
                 self._idle.append(await self._start_process(self._new_process()))
         except SimulatorFault as fault:
             _log.warning("no spare simulator: %s", fault)
+
+
+def _may_play(process: SimulatorProcess, world: SimulatorConfig) -> bool:
+    """Whether what the process has imported cannot be in the way of this simulator.
+
+    Two environments may each have a `helper.py`, and a process imports one of them.
+    """
+    used_by = process.world
+    if used_by is None or used_by == world:
+        return True
+    return not (used_by.imports_own_files or world.imports_own_files)

@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import os
 import platform
-import re
 import sys
 import time
 from pathlib import Path
@@ -23,11 +22,12 @@ from reference_record.command_line.click_commands import (
     Options,
     WrongUsage,
     argument,
-    checked,
+    episode_indices,
     flag,
     option,
     parse_options,
 )
+from reference_record.command_line.closed_output import run_program
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
@@ -70,7 +70,7 @@ def build_command() -> Command:
         argument("file", "the record, or its directory"),
         option(
             "--episodes", "only these (default: all)",
-            type=checked(_indices), metavar="I,J,…",
+            type=episode_indices, metavar="I,J,…",
         ),
         option(
             "--processes", "how many simulate at once (default: one for each CPU)",
@@ -96,12 +96,6 @@ def build_command() -> Command:
         flag("--json", "print one JSON value"),
     ]  # fmt: skip
     return Command("proctor replay", "", parameters, help_text=__doc__)
-
-
-def _indices(text: str) -> list[int]:
-    if not re.fullmatch(r"\d{1,5}(,\d{1,5})*", text):
-        raise ValueError(f"{text}: expected indices such as 0,3,12")
-    return [int(index) for index in text.split(",")]
 
 
 def _replay(args: Options) -> int:
@@ -203,4 +197,4 @@ def _say(line: str) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))

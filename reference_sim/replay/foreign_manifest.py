@@ -7,6 +7,7 @@ whose small result is compared with the benchmarks that the machine itself offer
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import Annotated, Any, Final
 
 import msgspec
@@ -93,6 +94,24 @@ def selected(manifest: dict[str, Any], part: Part | None) -> dict[str, Any]:
         and (part.splits is None or episode["split"] in part.splits)
     ]
     return {**manifest, "episodes": episodes, "episodes_total": len(episodes)}
+
+
+def differences(recorded: Any, here: Any, at: str = "") -> Iterator[str]:
+    """The members in which two manifests differ, each in a few words."""
+    if isinstance(recorded, dict) and isinstance(here, dict):
+        for name in sorted(recorded.keys() | here.keys()):
+            inner = f"{at}.{name}" if at else name
+            yield from differences(recorded.get(name), here.get(name), inner)
+    elif recorded != here:
+        before, now = _in_few_words(recorded), _in_few_words(here)
+        yield f"{at} is {now} here, {before} in the record"
+
+
+def _in_few_words(value: Any) -> str:
+    if value is None:
+        return "absent"
+    text = value if isinstance(value, str) else msgspec.json.encode(value).decode()
+    return ascii(text[:40])[1:-1] + "…" * (len(text) > 40)
 
 
 def _is_sha256(text: object) -> bool:

@@ -20,6 +20,7 @@ from reference_record.formats.strict_json import sha256_of_json
 from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
+from reference_sim.definition import Json
 from reference_sim.engine import engine_fingerprint
 from reference_sim.host_seeds import seal
 from reference_sim.interface import Simulator
@@ -30,6 +31,7 @@ from reference_sim.replay.episode_replay import (
 )
 from reference_sim.replay.foreign_manifest import (
     BenchmarkChoice,
+    differences,
     read_choice,
     selected,
     without_sealed_seeds,
@@ -40,6 +42,7 @@ NONE_SIMULATED: Final = (
     "no episode can be simulated: their seeds are the secret of the host"
 )
 # REC-015: who can simulate episodes whose seeds are sealed.
+DIFFERENCES_SHOWN: Final = 3
 WHO_HAS_SEEDS: Final = (
     "the machine of their host has the seeds, for the user who runs the server there; "
     "any other needs --seeds with the file in which the host has opened them"
@@ -91,6 +94,24 @@ class ReplayedBenchmark:
         return replace(self, manifest={**self.manifest, "episodes": episodes})
 
 
+class AnotherManifest(UnusableRecord):
+    """This machine offers another benchmark of that id. here: its open manifest."""
+
+    def __init__(self, benchmark_id: str, here: Json, differing: str = "") -> None:
+        super().__init__(
+            f"{benchmark_id} is another benchmark on this machine than in the record, "
+            f"so it cannot be replayed: {differing or 'the manifests differ'}"
+        )
+        self._benchmark_id, self._here = benchmark_id, here
+
+    def compared_with(self, recorded: Json) -> AnotherManifest:
+        """The same error with the members that differ."""
+        lines = [*differences(without_sealed_seeds(recorded), self._here)]
+        more = len(lines) - DIFFERENCES_SHOWN
+        shown = lines[:DIFFERENCES_SHOWN] + ([f"and {more} more"] if more > 0 else [])
+        return AnotherManifest(self._benchmark_id, self._here, "; ".join(shown))
+
+
 def resolve(
     evaluation: Evaluation,
     manifest: bytes,
@@ -105,7 +126,10 @@ def resolve(
     these are not the seeds to which the record commits its host.
     """
     choice = read_choice(evaluation, manifest)
-    benchmark = resolve_choice(choice)
+    try:
+        benchmark = resolve_choice(choice)
+    except AnotherManifest as error:
+        raise error.compared_with(msgspec.json.decode(manifest)) from error
     if opened is not None:
         return benchmark.with_seeds(seeds_for(opened, msgspec.json.decode(manifest)))
     return _add_seeds_of_this_machine(benchmark, choice, secret_file)
@@ -155,10 +179,7 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
         return ReplayedBenchmark(manifest, resolved.world)
     open_part = without_sealed_seeds(manifest)
     if sha256_of_json(open_part) != choice.open_sha256:
-        raise UnusableRecord(
-            f"{benchmark_id} is another one here: its manifest has another SHA-256. "
-            "Install the version of the record: proctor verify shows it"
-        )
+        raise AnotherManifest(benchmark_id, open_part)
     return ReplayedBenchmark(open_part, resolved.world)
 
 

@@ -15,6 +15,7 @@ from reference_client.command.command_line.chosen_server import (
 from reference_record.command_line.click_commands import (
     OneOf,
     argument,
+    episode_indices,
     flag,
     option,
 )
@@ -371,8 +372,8 @@ def _video() -> list[click.Parameter]:
 def _simulation() -> list[click.Parameter]:
     return [
         option(
-            "--episode", "this episode, by its index from 0; repeatable",
-            type=values.indices,
+            "--episode", "this episode, by its index from 0 or its id; repeatable",
+            type=episode_indices,
             multiple=True,
             metavar="N,…",
             callback=lambda _context, _option, given: [*chain(*given)] or None,

@@ -47,13 +47,6 @@ def _number(text: str, most: float, expected: str) -> float:
 
 
 @checked
-def indices(text: str) -> list[int]:
-    if not re.fullmatch(r"\d{1,5}(,\d{1,5})*", text):
-        raise ValueError(f"{text}: expected indices such as 0,3,12")
-    return [int(index) for index in text.split(",")]
-
-
-@checked
 def size(text: str) -> tuple[int, int]:
     match = re.fullmatch(r"(\d{2,4})x(\d{2,4})", text)
     width, height = map(int, match.groups()) if match else (0, 0)

@@ -19,7 +19,7 @@ from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import TextTable, fact_table
 from reference_client.command.runs.control import check_run_id
-from reference_client.command.server_connection import connect
+from reference_client.command.server_connection import connect, explaining_state
 from reference_client.command.usage_error import UsageError
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.record_client import fetch_keys, fetch_record
@@ -124,7 +124,7 @@ def _fetch(
     """Save the record of a run; returns the keys of its host, keyid → name."""
     check_run_id(run_id)
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
-        with usable(path):
+        with usable(path), explaining_state(connection, retry_policy, run_id):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
         if (sent := _run_of(path)) not in (None, run_id):
             raise UsageError(
@@ -202,8 +202,10 @@ def _facts(path: Path, report: Report) -> TextTable:
             f"version {said.benchmark.version}",
             "part": _part_text(said.score.get("select")),
             "manifest": said.manifest_sha256,
-            "run": f"{said.run.run_id}, number {said.attempts_by_submitter} of its "
-            "submitter on this benchmark",
+            "run": said.run.run_id,
+            "attempts": f"{said.attempts_by_submitter} run"
+            f"{'s' * (said.attempts_by_submitter != 1)} of its submitter on this "
+            "benchmark, this one included, when the record was signed",
             "finished": said.finished_at,
             "checked": f"signature, {report.episodes} episodes, "
             f"{report.recordings} recordings with {report.turns} turns, the score",

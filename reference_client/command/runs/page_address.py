@@ -19,6 +19,7 @@ from reference_client.command.usage_error import UsageError
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.local_token import find_token, token_file
+from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.click_commands import Options
 
 HAS_PAGES = (200, 303)  # a page, or the way to the sign-in
@@ -52,6 +53,15 @@ def open_page(args: Options, printer: Printer) -> int:
     if not (opened or args.print):
         printer.say("proctor: no browser can be started here; open the address in one")
     return DONE
+
+
+def page_of_run(
+    connection: Connection, retry_policy: RetryPolicy, run_id: str
+) -> str | None:
+    """The address of the run's page; None if the server has no pages."""
+    if retry_policy.call(lambda: _status_of_pages(connection)) not in HAS_PAGES:
+        return None
+    return f"{connection.url}/pages/runs/{quote(run_id, safe='')}"
 
 
 def _status_of_pages(connection: Connection) -> int:

@@ -10,7 +10,6 @@ import contextlib
 import json
 import os
 import shlex
-import shutil
 import signal
 import sys
 import traceback
@@ -40,13 +39,15 @@ from reference_client.command.output.printer import (
     ProgressDisplay,
     scored_text,
 )
+from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.runs.control import (
     check_run_id,
     policy_of,
     submission_of,
 )
-from reference_client.command.server_connection import open_control_client
+from reference_client.command.runs.page_address import page_of_run
+from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import NOT_TRUSTED, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
@@ -72,12 +73,14 @@ from reference_client.policies.policy_loader import server_kind
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import LenientStream
 from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.local_token import token_file
 from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options
 
 RETRY_TIMEOUT_S = 300.0
+CALIBRATION = "calibration"  # it has nothing to draw
 _ATTEMPTS = (
     "Continued before that time, an episode goes on at its step; no attempt is lost. "
     "Later, its attempt counts; after the last one it is abandoned with score 0."
@@ -139,6 +142,7 @@ def _repeat(
             printer.say(f"{len(scores)} of {args.repeat} repetitions have a score.")
             break
         scores.append(score)
+        command.say_where_to_look(score)
         plan = replace(plan, dry_turn=False)
     value: dict[str, Any] = {}
     if scores:
@@ -156,7 +160,7 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
     policy = without_user(args.policy)  # of a policy server, with a password
-    command = [_own_name(), "run", "--run-id", run_id, "--policy", policy]
+    command = [own_name(), "run", "--run-id", run_id, "--policy", policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
@@ -183,16 +187,6 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     return shlex.join(command)
 
 
-def _own_name() -> str:
-    """`proctor`; or as it was called, where a shell would not find it by that name."""
-    called = Path(sys.argv[0])
-    if called.name != "proctor" or not called.exists():
-        return "proctor"
-    installed = shutil.which("proctor")
-    is_found = installed is not None and called.samefile(installed)
-    return "proctor" if is_found else sys.argv[0]
-
-
 class _EvaluationCommand:
     """One evaluation and the report of its end."""
 
@@ -210,6 +204,7 @@ class _EvaluationCommand:
         self._view: View | None = None
         self._board = StatusBoard()
         self._episodes: list[Episode] = []
+        self._page: str | None = None
         self.ended: dict[str, Any] = {}  # why there is no score, as JSON
 
     def run_evaluation(
@@ -309,8 +304,11 @@ class _EvaluationCommand:
     def _read_episodes(self, score: Score) -> bool:
         """Read them, and save them with the score; says why if that fails."""
         try:
-            with open_control_client(self._args, self._printer) as control_client:
+            args = self._args
+            with connect(args.url, args.token, args, self._printer) as connected:
+                control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes(score.run_id)
+                self._page = page_of_run(*connected, score.run_id)
                 if self._args.save is not None:
                     self._save(control_client, score)
         except ProctorError as error:
@@ -337,6 +335,7 @@ class _EvaluationCommand:
         value = score.to_dict() | {"clips": self._clips()}
         value["lost_sessions"] = [asdict(lost) for lost in self._board.lost]
         value["players"] = players_of(self._episodes)
+        value["page"] = self._page
         self._printer.answer(value, *answer_tables.score_tables(score, self._episodes))
         if not score.complete and self._run is not None:
             args = Options(**vars(self._args) | {"episodes": None})
@@ -344,6 +343,28 @@ class _EvaluationCommand:
                 "The score is partial. To play the rest:\n"
                 f"  {resume_command(args, self._run.run_id)}"
             )
+        self.say_where_to_look(score)
+
+    def _drawable_failures(self) -> int:
+        """Failures whose seeds are shown, or are sealed by a server of this user."""
+        is_host = token_file(self._args.url) is not None
+        results = [e.result for e in self._episodes if e.result is not None]
+        return sum(
+            result.outcome.value == "failure" and (is_host or result.seed is not None)
+            for result in results
+        )
+
+    def say_where_to_look(self, score: Score) -> None:
+        """The last lines: how to draw what failed, and the page of the run."""
+        failures = self._drawable_failures()
+        if failures and score.complete and score.benchmark_id != CALIBRATION:
+            what = "the episode" if failures == 1 else f"the {failures} episodes"
+            self._printer.say(
+                f"To draw {what} that failed:\n"
+                f"  {own_name()} video {score.run_id} --failures"
+            )
+        if self._page is not None:
+            self._printer.say(f"Page of the run: {self._page}")
 
     def _report_refusal(self, error: ProctorError) -> _EvaluationEnded:
         if self._args.debug:

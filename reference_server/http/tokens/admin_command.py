@@ -22,6 +22,7 @@ from reference_record.command_line.click_commands import (
     option,
     parse_options,
 )
+from reference_record.command_line.closed_output import run_program
 from reference_server.http.auth import (
     HOST,
     READ_ALL,
@@ -192,4 +193,4 @@ def _revoke(path: Path, args: Options) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))

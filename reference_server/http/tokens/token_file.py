@@ -2,7 +2,8 @@
 
 A line is `account:scopes:sha256=HEX`; lines that begin with `#` and empty ones are
 skipped. Only hashes stand in it (AUTH-006). The server reads the file again when it
-changes, off the event loop; what cannot be read changes nothing and is logged once.
+changes, off the event loop, and before it refuses a token that it does not know; what
+cannot be read changes nothing and is logged once.
 """
 
 from __future__ import annotations
@@ -34,6 +35,9 @@ class TokenFile:
 
     def __init__(self, path: Path | None, tokens: Tokens) -> None:
         self._path, self._tokens = path, tokens
+        self._reading, self._looks = asyncio.Lock(), 0
+        self._stat: tuple[int, int, int] | None = None
+        tokens.add_source(self.look_again)
         self._seen: bytes | Exception | None = None
         self._accounts: dict[str, str] = {}
         self._following: asyncio.Task[None] | None = None
@@ -56,6 +60,7 @@ class TokenFile:
             return
         try:
             _require_private(self._path)
+            self._stat = _stat_of(self._path)
             content = read_bytes(self._path)
         except FileNotFoundError:
             if self._seen is None:
@@ -73,13 +78,31 @@ class TokenFile:
         while self._path is not None:
             await asyncio.sleep(LOOK_S)
             try:
-                await asyncio.to_thread(self.read)
+                async with self._reading:
+                    await asyncio.to_thread(self.read)
                 complaint = ""
             except (OSError, BadTokens) as error:
                 if str(error) != complaint:
                     text = "%s cannot be used, the tokens read before stay valid: %s"
                     log.error(text, self._path, error)  # noqa: TRY400 - no traceback
                 complaint = str(error)
+
+    async def look_again(self) -> None:
+        """Read the file if it has changed: a token in it may have just been added.
+
+        One look serves all who asked before it began, and costs one `stat` as long as
+        the file is the same: wrong tokens, however many, read nothing.
+        """
+        asked_at = self._looks
+        async with self._reading:
+            if self._path is not None and self._looks == asked_at:
+                self._looks += 1
+                await asyncio.to_thread(self._read_if_changed, self._path)
+
+    def _read_if_changed(self, path: Path) -> None:
+        with contextlib.suppress(OSError, BadTokens):  # `follow` reports it
+            if _stat_of(path) != self._stat:
+                self.read()
 
     def _log_change(self, by_hash: Mapping[str, Caller]) -> None:
         before = self._accounts
@@ -95,6 +118,11 @@ class TokenFile:
 def token_id(hashed: str) -> str:
     """The name of a token in logs and lists, which cannot be used as a token."""
     return hashed[:12]
+
+
+def _stat_of(path: Path) -> tuple[int, int, int]:
+    status = path.stat()
+    return status.st_mtime_ns, status.st_size, status.st_ino
 
 
 def _require_private(path: Path) -> None:

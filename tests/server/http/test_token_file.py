@@ -127,6 +127,41 @@ async def test_the_server_follows_it_off_the_event_loop_and_complains_once(
     assert f"token {hash_of('a')[:12]} of alice revoked" in texts
 
 
+async def test_a_token_is_valid_at_once_and_wrong_ones_read_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect one reading for each change, however many wrong tokens are sent."""
+    path, tokens = tmp_path / "tokens", Tokens({})
+    path.write_text("")
+    file, reads = TokenFile(path, tokens), list[Path]()
+    file.read()
+    right = token_file.read_bytes
+
+    def read_bytes(path: Path) -> bytes:
+        reads.append(path)
+        return right(path)
+
+    monkeypatch.setattr(token_file, "read_bytes", read_bytes)
+
+    async def send(secret: str) -> str:
+        try:
+            return (await tokens.authenticate_again(f"Bearer {secret}", "read")).account
+        except Refused:
+            return ""
+
+    assert set(await asyncio.gather(*map(send, ["x"] * 50))) == {""}
+    assert reads == []
+    for content, expected in [(ALICE, ["alice", ""]), (f"{BOB}\n", ["", "bob"])]:
+        path.write_text(content)
+        answers = await asyncio.gather(*map(send, ["a", "b", *["x"] * 50]))
+        assert answers == [*expected, *[""] * 50]
+    path.write_text("nonsense")
+    assert await send("b") == await send("b") == "bob"
+    path.unlink()
+    assert await send("b") == "bob"
+    assert len(reads) == 3
+
+
 def test_a_reader_of_all_runs_is_no_account_to_the_views() -> None:
     tokens = Tokens.parse("host:read+read_all:h, alice:read:a")
     assert tokens.authenticate("Bearer h", "read").reader is None

@@ -119,15 +119,25 @@ def test_work_that_raises_has_failed() -> None:
     }
 
 
+@pytest.mark.parametrize("flag", ["--metrics-port", "--port"])
+@pytest.mark.parametrize("level", ["", "1"])
 def test_a_port_that_is_taken_ends_the_start_with_one_line(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    flag: str,
+    level: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
+    """Expect the option, and under make how make passes it on."""
+    monkeypatch.delenv("MAKELEVEL", raising=False)
+    if level:
+        monkeypatch.setenv("MAKELEVEL", level)
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         port = str(taken.getsockname()[1])
-        flags = ["--port", "0", "--metrics", "on", "--metrics-port", port]
+        flags = ["--port", "0", "--metrics", "on", flag, port]
         monkeypatch.setattr(sys, "argv", ["reference_server", *flags])
         assert main() == 2
     line = capsys.readouterr().err
-    assert re.fullmatch(r"proctor: cannot listen on .*--metrics-port\n", line), line
+    of_make = rf" \(make serve ARGS='{flag} …'\)" if level else ""
+    assert re.fullmatch(rf"proctor: cannot listen on .* {flag}{of_make}\n", line), line

@@ -64,6 +64,7 @@ def test_the_exit_codes_are_on_the_page() -> None:
         "1",
         "2",
         "130, 143",
+        "141",
     ]
 
 

@@ -15,7 +15,7 @@ import pytest
 from reference_client.printable_text import LenientStream, prepare_output
 from tests.support.client.command import options
 from tests.support.paths import ROOT
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TOKENS, ReferenceServer
 
 TEXT = "B\u00fccher \u2013 \u65e5\u672c \u2026"
 
@@ -92,6 +92,48 @@ def test_a_run_is_played_to_its_end(
     assert says in done.stderr.decode("ascii")
     saved = json.loads((policy_folder / "out" / "result.json").read_text("utf-8"))
     assert saved["score"]["counts"]["unscored"] == 0
+
+
+CLIENT = "reference_client.command"
+
+
+@pytest.mark.slow("starts many programs")
+@pytest.mark.parametrize(
+    ("module", "arguments"),
+    [
+        (CLIENT, "benchmarks --url URL"),
+        (CLIENT, "benchmarks --url URL --json"),
+        (CLIENT, "status --url URL --format latex"),
+        (CLIENT, "--help"),
+        (CLIENT, "run --help"),
+        (CLIENT, "completion bash"),
+        (CLIENT, "admin token list --file TOKENS"),
+        (CLIENT, "serve --help"),
+        ("reference_sim.gymnasium", "check gymnasium:CartPole-v1"),
+        ("conformance", "--list"),
+    ],
+)
+def test_a_program_whose_output_is_read_no_more_ends_without_a_word(
+    module: str, arguments: str, server: ReferenceServer, tmp_path: Path
+) -> None:
+    """As `head` leaves it. Expect 0 if nothing was lost, else the code of SIGPIPE."""
+    (tmp_path / "tokens").write_text("")
+    for name, value in {"URL": server.url, "TOKENS": f"{tmp_path}/tokens"}.items():
+        arguments = arguments.replace(name, value)
+    reading, writing = os.pipe()
+    os.close(reading)
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", module, *arguments.split()],
+            env=os.environ
+            | {"PYTHONPATH": str(ROOT), "PROCTOR_TOKEN": TOKENS["alice"]},
+            stdout=writing,
+            stderr=subprocess.PIPE,
+            check=False,
+        )
+    finally:
+        os.close(writing)
+    assert (done.returncode, done.stderr) in [(0, b""), (141, b"")]
 
 
 @pytest.mark.slow("starts a program")

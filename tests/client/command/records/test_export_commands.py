@@ -102,6 +102,7 @@ def test_a_record_under_the_name_of_another_run_is_refused(
     [
         (["video", "run-1.proctor"], "needs --episode N, or --failures"),
         (["video", "run-1.proctor", "--episode", "one"], "expected indices"),
+        (["video", "run-1.proctor", "--episode", "e1,x2"], "expected indices"),
         (["video", "run-1.proctor", "--size", "8x8"], "each from 16 to 4096"),
         (["video", "run-1.proctor", "--size", "33x32"], "a video has even sides"),
         (["video", "absent.proctor", "--failures"], "absent.proctor: no such file"),
@@ -158,7 +159,7 @@ def test_what_is_not_installed_is_named_before_anything_is_fetched(
 
 
 @pytest.mark.parametrize(
-    ("error", "code"), [(KeyboardInterrupt(), 130), (BrokenPipeError(), 2)]
+    ("error", "code"), [(KeyboardInterrupt(), 130), (BrokenPipeError(), 141)]
 )
 def test_an_export_that_is_broken_off_leaves_nothing(
     error: BaseException, code: int, record: Path, monkeypatch: pytest.MonkeyPatch
@@ -168,7 +169,7 @@ def test_an_export_that_is_broken_off_leaves_nothing(
 
     monkeypatch.chdir(record.parent)
     monkeypatch.setattr(exports, "_print", break_off)
-    monkeypatch.setattr(os, "dup2", lambda *_: None)
+    monkeypatch.setattr(exports, "discard_standard_output", lambda: None)
     before = sorted(record.parent.iterdir())
     job = {"kind": "every-eval-ever", "record": record.name}
     assert exports.main([json.dumps(job)]) == code

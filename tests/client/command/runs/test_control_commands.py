@@ -51,6 +51,49 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert proctor.code == 0
 
 
+COUNTS = "0 of 1 episodes are scored"
+THE_REST = (
+    "Play the rest, then repeat this command: proctor run --run-id RUN --policy …"
+)
+
+
+@pytest.mark.parametrize(
+    ("before", "command", "says"),
+    [
+        (
+            "",
+            "video RUN --failures",
+            f"A run that is ready has no record; … {THE_REST}",
+        ),
+        ("", "export RUN", f"… completed. {COUNTS}. {THE_REST}"),
+        ("", "publish RUN", f"The run is ready; … {COUNTS}. {THE_REST}"),
+        ("stop", "publish RUN", f"The run is stopped; … {COUNTS}. {THE_REST}"),
+        ("stop", "export RUN --to parquet", f"A run that is stopped … {THE_REST}"),
+        (
+            "play",
+            "stop RUN",
+            "A run that is completed cannot be stopped; nothing was …",
+        ),
+        ("play", "resume RUN", "A run that is completed cannot be resumed; nothing …"),
+    ],
+)
+def test_what_a_run_is_not_ready_for_is_refused_with_what_to_do_first(
+    proctor: ProctorCommand, before: str, command: str, says: str
+) -> None:
+    run_id = proctor.json("submit", *options("count"), "--name", "mine")["run_id"]
+    if before == "stop":
+        proctor("stop", run_id)
+    if before == "play":
+        proctor("run", "--policy", "policies:Graded", "--run-id", run_id)
+    assert proctor(*command.replace("RUN", run_id).split()) == 2
+    (line,) = proctor.err.splitlines()
+    expected = f"proctor: {says} [illegal_transition]".replace("RUN", run_id)
+    start, _, end = expected.partition(" … ")
+    assert line.startswith(start.removesuffix("…"))
+    assert line.endswith(end.removeprefix("…"))
+    assert "lifecycle" not in line
+
+
 @pytest.fixture
 def browser(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The file to which what stands in for a browser writes the address it is given."""

@@ -18,6 +18,7 @@ from typing import Any, NoReturn
 import pytest
 
 from reference_client.command.main import main
+from reference_client.command.runs import running
 from tests.support.client.command import (
     ProctorCommand,
     options,
@@ -52,6 +53,41 @@ def test_processes_score_as_threads_do(proctor: ProctorCommand) -> None:
     processes = proctor.json(*run, "--workers", "2", "--processes")
     assert processes["score"] == threads["score"] == pytest.approx(2.5 / 6)
     assert proctor.code == 0
+
+
+@pytest.mark.slow("plays episodes of physics")
+@pytest.mark.parametrize(
+    ("part", "is_host", "says"),
+    [
+        ("val_train", False, "the 2 episodes"),
+        ("val_train,test", False, "the 2 episodes"),  # the others are sealed
+        ("val_train,test", True, "the 6 episodes"),
+        ("test", False, ""),
+        ("val_train --episodes 1", True, ""),
+    ],
+)
+def test_a_run_ends_with_its_page_and_the_command_that_draws_its_failures(
+    proctor: ProctorCommand,
+    monkeypatch: pytest.MonkeyPatch,
+    part: str,
+    is_host: bool,
+    says: str,
+) -> None:
+    Path("still.py").write_text(
+        "def still(observation):\n"
+        "    return [{'joint_position': observation.state['joint_position'],"
+        " 'gripper': [1.0]}] * 64\n"
+    )
+    monkeypatch.setattr(running, "token_file", lambda _: "file" if is_host else None)
+    flags = ["--benchmark", "tabletop_state", "--tasks", "push", "--split"]
+    assert proctor("run", "--policy", "still.py:still", *flags, *part.split()) == 0
+    run_id = proctor.out.split()[1]
+    *before, page = proctor.err.splitlines()
+    assert page == f"Page of the run: {proctor.url}/pages/runs/{run_id}"
+    command = f"  proctor video {run_id} --failures"
+    drawing = before[-2:] if command in before else []
+    expected = [f"To draw {says} that failed:", command] if says else []
+    assert drawing == expected
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])

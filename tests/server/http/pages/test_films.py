@@ -140,7 +140,10 @@ async def test_what_cannot_be_drawn_has_no_button(case: str) -> None:
     async with reader(settings) as (api, client):
         run = api.add("done", FAILURE, *([None] if case == "played" else []))
         run.episodes[0].is_sealed = case == "sealed"
-        assert BUTTON not in await text_of(client, EPISODE)
+        page = await text_of(client, EPISODE)
+        assert BUTTON not in page
+        assert ("is the secret of the host" in page) == (case == "sealed")
+        assert ("proctor video done --episode 0" in page) == (case != "played")
         assert (await ask(client)).status_code == 404
 
 
@@ -149,7 +152,9 @@ async def test_a_host_draws_what_it_has_sealed(drawing: Drawing) -> None:
     secrets = ["db.seeds"]
     async with reader(FilmSettings(seed_secret=lambda: secrets[0])) as (api, client):
         api.add("done", FAILURE, FAILURE).episodes[0].is_sealed = True
-        assert BUTTON in await text_of(client, EPISODE)
+        page = await text_of(client, EPISODE)
+        assert BUTTON in page
+        assert "is the secret of the host" not in page
         assert (await ask(client)).status_code == 303
         await drawing.began.wait()
         assert drawing.jobs[0]["secret"] == "db.seeds"
