@@ -33,6 +33,9 @@ ANSWER_TIMEOUT_S = 5.0
 _DUE_S = 1.0
 # Delay before it reconnects, whatever `retry` says: checks have little time.
 _RETRY_S = 0.2
+# A flood ends here: more than any run of the kit makes its server send.
+_STREAMED_BYTES_MAX = 2**24
+_LINE_BYTES_MAX = 2**20
 _END_OF_LINE = re.compile(rb"\r\n|\n|\r")
 
 
@@ -60,7 +63,10 @@ class Event:
 
 
 class EventParser:
-    """Bytes in, events out; an incomplete event waits for the rest."""
+    """Bytes in, events out; an incomplete event waits for the rest.
+
+    Raises SetUpFailed at a line that is too long for a kit run.
+    """
 
     def __init__(self) -> None:
         self._rest = b""
@@ -77,6 +83,10 @@ class EventParser:
             part = part.removeprefix(b"\n")
         self._ended_with_cr = part.endswith(b"\r")
         *lines, self._rest = _END_OF_LINE.split(self._rest + part)
+        if len(self._rest) > _LINE_BYTES_MAX:
+            raise SetUpFailed(
+                f"a line of the event stream had no end after {len(self._rest)} bytes"
+            )
         for line in lines:
             event = self._line(line.decode("utf-8", "replace").removeprefix("\ufeff"))
             if event is not None:
@@ -110,6 +120,7 @@ class EventReader:
         self._run = run
         self._is_closed = threading.Event()
         self._stream: AnswerStream | None = None
+        self._bytes_left = _STREAMED_BYTES_MAX
         self._queue: queue.Queue[Event | Answer | Exception] = queue.Queue()
         self._thread = threading.Thread(target=self._run_thread, daemon=True)
         self._thread.start()
@@ -144,6 +155,12 @@ class EventReader:
             if self._is_closed.is_set():
                 return False
             for part in opened.parts():
+                self._bytes_left -= len(part)
+                if self._bytes_left < 0:
+                    raise SetUpFailed(
+                        "the event streams of a run that plays little had more than "
+                        f"{_STREAMED_BYTES_MAX >> 20} MiB: the kit reads no further"
+                    )
                 events = parser.feed(part)
                 self.signs_at += [event.at for event in events] + parser.comments_at
                 parser.comments_at.clear()

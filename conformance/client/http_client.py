@@ -63,7 +63,7 @@ class AnswerStream:
 
     def parts(self) -> Iterator[bytes]:
         """Give the parts as they arrive; a broken connection ends the stream."""
-        with contextlib.suppress(httpx.TransportError, OSError):
+        with contextlib.suppress(httpx.RequestError, OSError):
             for part in self._response.parts():
                 self.body += part[: max(0, _STREAM_BYTES_STORED - len(self.body))]
                 yield part

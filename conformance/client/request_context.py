@@ -337,7 +337,7 @@ class RequestContext:
     def _measure_round_trip(self) -> float:
         began_at = time.monotonic()
         with (
-            contextlib.suppress(httpx.TransportError),
+            contextlib.suppress(httpx.RequestError),
             self.shared.connections.borrow() as connections,
         ):
             connections.get(f"{self._base_urls.first}/v1", _ROUND_TRIP_TIMEOUT_S)

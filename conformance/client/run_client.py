@@ -10,6 +10,7 @@ import itertools
 import time
 import uuid
 from collections.abc import Iterator, Mapping
+from functools import partial
 from typing import Any
 
 from conformance.client.adaptive_timeouts import GrowingPauses
@@ -126,7 +127,9 @@ class RunClient:
         """Read all pages of the episodes."""
         episodes: list[dict[str, Any]] = SetUpList()
         empty = 0
-        for page in read_pages(lambda p: self._require("list_episodes", params=p)):
+        endless = SetUpFailed("`list_episodes` does not end", breaks="EPI-006")
+        read = partial(self._require, "list_episodes")
+        for page in read_pages(lambda p: read(params=p), endless):
             episodes += page["episodes"]
             empty += not page["episodes"]
             if empty == _MAX_EMPTY_PAGES and page["next_cursor"] is not None:

@@ -88,7 +88,7 @@ class _HookedServer:
         url = self.context.shared.settings.url
         while time.monotonic() < deadline:
             with (
-                contextlib.suppress(httpx.TransportError),
+                contextlib.suppress(httpx.RequestError),
                 contextlib.closing(Connections()) as connections,
             ):
                 connections.get(f"{url}/v1", timeout_s=2.0)

@@ -376,7 +376,7 @@ def _is_reachable(shared: SharedContext) -> bool:
         try:
             with shared.connections.borrow() as connections:
                 connections.get(f"{shared.settings.url}/v1", 5.0)
-        except httpx.TransportError:
+        except httpx.RequestError:
             time.sleep(0.3)
         else:
             return True

@@ -24,6 +24,7 @@ from typing import IO
 
 import httpx
 
+from conformance.client.connections.connection_pool import Connections
 from conformance.client.connections.loopback import in_url, loopback, probing_socket
 
 _START_S = 60.0
@@ -192,8 +193,11 @@ class ServerProcess:
                     f"served requests; end of its output: {self.log_tail()}"
                 )
             if _is_listening(self._port):
-                with contextlib.suppress(httpx.TransportError):
-                    httpx.get(f"{self.url}/v1", timeout=2.0, trust_env=False)
+                with (
+                    contextlib.suppress(httpx.RequestError),
+                    contextlib.closing(Connections()) as connections,
+                ):
+                    connections.get(f"{self.url}/v1", timeout_s=2.0)
                     return
             time.sleep(_POLL_S)
         raise StartFailed(f"no response from {self.url}/v1 within {_START_S:g} s")

@@ -3,8 +3,8 @@
 All requests to a Proctor server, of both planes, go through RetryPolicy.call; urllib3's
 retries are off. Every request may be repeated, because operations that must not be
 executed twice carry a seq, an attach_key or an Idempotency-Key. So the response alone
-decides. Requests to policy servers are not of this protocol: their two clients
-(policies/) repeat at a fixed interval until a deadline.
+decides. Requests to policy servers are not of this protocol: their clients repeat at a
+fixed interval until a deadline (policies/servers/server_transport.py).
 """
 
 from __future__ import annotations

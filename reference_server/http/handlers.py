@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial
 from typing import Any
+from urllib.parse import urlsplit
 
 from starlette.responses import Response, StreamingResponse
 
@@ -235,7 +236,7 @@ class Handlers:
         run = await self.service.submit_run(call.account, submission, key)
         body = await self.service.view_stored(run, self.base_url(call))
         response = call.answer(body, 201)
-        response.headers["Location"] = f"/v1/runs/{run.run_id}"  # RUN-001
+        response.headers["Location"] = self._place(call, f"/v1/runs/{run.run_id}")
         return response
 
     async def list_runs(self, call: OperationCall) -> Response:
@@ -351,7 +352,8 @@ class Handlers:
             call.account, int(declared), parts
         )
         response = call.answer(await self._import_view(record_import), 202)
-        response.headers["Location"] = f"/v1/records/{record_import.import_id}"
+        path = f"/v1/records/{record_import.import_id}"
+        response.headers["Location"] = self._place(call, path)
         return response
 
     async def list_imports(self, call: OperationCall) -> Response:
@@ -452,6 +454,10 @@ class Handlers:
         if settings.public_url:
             return settings.public_url.rstrip("/")
         return base_url_of(call.request, settings.trusted_proxies)
+
+    def _place(self, call: OperationCall, path: str) -> str:
+        """RUN-001, REC-112: the Location of something new, also under a base path."""
+        return urlsplit(self.base_url(call)).path + path
 
 
 class _Download(StreamingResponse):

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from conformance.cli.main import main
+from tests.support.kit.endless_answers import ENDLESS, serve_endlessly
 from tests.support.kit.null_servers import always, run_server
 from tests.support.kit.run_kit import run_kit
 from tests.support.network.forward_proxy import run_forward_proxy
@@ -126,6 +127,13 @@ def test_a_server_that_does_not_speak_tls_and_a_file_that_is_missing_are_named(
         assert "does not speak TLS (WRONG_VERSION_NUMBER)" in capsys.readouterr().out
         assert main(["--url", url, "--ca", "nowhere.pem"]) == 2
         assert "nowhere.pem, which has no certificates" in capsys.readouterr().out
+
+
+def test_an_answer_without_an_end_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    with serve_endlessly(ENDLESS["body"]) as url:
+        assert main(["--url", url, "--only", "SVC"]) == 2
+    written = capsys.readouterr().out
+    assert "sends what cannot be read: the body had no end after 128 MiB" in written
 
 
 @pytest.mark.parametrize(

@@ -56,7 +56,7 @@ class Connections:
         return connection
 
     def get(self, url: str, timeout_s: float) -> HttpResponse:
-        """Read what a server answers to a GET. Raises httpx.TransportError."""
+        """Read what a server answers to a GET. Raises httpx.RequestError."""
         request = HttpRequest("GET", httpx.URL(url), {}, None, timeout_s)
         response = self.to(request.url).send(request)
         response.read()

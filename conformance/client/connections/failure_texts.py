@@ -10,6 +10,7 @@ from collections.abc import Mapping
 import httpx
 
 from conformance.client.connections.connection_faults import causes_of
+from conformance.client.connections.kept_connection import EndlessAnswer
 from conformance.client.connections.transport.proxy_route import ProxyRoute, find_route
 from conformance.client.connections.transport.server_address import (
     place_of_redirection,
@@ -38,6 +39,8 @@ def describe_failure(error: BaseException, url: str) -> str:
             "whether --url begins with http:// instead"
         )
     text = f"{type(error).__name__}: {error}"
+    if isinstance(error, EndlessAnswer):
+        return f"{url}{way} sends what cannot be read: {error}; is it a Proctor server?"
     if route.url and isinstance(error, PROXY_ERRORS):
         return _describe_proxy(text, isinstance(error, httpx.ProxyError), url, route)
     hint = "start the server or correct --url"

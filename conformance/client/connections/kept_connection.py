@@ -7,6 +7,7 @@ does, with its exceptions. It repeats nothing and judges nothing.
 """
 
 import contextlib
+import math
 import selectors
 import socket
 import ssl
@@ -25,13 +26,22 @@ _HEAD_BYTES_MAX = 100 * 1024
 _KEPT_IDLE_S = 2.0
 _INTERIM_MAX = 100
 _UPGRADED = 101
+# More than any answer that a kit run needs; an endless body ends here.
+BODY_BYTES_MAX = 2**27
+# The time for an answer, from its request to the last byte, in single waits.
+_WAITS_PER_ANSWER = 2
+
+
+class EndlessAnswer(httpx.ReadError):
+    """An answer that is too long, or not whole when its time is over."""
 
 
 @dataclass(frozen=True, slots=True)
 class HttpRequest:
     """A request as it is sent. timeout_s: of connecting, and of each read and write.
 
-    headers: all but Host and those that describe the body, unless they differ from it.
+    An answer with an end has twice that time in all. headers: all but Host and those
+    that describe the body, unless they differ from it.
     """
 
     method: str
@@ -39,6 +49,15 @@ class HttpRequest:
     headers: dict[str, tuple[str, str]]  # by name in lower case
     content: bytes | Iterable[bytes] | None
     timeout_s: float
+
+    @property
+    def answer_timeout_s(self) -> float:
+        """The time for connecting, the head and the body together."""
+        return _WAITS_PER_ANSWER * self.timeout_s
+
+    def late(self) -> EndlessAnswer:
+        """Give the error of an answer that is not whole at the end of its time."""
+        return EndlessAnswer(f"the answer had no end after {self.answer_timeout_s:g} s")
 
     def all_headers(self) -> list[tuple[str, str]]:
         """Give the headers with those that a client adds, where they are missing."""
@@ -59,8 +78,11 @@ class HttpRequest:
 class BodySource(Protocol):
     """The connection on which a body arrives."""
 
-    def read_parts(self) -> Iterator[bytes]:
-        """Give its parts; raises httpx.TransportError."""
+    def read_parts(self, *, is_endless: bool) -> Iterator[bytes]:
+        """Give its parts, for the time of an answer; raises httpx.TransportError.
+
+        is_endless: the body is a stream, which may go on for longer.
+        """
 
     def close_unless_idle(self) -> None:
         """Keep the connection if the body was read to its end."""
@@ -81,16 +103,23 @@ class HttpResponse:
         self._connection, self._sock = connection, sock
 
     def read(self) -> bytes:
-        """Read all of the body; decodes it if it is compressed."""
-        body = b"".join(self._connection.read_parts())
-        if "content-encoding" in self.headers:
-            body = httpx.Response(200, headers=self.headers, content=body).content
-        self.body = body
+        """Read all of the body; decodes it if it is compressed.
+
+        Raises EndlessAnswer if it is too long or its time is over.
+        """
+        received = _limit_size(self._connection.read_parts(is_endless=False))
+        self.body = body = b"".join(_limit_size(self._decode(received)))
         return body
 
     def parts(self) -> Iterator[bytes]:
-        """Give the parts of the body as they arrive."""
-        stream = _PartStream(self._connection)
+        """Give the parts of the body as they arrive, decoded."""
+        return self._decode(self._connection.read_parts(is_endless=True))
+
+    def _decode(self, received: Iterator[bytes]) -> Iterator[bytes]:
+        codings = self.headers.get("content-encoding", "")
+        if "," in codings:  # each of them may multiply a small part by a thousand
+            raise httpx.DecodingError(f"more than one Content-Encoding: {codings}")
+        stream = _PartStream(received)
         yield from httpx.Response(200, headers=self.headers, stream=stream).iter_bytes()
 
     def close(self) -> None:
@@ -107,6 +136,16 @@ class HttpResponse:
             self._sock.shutdown(socket.SHUT_RDWR)
 
 
+def _limit_size(parts: Iterator[bytes]) -> Iterator[bytes]:
+    size = 0
+    for part in parts:
+        size += len(part)
+        if size > BODY_BYTES_MAX:
+            mebibytes = BODY_BYTES_MAX >> 20
+            raise EndlessAnswer(f"the body had no end after {mebibytes} MiB")
+        yield part
+
+
 def can_be_stale(error: BaseException) -> bool:
     """Say whether the other side may have closed a connection that was kept."""
     return isinstance(
@@ -115,11 +154,11 @@ def can_be_stale(error: BaseException) -> bool:
 
 
 class _PartStream(httpx.SyncByteStream):
-    def __init__(self, connection: BodySource) -> None:
-        self._connection = connection
+    def __init__(self, parts: Iterator[bytes]) -> None:
+        self._parts = parts
 
     def __iter__(self) -> Iterator[bytes]:
-        return self._connection.read_parts()
+        return self._parts
 
 
 class KeptConnection:
@@ -134,6 +173,8 @@ class KeptConnection:
         self._sock: socket.socket | None = None
         self._h11 = h11.Connection(h11.CLIENT, _HEAD_BYTES_MAX)
         self._idle_since = 0.0
+        self._request: HttpRequest | None = None
+        self._ends_at = math.inf  # the time of the answer is over
         self._is_new = self._has_answer = False
 
     def send(self, request: HttpRequest) -> HttpResponse:
@@ -141,6 +182,8 @@ class KeptConnection:
         if self._sock is not None and self._is_stale(self._sock):
             self.close()
         self._is_new, self._has_answer = self._sock is None, False
+        self._request = request
+        self._ends_at = time.monotonic() + request.answer_timeout_s
         try:
             sock = self._sock = self._sock or self._connect(request)
             sock.settimeout(request.timeout_s)
@@ -160,8 +203,10 @@ class KeptConnection:
         """
         return not (self._is_new or self._has_answer) and can_be_stale(error)
 
-    def read_parts(self) -> Iterator[bytes]:
-        """Give the parts of a body; after the last one it can be used again."""
+    def read_parts(self, *, is_endless: bool) -> Iterator[bytes]:
+        """As of BodySource; after the last part it can be used again."""
+        if is_endless:
+            self._ends_at = math.inf
         try:
             while type(event := self._next_event()) is h11.Data:
                 yield bytes(event.data)
@@ -270,11 +315,17 @@ class KeptConnection:
                 raise httpx.RemoteProtocolError(str(error)) from error
 
     def _receive(self) -> bytes:
-        if (sock := self._sock) is None:
+        if (sock := self._sock) is None or (request := self._request) is None:
             raise httpx.ReadError("the connection is closed")
+        left_s = self._ends_at - time.monotonic()
+        if left_s <= 0:
+            raise request.late()
         try:
+            sock.settimeout(min(left_s, request.timeout_s))
             return sock.recv(_PIECE_BYTES)
         except TimeoutError as error:
+            if time.monotonic() >= self._ends_at:
+                raise request.late() from error
             raise httpx.ReadTimeout(str(error)) from error
         except OSError as error:
             raise httpx.ReadError(str(error)) from error

@@ -7,7 +7,6 @@ repeated.
 from __future__ import annotations
 
 import contextlib
-import time
 from collections.abc import Mapping
 from typing import Any, Self
 from urllib.parse import urljoin
@@ -23,10 +22,18 @@ from reference_client.policies.servers.server_faults import (
     last_exception,
     who_speaks_at,
 )
+from reference_client.policies.servers.server_transport import (
+    Unreached,
+    fault_of,
+    http_connections,
+    in_its_place,
+    refused_by_proxy,
+    repeat_until_reached,
+    route_to,
+)
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
 from reference_client.policies.servers.wire_settings import (
     FIRST_CONTACT_S,
-    PAUSE_S,
     ServerSettings,
 )
 
@@ -49,7 +56,7 @@ class HttpPolicyClient:
         self.url = url
         self._settings = settings
         self._retry_timeout_s = retry_timeout_s
-        self._pool = urllib3.PoolManager(maxsize=1, retries=False)
+        self._pool = http_connections(url, maxsize=1)
 
     def connected(self) -> Self:
         """Itself, if an HTTP server answers a GET, whatever its status."""
@@ -108,51 +115,65 @@ class HttpPolicyClient:
         answer_s: float,
     ) -> urllib3.BaseHTTPResponse:
         """One request, repeated without a response and on retryable statuses."""
-        deadline = time.monotonic() + retry_timeout_s
-        while True:
-            try:
-                answer = self._pool.request(
-                    method,
-                    url,
-                    body=content,
-                    headers=_headers(self._settings.format, content),
-                    timeout=urllib3.Timeout(connect=CONNECT_S, read=answer_s),
-                    redirect=False,
-                )
-            except urllib3.exceptions.ReadTimeoutError as error:
-                is_first = content is None
-                raise failed(url, no_answer(url, answer_s, is_first)) from error
-            except urllib3.exceptions.LocationValueError as error:
-                raise failed(url, f"has an invalid URL: {error}") from error
-            except urllib3.exceptions.HTTPError as error:
-                what = why_unreachable(url, error)
-            else:
-                wrong = wrong_server(answer)
-                if wrong is not None:
-                    raise failed(url, wrong)
-                if answer.status not in RETRY_STATUSES:
-                    return answer
+
+        def attempt() -> urllib3.BaseHTTPResponse:
+            headers = _headers(self._settings.format, content)
+            answer = request_once(
+                self._pool,
+                method,
+                url,
+                content=content,
+                headers=headers,
+                answer_s=answer_s,
+            )
+            wrong = wrong_server(url, answer)
+            if wrong is not None:
+                raise failed(url, wrong)
+            if answer.status in RETRY_STATUSES:
                 what = f"answered {answer.status}{_said(answer.data)}"
-            if time.monotonic() > deadline:
-                raise failed(url, what)
-            time.sleep(PAUSE_S)
+                raise Unreached(f"{what}{in_its_place(url, answer.status)}")
+            return answer
+
+        return repeat_until_reached(attempt, url, retry_timeout_s)
 
 
-def why_unreachable(url: str, error: urllib3.exceptions.HTTPError) -> str:
-    """Why there is no answer; names the protocol of a server that speaks another."""
-    if isinstance(error, urllib3.exceptions.ProtocolError):
-        return f"is no HTTP server ({innermost_reason(error)}): {who_speaks_at(url)}"
-    return f"is unreachable ({innermost_reason(error)})"
+def request_once(
+    pool: urllib3.PoolManager,
+    method: str,
+    url: str,
+    *,
+    content: bytes | None,
+    headers: dict[str, str],
+    answer_s: float,
+) -> urllib3.BaseHTTPResponse:
+    """Raises Unreached, or ProctorError for what the next attempt will meet again."""
+    try:
+        return pool.request(
+            method,
+            url,
+            body=content,
+            headers=headers,
+            timeout=urllib3.Timeout(connect=CONNECT_S, read=answer_s),
+            redirect=False,
+        )
+    except urllib3.exceptions.ReadTimeoutError as error:
+        what = f"did not answer within {answer_s:g} s"
+        if content is None:  # nothing is known of the server yet
+            what += f": {who_speaks_at(url)}"
+        raise failed(url, what) from error
+    except urllib3.exceptions.LocationValueError as error:
+        raise failed(url, f"has an invalid URL: {error}") from error
+    except urllib3.exceptions.ProtocolError as error:
+        what = f"is no HTTP server ({innermost_reason(error)}): "
+        raise Unreached(what, lambda: who_speaks_at(url)) from error
+    except urllib3.exceptions.HTTPError as error:
+        raise fault_of(url, error) from error
 
 
-def no_answer(url: str, answer_s: float, is_first: bool) -> str:
-    """That there was no answer in time; is_first: nothing is known of the server."""
-    what = f"did not answer within {answer_s:g} s"
-    return f"{what}: {who_speaks_at(url)}" if is_first else what
-
-
-def wrong_server(answer: urllib3.BaseHTTPResponse) -> str | None:
+def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:
     """Describes a WebSocket server, a redirect and a refused key; else None."""
+    if answer.status == 407 and (route := route_to(url)).url:
+        return refused_by_proxy(route, f"407 {answer.reason or ''}".strip())
     if answer.status == 426:
         return (
             "is a WebSocket server: it is --policy ws://…, openpi:ws://… or "

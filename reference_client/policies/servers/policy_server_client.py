@@ -7,7 +7,7 @@ answers as before, without executing it again.
 
 from __future__ import annotations
 
-import time
+import functools
 from typing import Any
 
 import msgspec
@@ -19,18 +19,18 @@ from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.http_policy_client import (
-    CONNECT_S,
     FIRST_ANSWER_S,
-    no_answer,
-    why_unreachable,
+    request_once,
     wrong_server,
 )
 from reference_client.policies.servers.server_faults import failed
-from reference_client.policies.servers.wire_settings import (
-    ANSWER_S,
-    FIRST_CONTACT_S,
-    PAUSE_S,
+from reference_client.policies.servers.server_transport import (
+    Unreached,
+    http_connections,
+    in_its_place,
+    repeat_until_reached,
 )
+from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
 
 _RETRY_STATUSES = (429, 500, 502, 503, 504)
 
@@ -45,9 +45,12 @@ class PolicyServerClient:
     def __init__(self, url: str, *, retry_timeout_s: float = 60.0) -> None:
         self._url = url.rstrip("/")
         self._retry_timeout_s = retry_timeout_s
-        self._pool = urllib3.PoolManager(maxsize=64, retries=False)
         self._benchmark: dict[str, Any] | None = None
         self._description: dict[str, Any] | None = None
+
+    @functools.cached_property
+    def _pool(self) -> urllib3.PoolManager:
+        return http_connections(self._url, maxsize=64)
 
     def check(self, benchmark: Benchmark) -> None:
         """Set the benchmark. Raises ProctorError if the server is unreachable."""
@@ -83,34 +86,28 @@ class PolicyServerClient:
         self, method: str, path: str, content: bytes | None, retry_timeout_s: float
     ) -> Any:
         """One request, repeated without a response and on retryable statuses."""
-        deadline = time.monotonic() + retry_timeout_s
-        read_s = FIRST_ANSWER_S if content is None else ANSWER_S
-        while True:
-            try:
-                answer = self._pool.request(
-                    method,
-                    f"{self._url}/v1/policy{path}",
-                    body=content,
-                    headers=_headers(content),
-                    timeout=urllib3.Timeout(connect=CONNECT_S, read=read_s),
-                    redirect=False,
-                )
-            except urllib3.exceptions.ReadTimeoutError as error:
-                what = no_answer(self._url, read_s, content is None)
-                raise self.failed(what) from error
-            except urllib3.exceptions.HTTPError as error:
-                last = why_unreachable(self._url, error)
-            else:
-                if answer.status == 200:
-                    return self._read(answer.data)
-                last = wrong_server(answer) or (
-                    f"answered with status {answer.status}{_detail(answer.data)}"
-                )
-                if answer.status not in _RETRY_STATUSES:
-                    raise self.failed(last)
-            if time.monotonic() > deadline:
-                raise self.failed(last)
-            time.sleep(PAUSE_S)
+        answer_s = FIRST_ANSWER_S if content is None else ANSWER_S
+        url = f"{self._url}/v1/policy{path}"
+
+        def attempt() -> bytes:
+            answer = request_once(
+                self._pool,
+                method,
+                url,
+                content=content,
+                headers=_headers(content),
+                answer_s=answer_s,
+            )
+            if answer.status == 200:
+                return answer.data
+            what = wrong_server(url, answer) or (
+                f"answered with status {answer.status}{_detail(answer.data)}"
+            )
+            if answer.status not in _RETRY_STATUSES:
+                raise self.failed(what)
+            raise Unreached(f"{what}{in_its_place(url, answer.status)}")
+
+        return self._read(repeat_until_reached(attempt, self._url, retry_timeout_s))
 
     def _read(self, data: bytes) -> Any:
         try:

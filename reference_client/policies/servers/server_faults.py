@@ -5,12 +5,14 @@ Policy servers report errors in many places; the text is shown whatever its plac
 
 from __future__ import annotations
 
+import contextlib
 import re
 import socket
 from collections.abc import Mapping
 from typing import Any
 from urllib.parse import urlsplit
 
+from proctor_client import find_route
 from proctor_client.transport.server_address import without_user
 
 from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
@@ -85,6 +87,10 @@ def last_exception(text: str) -> str:
 def who_speaks_at(url: str) -> str:
     """Names the protocol of a server by the bytes that it sends before a request."""
     parts = urlsplit(url)
+    with contextlib.suppress(ValueError):
+        scheme = parts.scheme.replace("ws", "http")
+        if (route := find_route(parts._replace(scheme=scheme).geturl())).url:
+            return f"it was to be reached {route.how}; {route.advice}"
     port = parts.port or (443 if parts.scheme in ("wss", "https") else 80)
     try:
         with socket.create_connection((parts.hostname or "", port), _PROBE_S) as peer:

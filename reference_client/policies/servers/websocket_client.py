@@ -19,6 +19,7 @@ from websockets.exceptions import (
     ConnectionClosed,
     InvalidHandshake,
     InvalidMessage,
+    InvalidProxyStatus,
     InvalidStatus,
     InvalidURI,
     WebSocketException,
@@ -33,10 +34,18 @@ from reference_client.policies.servers.server_faults import (
     last_exception,
     who_speaks_at,
 )
+from reference_client.policies.servers.server_transport import (
+    Unreached,
+    fault_of,
+    on_the_way,
+    refused_by_proxy,
+    repeat_until_reached,
+    route_to,
+    websocket_options,
+)
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
 from reference_client.policies.servers.wire_settings import (
     FIRST_CONTACT_S,
-    PAUSE_S,
     ServerSettings,
 )
 
@@ -138,8 +147,7 @@ class WebsocketClient:
             ) from error
 
     def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
-        deadline = time.monotonic() + retry_timeout_s
-        while True:
+        def try_once() -> Answer:
             try:
                 return attempt()
             except InvalidURI as error:
@@ -148,15 +156,12 @@ class WebsocketClient:
                 self._drop()
                 if self._is_closed:
                     raise self.failed("was left") from error
-                what, is_final = _why_not_connected(error, self.url)
-                if is_final or time.monotonic() > deadline:
-                    if isinstance(error, ConnectionClosed) and error.rcvd is None:
-                        what += f"; {who_speaks_at(self.url)}"
-                    raise self.failed(what) from error
-                time.sleep(PAUSE_S)
+                raise _fault_of(error, self.url) from error
             except ProctorError:
                 self._drop()  # an answer that comes later is not the next one's
                 raise
+
+        return repeat_until_reached(try_once, self.url, retry_timeout_s)
 
     def _ensure_connected(self) -> ClientConnection:
         if self._socket is None:
@@ -168,7 +173,7 @@ class WebsocketClient:
     def _open(self) -> ClientConnection:
         given = self._authorization
         try:
-            return connect(
+            socket: ClientConnection = connect(
                 self.url,
                 compression=None,
                 max_size=None,
@@ -177,10 +182,11 @@ class WebsocketClient:
                 # openpi's server computes in the event loop that would answer pings.
                 ping_interval=None,
                 additional_headers={"Authorization": given} if given else None,
-                proxy=None,
+                **websocket_options(self.url),
             )
         except AssertionError as error:  # of the library: words before the handshake
             raise InvalidMessage("spoke before the handshake") from error
+        return socket
 
     def greet(self, socket: ClientConnection) -> Any:
         """The server's first message; None for one that waits for the client."""
@@ -242,21 +248,35 @@ class WebsocketClient:
         return failed(self.url, f"failed: {last_exception(text)}", text)
 
 
-def _why_not_connected(error: Exception, url: str) -> tuple[str, bool]:
-    """A sentence about the error, and whether the next attempt will meet it again."""
+def _fault_of(error: Exception, url: str) -> Exception:
+    """Unreached, or a ProctorError if the next attempt will meet the same."""
+    if isinstance(error, InvalidProxyStatus):
+        return _refused_tunnel(error, url)
     if isinstance(error, InvalidHandshake):
-        return _failed_handshake(error, url)
-    if isinstance(error, ConnectionClosed):
-        code = error.rcvd.code if error.rcvd else None
-        return f"closed the connection: {error}", code in _FINAL_CODES
-    if isinstance(error, ssl.SSLCertVerificationError):
-        return f"has a certificate that is not accepted: {error.verify_message}", True
-    if isinstance(error, ssl.SSLError) and error.reason == "WRONG_VERSION_NUMBER":
-        return "does not speak TLS there: the URL begins with ws://, not wss://", True
-    if isinstance(error, TimeoutError) and "handshake" in str(error):
+        what, is_final = _failed_handshake(error, url)
+    elif isinstance(error, ConnectionClosed):
+        what = f"closed the connection: {error}"
+        if error.rcvd is None:
+            return Unreached(what, lambda: f"; {who_speaks_at(url)}")
+        is_final = error.rcvd.code in _FINAL_CODES
+    elif isinstance(error, ssl.SSLError) and error.reason == "WRONG_VERSION_NUMBER":
+        what = "does not speak TLS there: the URL begins with ws://, not wss://"
+        is_final = True
+    elif isinstance(error, TimeoutError) and "handshake" in str(error):
         # A server that computes in its event loop answers later.
-        return f"did not answer the WebSocket handshake: {who_speaks_at(url)}", False
-    return f"is unreachable ({innermost_reason(error)})", False
+        what = "did not answer the WebSocket handshake: "
+        return Unreached(what, lambda: who_speaks_at(url))
+    else:
+        return fault_of(url, error)
+    return failed(url, what) if is_final else Unreached(what)
+
+
+def _refused_tunnel(error: InvalidProxyStatus, url: str) -> Exception:
+    response, route = error.response, route_to(url)
+    phrase = f"{response.status_code} {response.reason_phrase}"
+    if response.status_code < 500:
+        return failed(url, refused_by_proxy(route, phrase))
+    return Unreached(on_the_way(route, phrase))
 
 
 def _failed_handshake(error: InvalidHandshake, url: str) -> tuple[str, bool]:

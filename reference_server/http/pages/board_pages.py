@@ -19,7 +19,7 @@ from reference_record.pages.page_contents import LEVELS
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
-from reference_server.http.pages.page_calls import LINKS, PageCall
+from reference_server.http.pages.page_calls import PageCall
 from reference_server.storage.run_store import StoreFailed
 
 # The id of a run's entry, withdrawn or not; None: it has none.
@@ -60,7 +60,7 @@ async def show_leaderboard(call: PageCall) -> str:
     if not ranking["rows"]:
         others, is_part = await _other_manifests(call)
     return render_page(
-        "board/leaderboard", LINKS, csrf=call.csrf, benchmark=benchmark,
+        "board/leaderboard", call.links, csrf=call.csrf, benchmark=benchmark,
         ranking=ranking,
         rows=rows, selected=selected, sorts=list(_SORTS),
         others=others, newest=ROWS_MAX if is_part else None,
@@ -199,7 +199,7 @@ async def publish(call: PageCall, form: Mapping[str, str]) -> Response:
     }
     body["is_public"] = form.get("is_public") == "yes"
     await call.api.send("PUT", "runs", run_id, "entry", body=body)
-    return _back(run_id)
+    return _back(call, run_id)
 
 
 async def withdraw(call: PageCall, form: Mapping[str, str]) -> Response:
@@ -207,8 +207,8 @@ async def withdraw(call: PageCall, form: Mapping[str, str]) -> Response:
     if form.get("sure") != "yes":
         raise Problem(400, "invalid_request", "Say that you are sure.")
     await call.api.send("DELETE", "runs", run_id, "entry")
-    return _back(run_id)
+    return _back(call, run_id)
 
 
-def _back(run_id: str) -> Response:
-    return RedirectResponse(f"{LINKS.run(run_id)}#entry", HTTPStatus.SEE_OTHER)
+def _back(call: PageCall, run_id: str) -> Response:
+    return RedirectResponse(f"{call.links.run(run_id)}#entry", HTTPStatus.SEE_OTHER)

@@ -14,7 +14,7 @@ import msgspec
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.run_page import Document
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
-from reference_server.http.pages.page_calls import LINKS, PageCall
+from reference_server.http.pages.page_calls import PageCall
 
 LEAVES = 100
 IMPORTS = 100
@@ -38,7 +38,7 @@ async def show_entry(call: PageCall) -> str:
             if searched >= LEAVES_SEARCHED_MAX:
                 break
     return render_page(
-        "board/entry", LINKS, csrf=call.csrf, entry=entry, leaves=leaves,
+        "board/entry", call.links, csrf=call.csrf, entry=entry, leaves=leaves,
         is_part=searched >= LEAVES_SEARCHED_MAX,
         run_is_readable=await _is_readable(call.api, entry["run_id"]),
     )  # fmt: skip
@@ -52,7 +52,8 @@ async def show_history(call: PageCall) -> str:
     if (cursor := page["next_cursor"]) is not None:
         following = f"?{urlencode({'cursor': cursor})}"
     return render_page(
-        "board/history", LINKS, csrf=call.csrf, leaves=list(map(_leaf, page["leaves"])),
+        "board/history", call.links, csrf=call.csrf,
+        leaves=list(map(_leaf, page["leaves"])),
         checkpoint=checkpoint, following=following, is_first=not start,
     )  # fmt: skip
 
@@ -65,7 +66,7 @@ async def show_imports(call: PageCall) -> str:
         following = f"?{urlencode({'cursor': cursor})}"
     return render_page(
         "imports/imports",
-        LINKS,
+        call.links,
         csrf=call.csrf,
         imports=page["imports"],
         following=following,
@@ -74,18 +75,18 @@ async def show_imports(call: PageCall) -> str:
 
 async def show_import(call: PageCall) -> str:
     shown = await call.api.get("records", call.path("import_id"))
-    return render_page("imports/import", LINKS, csrf=call.csrf, shown=shown)
+    return render_page("imports/import", call.links, csrf=call.csrf, shown=shown)
 
 
-async def offered_pages(api: ApiDocuments) -> dict[str, str]:
+async def offered_pages(call: PageCall) -> dict[str, str]:
     """Title and address of the pages that come with profiles of the server."""
     try:
-        profiles = (await api.get())["profiles"]
+        profiles = (await call.api.get())["profiles"]
     except Problem:
         return {}
     pages = {
-        "board": ("History of the leaderboards", LINKS.history()),
-        "record_import": ("Imported records", LINKS.imports()),
+        "board": ("History of the leaderboards", call.links.history()),
+        "record_import": ("Imported records", call.links.imports()),
     }
     return dict(pages[profile] for profile in pages if profile in profiles)
 

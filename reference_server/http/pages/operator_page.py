@@ -19,7 +19,7 @@ from reference_record.command_line.click_commands import Command, Options, optio
 from reference_record.pages.page_templates import render_page
 from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
-from reference_server.http.pages.page_calls import LINKS
+from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
 from reference_server.records.admin_areas import CannotDo
 from reference_server.rules.run import RunHead
@@ -114,7 +114,7 @@ def _page_of(settings: Settings, shown: int) -> str:
         row.account, row.stored_bytes = name, stored_bytes.get(name, 0)
     return render_page(
         "operator",
-        LINKS,
+        ServerLinks(),
         database=settings.database.rpartition("@")[2],  # a URL may have a password
         made_at=timestamp(time.time()),
         disk=_disk(settings),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from typing import Final
 
 from starlette.requests import Request
 
@@ -12,7 +11,6 @@ from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.pages.page_sessions import PageSession
 
-LINKS: Final = ServerLinks()
 _ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
 _PAGE = re.compile(r"[1-9][0-9]{0,5}")
 
@@ -28,6 +26,10 @@ class PageCall:
     @property
     def csrf(self) -> str:
         return self.session.csrf
+
+    @property
+    def links(self) -> ServerLinks:
+        return links_of(self.request)
 
     def path(self, name: str) -> str:
         return _checked_id(self.request.path_params[name])
@@ -47,6 +49,12 @@ class PageCall:
         if not _PAGE.fullmatch(text):
             raise Problem(404, "not_found", "There is no such page.")
         return int(text)
+
+
+def links_of(request: Request) -> ServerLinks:
+    """The links of the page that a request is for."""
+    raw = request.scope.get("raw_path") or request.url.path.encode()
+    return ServerLinks.of(raw.partition(b"?")[0].decode("latin-1"))
 
 
 def _checked_id(text: str) -> str:

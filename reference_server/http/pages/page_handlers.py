@@ -44,7 +44,8 @@ from reference_server.http.pages.board_pages import (
 from reference_server.http.pages.entry_pages import offered_pages
 from reference_server.http.pages.films import Film, Films, FilmSettings
 from reference_server.http.pages.live_runs import LiveRuns
-from reference_server.http.pages.page_calls import LINKS, PageCall
+from reference_server.http.pages.page_calls import PageCall
+from reference_server.http.pages.page_links import ServerLinks
 from reference_server.rules.refusal import Refused
 from reference_server.storage.run_store import StoreFailed
 
@@ -87,7 +88,7 @@ class PageHandlers:
         self._find_options = find_options
         self._find_entry_id = find_entry_id
         self._films = None if films is None else Films(films)
-        self._live = LiveRuns(LINKS)
+        self._live = LiveRuns(ServerLinks.of("/pages/runs/RUN"))
         self._lists: OrderedDict[tuple[str, str, str], _EpisodeList] = OrderedDict()
         self._recordings: OrderedDict[tuple[str, str, str], RecordedEpisode] = (
             OrderedDict()
@@ -97,15 +98,15 @@ class PageHandlers:
         benchmarks = await call.api.get("benchmarks")
         runs = await call.api.get("runs", limit=LATEST_RUNS)
         return render_page(
-            "index", LINKS, csrf=call.csrf, title="Benchmarks and runs",
+            "index", call.links, csrf=call.csrf, title="Benchmarks and runs",
             runs=runs["runs"], benchmarks=benchmarks["benchmarks"],
-            more=await offered_pages(call.api),
+            more=await offered_pages(call),
         )  # fmt: skip
 
     async def show_benchmark(self, call: PageCall) -> str:
         benchmark = await call.api.get("benchmarks", call.path("benchmark_id"))
         return render_page(
-            "benchmark", LINKS, csrf=call.csrf, benchmark=benchmark,
+            "benchmark", call.links, csrf=call.csrf, benchmark=benchmark,
             has_leaderboard=await has_leaderboard(call.api, benchmark["benchmark_id"]),
         )  # fmt: skip
 
@@ -123,7 +124,7 @@ class PageHandlers:
                     following = f"?{urlencode(selected | {'cursor': cursor})}"
                 break
         return render_page(
-            "runs", LINKS, csrf=call.csrf, runs=runs, selected=selected,
+            "runs", call.links, csrf=call.csrf, runs=runs, selected=selected,
             states=("queued", "ready", "running", "stopping", "stopped", "failed",
                     "completed"),
             searched=searched if any(selected.values()) else 0, following=following,
@@ -161,9 +162,9 @@ class PageHandlers:
         ]
         may_publish, entry = await find_entry(call.api, run, self._find_entry_id)
         return page_contents.run_html(
-            LINKS, run, score, figures, window, csrf=call.csrf, others=others,
+            call.links, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
-            live=LINKS.live(run_id) if can_change else "",
+            live=call.links.live(run_id) if can_change else "",
             described=described,
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
@@ -216,14 +217,14 @@ class PageHandlers:
         recorded, problem = await self._recorded(call, run_id, episode)
         benchmark = await _benchmark_of(call, run)
         around = [
-            LINKS.episode(run_id, episodes[at]) if 0 <= at < len(episodes) else ""
+            call.links.episode(run_id, episodes[at]) if 0 <= at < len(episodes) else ""
             for at in (place - 1, place + 1)
         ]
         view = None
         if recorded is not None:
-            view = self._view(run_id, episode, recorded, benchmark)
+            view = self._view(call, run, episode, recorded, benchmark)
         return page_contents.episode_html(
-            LINKS, run, episode, recorded, view,
+            call.links, run, episode, recorded, view,
             control_rate_hz=benchmark["control_rate_hz"] if benchmark else None,
             film=self._film_of(run, episode),
             problem=problem, before=around[0], after=around[1], csrf=call.csrf,
@@ -268,7 +269,7 @@ class PageHandlers:
             episode["index"],
             await _benchmark_of(call, run),
         )
-        address = LINKS.episode(run_id, episode)
+        address = call.links.episode(run_id, episode)
         return RedirectResponse(address, HTTPStatus.SEE_OTHER)
 
     async def fetch_film(self, call: PageCall) -> Response:
@@ -296,7 +297,7 @@ class PageHandlers:
         shown = [p for p in pairs if kind in ("", p.kind)] if kind in KINDS else pairs
         chosen = {"baseline": ids[0], "run": ids[1], "kind": kind}
         return page_contents.comparison_html(
-            LINKS, baseline, run, pairs, _window(call, shown, chosen),
+            call.links, baseline, run, pairs, _window(call, shown, chosen),
             numbers=numbers["runs"][0], csrf=call.csrf,
         )  # fmt: skip
 
@@ -310,7 +311,7 @@ class PageHandlers:
             run = await call.api.get("runs", run_id)
             runs.append((run, (await self._episodes(call, run)).all))
         _require_same_episodes([run for run, _ in runs])
-        return page_contents.several_html(LINKS, runs, csrf=call.csrf)
+        return page_contents.several_html(call.links, runs, csrf=call.csrf)
 
     async def show_pair(self, call: PageCall) -> str:
         sides, problems = [], []
@@ -321,28 +322,30 @@ class PageHandlers:
             recorded, problem = await self._recorded(call, run["run_id"], episode)
             recorded = recorded or RecordedEpisode()
             benchmark = await _benchmark_of(call, run)
-            view = self._view(run["run_id"], episode, recorded, benchmark)
+            view = self._view(call, run, episode, recorded, benchmark)
             sides.append(Side(run, episode, recorded, view))
             problems += [problem] if problem else []
         _require_same_episodes([side.run for side in sides])
         return page_contents.pair_html(
-            LINKS, sides, problem=" ".join(problems), csrf=call.csrf
+            call.links, sides, problem=" ".join(problems), csrf=call.csrf
         )
 
     def _view(
         self,
-        run_id: str,
+        call: PageCall,
+        run: Document,
         episode: Document,
         recorded: RecordedEpisode,
         benchmark: Document | None,
     ) -> page_contents.PlayedView:
+        run_id = run["run_id"]
         addresses = [
-            LINKS.picture(run_id, episode, number)
+            call.links.picture(run_id, episode, number)
             for number in range(len(recorded.pictures))
         ]
         key = run_id, episode["episode_id"]
         film = self._films.find(key) if self._films is not None else None
-        address = LINKS.film(run_id, episode)
+        address = call.links.film(run_id, episode)
         videos = [
             ShownVideo(camera, f"{address}/{number}")
             for number, (camera, _) in enumerate(film.files if film else ())

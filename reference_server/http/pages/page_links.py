@@ -1,4 +1,7 @@
-"""Addresses of the pages of a server."""
+"""Addresses of the pages of a server, relative to the page that has them.
+
+A proxy may serve the server under a path of its own, which the server need not know.
+"""
 
 from __future__ import annotations
 
@@ -16,39 +19,60 @@ _NEXT = re.compile(r"/pages(/[A-Za-z0-9_-]+)*(\?[A-Za-z0-9_.=&%+-]*)?")
 
 @dataclass(frozen=True, slots=True)
 class ServerLinks:
-    """The links of the pages of a server, as page_templates.Links describes them."""
+    """The links of the pages of a server, as page_templates.Links describes them.
 
+    root: the way from the page to the root of the server, such as `../`.
+    """
+
+    root: str = "/"
     is_live: bool = True
 
+    @classmethod
+    def of(cls, path: str) -> ServerLinks:
+        """The links of the page at a path, as a browser knows it: still quoted."""
+        return cls("../" * (path.count("/") - 1))
+
+    def to(self, path: str) -> str:
+        """The address of a path of the server."""
+        return self.root + path.removeprefix("/")
+
+    def login(self, path: str) -> str:
+        """The sign-in, which leads to a path of the server."""
+        return self.to(f"/pages/login?{urlencode({'next': safe_next(path)})}")
+
+    def login_from(self, address: str) -> str:
+        """The sign-in, which leads to an address of these links."""
+        return self.login(f"/{address.removeprefix(self.root)}")
+
     def index(self) -> str:
-        return "/pages"
+        return self.to("/pages")
 
     def runs(self) -> str:
-        return "/pages/runs"
+        return self.to("/pages/runs")
 
     def asset(self, name: str) -> str:
-        return f"/pages/static/{name}?v={asset_version(name)}"
+        return self.to(f"/pages/static/{name}?v={asset_version(name)}")
 
     def benchmark(self, benchmark_id: str, manifest_sha256: str = "") -> str:
-        return f"/pages/benchmarks/{quote(benchmark_id, safe='')}"
+        return self.to(f"/pages/benchmarks/{quote(benchmark_id, safe='')}")
 
     def leaderboard(self, benchmark_id: str) -> str:
         return f"{self.benchmark(benchmark_id)}/leaderboard"
 
     def entry(self, entry_id: str) -> str:
-        return f"/pages/entries/{quote(entry_id, safe='')}"
+        return self.to(f"/pages/entries/{quote(entry_id, safe='')}")
 
     def history(self) -> str:
-        return "/pages/history"
+        return self.to("/pages/history")
 
     def imports(self) -> str:
-        return "/pages/imports"
+        return self.to("/pages/imports")
 
     def import_page(self, import_id: str) -> str:
-        return f"/pages/imports/{quote(import_id, safe='')}"
+        return self.to(f"/pages/imports/{quote(import_id, safe='')}")
 
     def run(self, run_id: str) -> str:
-        return f"/pages/runs/{quote(run_id, safe='')}"
+        return self.to(f"/pages/runs/{quote(run_id, safe='')}")
 
     def record(self, run_id: str) -> str:
         return f"{self.run(run_id)}/record"
@@ -66,12 +90,14 @@ class ServerLinks:
         return f"{self.episode(run_id, episode)}/film"
 
     def comparison(self, baseline: str, run_id: str) -> str:
-        return f"/pages/compare?{urlencode({'baseline': baseline, 'run': run_id})}"
+        return self.to(
+            f"/pages/compare?{urlencode({'baseline': baseline, 'run': run_id})}"
+        )
 
     def pair(self, baseline: str, run_id: str, episode: Mapping[str, Any]) -> str:
         chosen = {"baseline": baseline, "run": run_id}
         chosen["episode"] = episode["episode_id"]
-        return f"/pages/compare/episode?{urlencode(chosen)}"
+        return self.to(f"/pages/compare/episode?{urlencode(chosen)}")
 
 
 def safe_next(path: str) -> str:

@@ -11,7 +11,7 @@ import logging
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Final
-from urllib.parse import parse_qsl, urlencode
+from urllib.parse import parse_qsl
 
 from starlette.background import BackgroundTask
 from starlette.datastructures import Headers
@@ -32,9 +32,9 @@ from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.pages import board_pages, entry_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.films import FilmSettings
-from reference_server.http.pages.page_calls import LINKS, PageCall
+from reference_server.http.pages.page_calls import PageCall, links_of
 from reference_server.http.pages.page_handlers import FindOptions, PageHandlers
-from reference_server.http.pages.page_links import safe_next
+from reference_server.http.pages.page_links import ServerLinks, safe_next
 from reference_server.http.pages.page_sessions import (
     LIFE_S,
     LOGIN_COOKIE,
@@ -43,6 +43,7 @@ from reference_server.http.pages.page_sessions import (
     SESSION_COOKIE,
     PageSession,
     PageSessions,
+    forget_cookie,
     is_from_other_site,
     is_same,
     login_secret,
@@ -161,7 +162,9 @@ class Pages:
             accepted = Headers(scope=scope).get("accept", "") if is_root else ""
             app = not_found
             if "text/html" in accepted and scope["method"] == "GET":
-                app = RedirectResponse(PATH, HTTPStatus.SEE_OTHER)
+                app = RedirectResponse(
+                    ServerLinks.of("/").index(), HTTPStatus.SEE_OTHER
+                )
             await app(scope, receive, send)
 
         return answer
@@ -171,7 +174,9 @@ class Pages:
 
         async def answer(request: Request) -> Response:
             sign_in = _login_path(request) if request.method == "GET" else ""
-            response = _problem_page(HTTPStatus.SERVICE_UNAVAILABLE, _AWAY, sign_in)
+            response = _problem_page(
+                request, HTTPStatus.SERVICE_UNAVAILABLE, _AWAY, sign_in
+            )
             # Over a new connection a balancer may choose the node that is meant.
             response.headers["Connection"] = "close"
             return response
@@ -186,7 +191,7 @@ class Pages:
 
         async def refuse(request: Request) -> Response:
             detail = f"{request.method[:16]} is not a method of this page."
-            response = _problem_page(HTTPStatus.METHOD_NOT_ALLOWED, detail)
+            response = _problem_page(request, HTTPStatus.METHOD_NOT_ALLOWED, detail)
             response.headers["Allow"] = ", ".join(sorted(route.methods or ()))
             return response
 
@@ -202,12 +207,12 @@ class Pages:
                 self._hosts.check(request.headers.get("host", ""))
                 response = await endpoint(request)
             except Problem as problem:
-                response = _problem_page(problem.status, problem.detail)
+                response = _problem_page(request, problem.status, problem.detail)
             except Refused as refused:
-                response = _problem_page(400, str(refused))
+                response = _problem_page(request, 400, str(refused))
             except Exception:
                 log.exception("a page could not be made")
-                response = _problem_page(500, _DEFECT)
+                response = _problem_page(request, 500, _DEFECT)
             for name, value in HEADERS.items():
                 response.headers.setdefault(name, value)
             return response
@@ -264,7 +269,7 @@ class Pages:
 
     async def _show_nothing(self, request: Request) -> Response:
         if request.url.path == f"{PATH}/":  # as many people type it
-            return RedirectResponse(PATH, HTTPStatus.SEE_OTHER)
+            return RedirectResponse(links_of(request).index(), HTTPStatus.SEE_OTHER)
         raise Problem(404, "not_found", "There is no such page.")
 
     async def _send_asset(self, request: Request) -> Response:
@@ -286,7 +291,11 @@ class Pages:
         # A cookie that came with the request may be one that another site has set.
         secret = new_login_secret()
         text = render_page(
-            "login", LINKS, form_csrf=secret, next=safe_next(target), problem=problem
+            "login",
+            links_of(request),
+            form_csrf=secret,
+            next=safe_next(target),
+            problem=problem,
         )
         status = HTTPStatus.FORBIDDEN if problem else HTTPStatus.OK
         response = HTMLResponse(text, status)
@@ -312,12 +321,13 @@ class Pages:
             return self._login_page(request, target, detail)
         self._sessions.end(request)
         cookie, is_secure = self._sessions.begin(token), self._is_secure(request)
-        response = RedirectResponse(safe_next(target), HTTPStatus.SEE_OTHER)
+        place = links_of(request).to(safe_next(target))
+        response = RedirectResponse(place, HTTPStatus.SEE_OTHER)
         seconds = int(LIFE_S)
         set_cookie(
             response, SESSION_COOKIE, cookie, seconds=seconds, is_secure=is_secure
         )
-        response.delete_cookie(LOGIN_COOKIE, PATH)
+        forget_cookie(response, LOGIN_COOKIE)
         return response
 
     async def _sign_out(self, request: Request) -> Response:
@@ -328,8 +338,9 @@ class Pages:
             if not is_ours or is_from_other_site(request):
                 raise Problem(403, "forbidden", _STALE_FORM)
             self._sessions.end(request)
-        response = RedirectResponse(f"{PATH}/login", HTTPStatus.SEE_OTHER)
-        response.delete_cookie(SESSION_COOKIE, PATH)
+        place = links_of(request).to(f"{PATH}/login")
+        response = RedirectResponse(place, HTTPStatus.SEE_OTHER)
+        forget_cookie(response, SESSION_COOKIE)
         return response
 
     async def _stream_run(self, call: PageCall) -> Response:
@@ -364,23 +375,28 @@ def _to_login(request: Request) -> Response:
 
 
 def _login_path(request: Request) -> str:
-    """The path of the sign-in, which leads back to the requested page."""
+    """The sign-in, which leads back to the requested page."""
     here = request.url.path
     if request.url.query:
         here += f"?{request.url.query}"
     if request.method == "POST":
         here = request.url.path.rpartition("/")[0]  # the page that has the form
-    query = urlencode({"next": safe_next(here)})
-    return f"{PATH}/login?{query}"
+    return links_of(request).login(here)
 
 
-def _problem_page(status: int, detail: str, sign_in: str = "") -> Response:
+def _problem_page(
+    request: Request, status: int, detail: str, sign_in: str = ""
+) -> Response:
     """sign_in: where the reader may sign in again; none: that would not help."""
     heading = {404: "Not found", 403: "Refused", 503: "Not available now"}.get(
         status, "This cannot be shown"
     )
     text = render_page(
-        "problem", LINKS, heading=heading, detail=detail, sign_in=sign_in
+        "problem",
+        links_of(request),
+        heading=heading,
+        detail=detail,
+        sign_in=sign_in,
     )
     return HTMLResponse(text, status)
 

@@ -124,16 +124,25 @@ def is_same(given: str, secret: str) -> bool:
 def set_cookie(
     response: Response, name: str, value: str, *, seconds: int, is_secure: bool
 ) -> None:
-    """Sent to these pages alone, never with a request that another site began."""
+    """Sent to these pages alone, never with a request that another site began.
+
+    Without a path it is for the folder of the sign-in, as the browser knows it: also
+    where a proxy serves the pages under a path of its own.
+    """
     response.set_cookie(
         name,
         value,
         max_age=seconds,
-        path=PATH,
+        path=None,
         httponly=True,
         samesite="strict",
         secure=is_secure,
     )
+
+
+def forget_cookie(response: Response, name: str) -> None:
+    """Forget what `set_cookie` set: both are sent from one folder."""
+    response.set_cookie(name, max_age=0, expires=0, path=None)
 
 
 def login_secret(request: Request) -> str:

@@ -7,7 +7,6 @@ messages about a server of another protocol are tested here, too.
 from __future__ import annotations
 
 import contextlib
-import re
 import socket
 import threading
 import tomllib
@@ -18,65 +17,26 @@ import numpy as np
 import pytest
 from websockets.sync.server import serve
 
-from reference_client import Observation, ProctorError
-from reference_client.api.observation import state_vector
+from reference_client import ProctorError
 from reference_client.policies import BadPolicy, PolicyMapping, load
-from reference_client.policies.policy_loader import close_policy
 from reference_client.policies.servers.server_faults import error_text
 from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
 from tests.support.client.policy_wires import (
+    JOINTS,
+    READY,
     TRACE,
     WIRES,
+    connected,
+    observation,
+    play,
     start_http,
     start_websocket,
     start_wire,
     vla_eval,
 )
-from tests.support.paths import ROOT
 from tests.support.servers import TIMEOUT_S
 
-PAGE = (ROOT / "docs" / "evaluate" / "policies" / "policy-servers.md").read_text()
-READY = {
-    re.findall(r"# (\w+)\.toml", text)[0]: text
-    for text in re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
-}
-JOINTS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]
 DRY = "dry-e0000"
-
-
-def observation(instruction: str = "Lift.", step: int = 0) -> Observation:
-    pictures = {name: np.zeros((96, 128, 3), np.uint8) for name in ("front", "wrist")}
-    state = {"joint_position": JOINTS, "gripper": [0.25], "ee_pose": JOINTS}
-    return Observation(
-        state={name: state_vector(vector) for name, vector in state.items()},
-        images=pictures,
-        tensors={},
-        instruction=instruction,
-        episode_id="e0000",
-        step=step,
-    )
-
-
-@contextlib.contextmanager
-def connected(reference: str, text: str) -> Iterator[Any]:
-    policy = load(reference, PolicyMapping.of(tomllib.loads(text)))()
-    with contextlib.closing(_Closing(policy)):
-        yield policy
-
-
-class _Closing:
-    def __init__(self, policy: Any) -> None:
-        self.close: Callable[[], None] = lambda: close_policy(policy)
-
-
-def play(policy: Any, *instructions: str) -> list[Any]:
-    """An episode of two turns for each instruction; returns the last chunk."""
-    chunk: list[Any] = []
-    for instruction in instructions:
-        policy.reset(instruction)
-        policy.act(observation(instruction))
-        chunk = policy.act(observation(instruction, step=1))
-    return chunk
 
 
 def rounded(chunk: list[Any]) -> list[dict[str, list[float]]]:
@@ -310,7 +270,7 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(f"{SERVERS}.websocket_client.{name}", 0.2)
     for name in ("CONNECT_S", "FIRST_ANSWER_S"):
         monkeypatch.setattr(f"{SERVERS}.http_policy_client.{name}", 0.2)
-        monkeypatch.setattr(f"{SERVERS}.policy_server_client.{name}", 0.2)
+    monkeypatch.setattr(f"{SERVERS}.policy_server_client.FIRST_ANSWER_S", 0.2)
     for module in ("websocket_client", "http_policy_client", "policy_server_client"):
         monkeypatch.setattr(f"{SERVERS}.{module}.FIRST_CONTACT_S", 0.0)
     monkeypatch.setattr(f"{SERVERS}.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0)
@@ -455,7 +415,7 @@ def test_a_busy_server_is_waited_for_within_an_episode(
             handshakes[number - 1].wait(TIMEOUT_S)
 
     monkeypatch.setattr(f"{SERVERS}.websocket_client.OPEN_S", 0.1)
-    monkeypatch.setattr(f"{SERVERS}.websocket_client.PAUSE_S", 0.0)
+    monkeypatch.setattr(f"{SERVERS}.server_transport.PAUSE_S", 0.0)
     monkeypatch.setattr(f"{SERVERS}.server_faults._PROBE_S", 0.01)
     with serve(answer_one, "127.0.0.1", 0, process_request=busy) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()

@@ -10,14 +10,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from conformance.client import event_reader
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import Event, EventParser, follow_run
 from conformance.client.request_context import SharedContext
 from conformance.client.run_client import RunClient
 from conformance.run_settings import Settings
 from conformance.runner.preflight import inspect
-from conformance.verdicts.expect import SetUpFailed, Violation
+from conformance.verdicts.expect import SetUpFailed, TooLate, Violation
 from tests.support.kit import null_servers
+from tests.support.kit.endless_answers import FLOODS, serve_endlessly
 from tests.support.kit.null_servers import Reply, Request, run_server
 
 HEADERS = {"Content-Type": "text/event-stream; charset=utf-8", "Proctor-Version": "1.0"}
@@ -86,17 +88,18 @@ class OneEventPerStream:
         return 200, HEADERS, event
 
 
+def run_of(shared: SharedContext) -> RunClient:
+    context = CheckContext(shared, "TEST-001")
+    return RunClient(context, null_servers.RUN, context.http_client)
+
+
 @contextlib.contextmanager
 def run_on(behaviour: OneEventPerStream) -> Iterator[RunClient]:
     with run_server(behaviour) as url:
         settings = Settings(url=url, token="secret")
         inspect(settings)
         with contextlib.closing(SharedContext.of(settings)) as shared:
-            yield RunClient(
-                context := CheckContext(shared, "TEST-001"),
-                null_servers.RUN,
-                context.http_client,
-            )
+            yield run_of(shared)
 
 
 def test_a_reader_reconnects_until_status_204() -> None:
@@ -124,3 +127,23 @@ def test_the_beginning_of_a_stream_is_judged_as_an_answer() -> None:
         answer = run.call("stream_events")
         assert (answer.status, answer.json) == (200, "id: 1\ndata: {}\n\n")
         assert run.context.tally.broken["SVC-003"] == 0
+
+
+@pytest.mark.parametrize("what", FLOODS)
+def test_a_flood_of_events_is_read_to_a_limit(
+    what: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect a rule that needs the stream to be not verified, with the reason."""
+    monkeypatch.setattr(event_reader, "_STREAMED_BYTES_MAX", 2**20)
+    monkeypatch.setattr(event_reader, "_LINE_BYTES_MAX", 2**17)
+    with (
+        serve_endlessly(FLOODS[what]) as url,
+        contextlib.closing(SharedContext.of(Settings(url=url))) as shared,
+        follow_run(run_of(shared)) as events,
+    ):
+        with pytest.raises((SetUpFailed, TooLate)) as caught:
+            events.until(lambda event: event.kind == "run", "of a run", within_s=0.3)
+        is_slow = what == "slow line"
+        assert isinstance(caught.value, TooLate) is is_slow
+        text = "no event in" if is_slow else "event stream"
+        assert text in str(caught.value)

@@ -4,6 +4,7 @@ import contextlib
 import gzip
 import socket
 import threading
+import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
@@ -11,9 +12,11 @@ from dataclasses import replace
 import httpx
 import pytest
 
+from conformance.client.connections import kept_connection
 from conformance.client.connections.connection_pool import ConnectionPool, Connections
-from conformance.client.connections.kept_connection import HttpRequest
+from conformance.client.connections.kept_connection import EndlessAnswer, HttpRequest
 from conformance.client.connections.proxied_connection import ProxiedConnection
+from tests.support.kit.endless_answers import ENDLESS, serve_endlessly
 
 TIMEOUT_S = 10.0
 SHORT = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
@@ -178,6 +181,34 @@ def test_a_server_that_is_silent_is_a_timeout() -> None:
     server = ScriptedServer(b"HTTP/1.1 200 OK\r\n", SHORT)
     with connect(server) as connections, pytest.raises(httpx.ReadTimeout):
         read(connections, replace(request(server), timeout_s=0.05))
+
+
+@pytest.mark.parametrize("way", ["directly", "by a proxy"])
+@pytest.mark.parametrize("what", ENDLESS)
+def test_an_answer_without_an_end_is_an_error(
+    what: str, way: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(kept_connection, "BODY_BYTES_MAX", 2**22)
+    is_refused = "header" in what or what == "trailers"
+    if what == "interim answers":  # httpx accepts any number of them
+        is_refused = way == "directly"
+    expected: type[Exception] = EndlessAnswer
+    if what == "silence":
+        expected = httpx.ReadTimeout
+    elif is_refused and "slow" not in what:
+        expected = httpx.RemoteProtocolError
+    with (
+        serve_endlessly(ENDLESS[what]) as url,
+        ConnectionPool().borrow() as connections,
+    ):
+        if way == "by a proxy":
+            monkeypatch.setenv("http_proxy", url)
+        named = url if way == "directly" else "http://proctor.example"
+        sent = HttpRequest("GET", httpx.URL(f"{named}/v1"), {}, None, 0.2)
+        began_at = time.monotonic()
+        with pytest.raises(expected):
+            read(connections, sent)
+        assert time.monotonic() - began_at < sent.answer_timeout_s + TIMEOUT_S
 
 
 def test_a_refused_connection_and_another_scheme_are_errors() -> None:

@@ -11,7 +11,9 @@ import base64
 import contextlib
 import http.server
 import json
+import re
 import threading
+import tomllib
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -20,7 +22,12 @@ import numpy as np
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
 
+from reference_client import Observation
+from reference_client.api.observation import state_vector
+from reference_client.policies import PolicyMapping, load
+from reference_client.policies.policy_loader import close_policy
 from tests.support.network.tls_gateway import serve_plainly
+from tests.support.paths import ROOT
 
 TRACE = (
     "Traceback (most recent call last):\n"
@@ -28,6 +35,12 @@ TRACE = (
     "    raise KeyError(name)\n"
     "KeyError: 'proprio'\n"
 )
+PAGE = (ROOT / "docs" / "evaluate" / "policies" / "policy-servers.md").read_text()
+READY = {
+    re.findall(r"# (\w+)\.toml", text)[0]: text
+    for text in re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
+}
+JOINTS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]
 Log = list[Any]
 encode = msgspec.msgpack.encode
 
@@ -264,3 +277,38 @@ def start_http(talk: Callable[[str, bytes, Log], Reply]) -> Iterator[tuple[str, 
 
     with serve_plainly(Handler) as url:
         yield url.removeprefix("http://"), log
+
+
+def observation(instruction: str = "Lift.", step: int = 0) -> Observation:
+    pictures = {name: np.zeros((96, 128, 3), np.uint8) for name in ("front", "wrist")}
+    state = {"joint_position": JOINTS, "gripper": [0.25], "ee_pose": JOINTS}
+    return Observation(
+        state={name: state_vector(vector) for name, vector in state.items()},
+        images=pictures,
+        tensors={},
+        instruction=instruction,
+        episode_id="e0000",
+        step=step,
+    )
+
+
+@contextlib.contextmanager
+def connected(reference: str, text: str) -> Iterator[Any]:
+    policy = load(reference, PolicyMapping.of(tomllib.loads(text)))()
+    with contextlib.closing(_Closing(policy)):
+        yield policy
+
+
+class _Closing:
+    def __init__(self, policy: Any) -> None:
+        self.close: Callable[[], None] = lambda: close_policy(policy)
+
+
+def play(policy: Any, *instructions: str) -> list[Any]:
+    """An episode of two turns for each instruction; returns the last chunk."""
+    chunk: list[Any] = []
+    for instruction in instructions:
+        policy.reset(instruction)
+        policy.act(observation(instruction))
+        chunk = policy.act(observation(instruction, step=1))
+    return chunk

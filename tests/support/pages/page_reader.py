@@ -42,6 +42,14 @@ class PageReader:
         return fields_of(self.text("/pages"))["csrf"]
 
 
+def place_of(answer: httpx.Response) -> str:
+    """The path to which an answer leads a browser, at the server that gave it."""
+    here = answer.request.url
+    place = here.join(answer.headers["location"])
+    assert place.netloc == here.netloc
+    return str(place).removeprefix(f"{here.scheme}://{here.netloc.decode()}")
+
+
 def fields_of(page: str) -> dict[str, str]:
     """Name and value of the hidden fields of a page, each as a browser reads it."""
     return {

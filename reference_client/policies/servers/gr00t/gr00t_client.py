@@ -9,7 +9,6 @@ numbers), and information.
 from __future__ import annotations
 
 import os
-import time
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -27,11 +26,12 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
     ZmqRequester,
 )
 from reference_client.policies.servers.server_faults import check_answer, failed
-from reference_client.policies.servers.wire_settings import (
-    ANSWER_S,
-    FIRST_CONTACT_S,
-    PAUSE_S,
+from reference_client.policies.servers.server_transport import (
+    Unreached,
+    past_proxies,
+    repeat_until_reached,
 )
+from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
 
 GROUPS = ("video", "state", "language")
 
@@ -52,6 +52,7 @@ class Gr00tClient:
         retry_timeout_s: float = 60.0,
     ) -> None:
         self._address = (host, port)
+        self._place = f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
         self._answer_s = answer_s
         self._retry_timeout_s = retry_timeout_s
         self._requester: ZmqRequester | None = None
@@ -130,8 +131,7 @@ class Gr00tClient:
         return self._read(self._exchange(message, timeout_s))
 
     def _exchange(self, message: bytes, retry_timeout_s: float) -> bytes:
-        deadline = time.monotonic() + retry_timeout_s
-        while True:
+        def attempt() -> bytes:
             try:
                 requester = self._requester or ZmqRequester(
                     *self._address, answer_s=self._answer_s
@@ -153,11 +153,12 @@ class Gr00tClient:
                 self._drop()
                 if self._is_closed:
                     raise self._failed("was left") from error
-                if time.monotonic() > deadline:
-                    raise self._failed(
-                        f"is unreachable ({innermost_reason(error)})"
-                    ) from error
-                time.sleep(PAUSE_S)
+                way = past_proxies(self._place)
+                raise Unreached(
+                    f"is unreachable ({innermost_reason(error)}{way})"
+                ) from error
+
+        return repeat_until_reached(attempt, self._place, retry_timeout_s)
 
     def _read(self, message: bytes) -> Any:
         if message == b"ERROR":
@@ -166,7 +167,7 @@ class Gr00tClient:
             answer = unpack(message)
         except BadNpyMessage as error:
             raise self._failed(f"sent a message that {error}") from error
-        check_answer("{}:{}".format(*self._address), answer)
+        check_answer(self._place, answer)
         return answer
 
     def _drop(self) -> None:
@@ -175,7 +176,7 @@ class Gr00tClient:
             self._requester = None
 
     def _failed(self, what: str) -> ProctorError:
-        return failed("{}:{}".format(*self._address), what)
+        return failed(self._place, what)
 
 
 def split_address(address: str) -> tuple[str, int]:

@@ -7,7 +7,12 @@ from urllib.parse import parse_qs, quote, urlencode, urlsplit
 
 import pytest
 
-from tests.support.pages.page_reader import PageReader, inline_code_of, links_of
+from tests.support.pages.page_reader import (
+    PageReader,
+    inline_code_of,
+    links_of,
+    place_of,
+)
 from tests.support.pages.played_runs import EVIL, submit_and_play
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -195,8 +200,8 @@ def test_the_sign_in_after_a_form_leads_back_to_its_page(
 def test_no_address_leads_elsewhere(server: ReferenceServer, target: str) -> None:
     """By the sign-in, and by the header Host of a request that needs one."""
     reader = PageReader(server.url)
-    landed = reader.sign_in(TOKENS["alice"], target).headers["location"]
+    landed = place_of(reader.sign_in(TOKENS["alice"], target))
     assert landed == "/pages"
     evil = {"host": "evil.example"}
     answer = PageReader(server.url).client.get("/pages/runs", headers=evil)
-    assert answer.headers["location"] == f"/pages/login?next={quote('/pages/runs', '')}"
+    assert place_of(answer) == f"/pages/login?next={quote('/pages/runs', '')}"

@@ -15,6 +15,7 @@ from tests.support.pages.page_reader import (
     fields_of,
     inline_code_of,
     links_of,
+    place_of,
 )
 from tests.support.pages.played_runs import EVIL, submit_and_play
 from tests.support.servers import TOKENS, ReferenceServer
@@ -134,7 +135,7 @@ def test_without_a_session_there_is_the_sign_in(
     for path in ("/pages", f"/pages/runs/{run_id}?outcome=failure"):
         answer = reader.get(path)
         assert answer.status_code == 303
-        target = httpx.URL(answer.headers["location"])
+        target = httpx.URL(place_of(answer))
         assert target.path == "/pages/login"
         assert target.params["next"] == path
     assert reader.get(f"/pages/runs/{run_id}/live").status_code == 401
@@ -147,14 +148,15 @@ def test_the_session_is_a_cookie_that_scripts_cannot_read(
 ) -> None:
     reader = PageReader(server.url)
     answer = reader.sign_in(TOKENS["alice"], "/pages/runs")
-    assert answer.headers["location"] == "/pages/runs"
+    assert place_of(answer) == "/pages/runs"
     (cookie,) = [
         text
         for text in answer.headers.get_list("set-cookie")
         if text.startswith("proctor_session=") and "Max-Age=0" not in text
     ]
     attributes = {part.strip().lower() for part in cookie.split(";")[1:]}
-    assert {"httponly", "samesite=strict", "path=/pages"} <= attributes
+    assert {"httponly", "samesite=strict"} <= attributes
+    assert not any(part.startswith("path=") for part in attributes)
     assert TOKENS["alice"] not in cookie + answer.headers["location"] + answer.text
 
 
@@ -175,7 +177,7 @@ def test_wrong_tokens_make_no_session(server: ReferenceServer) -> None:
 )
 def test_the_sign_in_leads_nowhere_else(server: ReferenceServer, target: str) -> None:
     answer = PageReader(server.url).sign_in(TOKENS["alice"], target)
-    assert answer.headers["location"] == "/pages"
+    assert place_of(answer) == "/pages"
 
 
 def test_forms_of_other_sites_are_refused(server: ReferenceServer) -> None:
@@ -190,7 +192,7 @@ def test_forms_of_other_sites_are_refused(server: ReferenceServer) -> None:
     stolen = {"csrf": "y", "token": TOKENS["alice"], "next": "/pages"}
     assert other.client.post("/pages/login", data=stolen).status_code == 403
     answer = reader.sign_out()
-    assert (answer.status_code, answer.headers["location"]) == (303, "/pages/login")
+    assert (answer.status_code, place_of(answer)) == (303, "/pages/login")
     assert reader.get("/pages").status_code == 303
 
 
@@ -282,10 +284,10 @@ def test_a_browser_at_the_root_is_led_to_the_pages(server: ReferenceServer) -> N
     """A program is refused there as before."""
     client = PageReader(server.url).client
     answer = client.get("/", headers={"accept": "text/html,*/*"})
-    assert (answer.status_code, answer.headers["location"]) == (303, "/pages")
+    assert (answer.status_code, place_of(answer)) == (303, "/pages")
     assert client.get("/").json()["code"] == "not_found"
     assert client.post("/", headers={"accept": "text/html"}).status_code == 404
-    assert client.get("/pages/").headers["location"] == "/pages"
+    assert place_of(client.get("/pages/")) == "/pages"
 
 
 def test_the_record_can_be_downloaded(server: ReferenceServer, run_id: str) -> None:
@@ -312,7 +314,7 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         assert client.get(path).json()["rows"] == []
         form["csrf"] = reader.csrf()
         answer = reader.client.post(f"{page}/publish", data=form)
-        assert answer.headers["location"] == f"{page}#entry", answer.text
+        assert place_of(answer) == f"{page}#entry", answer.text
         (row,) = client.get(path).json()["rows"]
         assert row["entry"]["model_name"] == EVIL
         assert f"?manifest={sha256}" in reader.text(board), "its own has no entry"
@@ -332,7 +334,7 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
             assert "66.7 %" in about, address
             assert inline_code_of(about) == [], address
             assert "<script>alert" not in about, address
-            assert f'href="{entry}"' in shown, "the control: it is linked"
+            assert f'{entry}"' in shown, "the control: it is linked"
         sure = {"csrf": form["csrf"], "sure": "yes"}
         reader.client.post(f"{page}/withdraw", data=sure)
         assert client.get(path).json()["rows"] == []

@@ -159,7 +159,7 @@ def test_two_runs_are_compared(
     """Expect the lost episode first, and the step that differs marked."""
     browser.sign_in(server.url, TOKENS["alice"])
     browser.open(f"{server.url}/pages/runs/{runs[1]}")
-    chosen = "document.querySelector('form[action=\"/pages/compare\"]')"
+    chosen = "document.querySelector('form[action$=\"/pages/compare\"]')"
     browser.evaluate(f"{chosen}.baseline.value = '{runs[0]}'")
     browser.follow(f"{chosen}.requestSubmit()")
     assert "1 episode won, 1 lost" in browser.text

@@ -1,0 +1,167 @@
+"""How a policy server is reached, and how often a request to it is repeated.
+
+Proxies and certificates are those of every other connection (transport/ of the Python
+client): one rule for the evaluation server and for policy servers. A request may be
+repeated, because it contains all that the server needs.
+"""
+
+from __future__ import annotations
+
+import base64
+import contextlib
+import time
+from collections.abc import Callable
+from typing import Any, TypeVar
+from urllib.parse import quote, urlsplit
+
+import urllib3
+from proctor_client import Configuration, find_route
+from proctor_client.transport.proxy_route import ProxyRoute
+from proctor_client.transport.tls_trust import client_context, proxy_context
+
+from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
+from reference_client.policies.servers.server_faults import failed
+from reference_client.policies.servers.wire_settings import PAUSE_S
+from reference_client.protocol.connection_advice import refusal_of_tunnel
+
+Answer = TypeVar("Answer")
+_HTTP = {"ws": "http", "wss": "https"}
+
+
+class Unreached(Exception):
+    """An attempt failed, and the next one may not.
+
+    Its text says what the server did. explain: adds to the text of the last attempt,
+    where that takes time.
+    """
+
+    def __init__(self, what: str, explain: Callable[[], str] = str) -> None:
+        super().__init__(what)
+        self.explain = explain
+
+
+def repeat_until_reached(
+    attempt: Callable[[], Answer], place: str, retry_timeout_s: float
+) -> Answer:
+    """The result of `attempt`, which is repeated while it raises Unreached.
+
+    Raises ProctorError `policy_failed` when the server at `place` stays unreached.
+    """
+    deadline = time.monotonic() + retry_timeout_s
+    while True:
+        try:
+            return attempt()
+        except Unreached as error:
+            if time.monotonic() > deadline:
+                raise failed(place, f"{error}{error.explain()}") from error.__cause__
+        time.sleep(PAUSE_S)
+
+
+def route_to(url: str) -> ProxyRoute:
+    """The route to a policy server. Raises ProctorError if it cannot be taken."""
+    try:
+        return find_route(_as_http(url))
+    except ValueError as error:
+        raise failed(url, f"is unreachable: {error}") from error
+
+
+def http_connections(url: str, maxsize: int) -> urllib3.PoolManager:
+    """The connections to the server of `url`. Raises ProctorError."""
+    parts = urlsplit(url)
+    route_to(url)
+    try:
+        return Configuration(
+            host=f"{parts.scheme}://{parts.netloc.rpartition('@')[2]}",
+            retries=False,
+            connection_pool_maxsize=maxsize,
+            ssl_context=client_context() if parts.scheme == "https" else None,
+            proxy_ssl_context=proxy_context(url),
+        ).pool_manager()
+    except ValueError as error:
+        raise failed(url, f"is unreachable: {error}") from error
+
+
+def websocket_options(url: str) -> dict[str, Any]:
+    """The options of `connect` that decide how a server is reached.
+
+    A WebSocket is opened through a tunnel, also without TLS. Raises ProctorError.
+    """
+    route = route_to(url)
+    try:
+        return {
+            "proxy": _with_user(route) if route.url else None,
+            "proxy_ssl": proxy_context(_as_http(url)),
+            "ssl": client_context() if urlsplit(url).scheme == "wss" else None,
+        }
+    except ValueError as error:
+        raise failed(url, f"is unreachable: {error}") from error
+
+
+def fault_of(url: str, error: Exception) -> Exception:
+    """Why the server of `url` gave no answer: Unreached, or a ProctorError if the next
+    attempt will meet the same.
+    """
+    route = route_to(url)
+    failure = from_failure(error, _as_http(url))
+    if failure.code == NOT_TRUSTED:
+        return failed(url, f"is not trusted: {failure.detail}")
+    refused = refusal_of_tunnel(error) if route.url else None
+    if refused is not None and refused[0] < 500:
+        return failed(url, refused_by_proxy(route, refused[1]))
+    reason = innermost_reason(error) if refused is None else refused[1]
+    return Unreached(on_the_way(route, reason))
+
+
+def on_the_way(route: ProxyRoute, reason: str) -> str:
+    """Why a server is unreachable, by which way, and what changes that way."""
+    if route.url:
+        return (
+            f"is unreachable through the proxy {route.url} of {route.variable} "
+            f"({reason}). Correct {route.variable}; {route.advice}"
+        )
+    way = f"; {route.how}" if route.how else ""
+    advice = f". {route.advice}" if route.advice else ""
+    return f"is unreachable ({reason}{way}){advice}"
+
+
+def in_its_place(url: str, status: int) -> str:
+    """That a proxy may have given an answer of this status, and not the server."""
+    route = route_to(url)
+    if not route.url or status not in (502, 503, 504):
+        return ""
+    proxy = f"the proxy {route.url} of {route.variable}"
+    return f"; {proxy} may have answered in its place ({route.advice})"
+
+
+def refused_by_proxy(route: ProxyRoute, phrase: str) -> str:
+    """That a proxy refused the request, which did not reach the server."""
+    cure = route.advice
+    if phrase.startswith("407"):
+        cure = f"Give it in {route.variable}=http://USER:PASSWORD@HOST:PORT; {cure}"
+    return (
+        f"was not reached: the proxy {route.url} of {route.variable} refused the way "
+        f"({phrase}). {cure}"
+    )
+
+
+def past_proxies(place: str) -> str:
+    """Words for a connection that no HTTP proxy carries, where one is set."""
+    with contextlib.suppress(ValueError):
+        if variable := find_route(f"http://{place}").variable:
+            return f"; ZeroMQ goes past the proxy of {variable}"
+    return ""
+
+
+def _as_http(url: str) -> str:
+    scheme, separator, rest = url.partition("://")
+    return f"{_HTTP.get(scheme, scheme)}{separator}{rest}"
+
+
+def _with_user(route: ProxyRoute) -> str:
+    """The URL of the proxy as websockets takes it, with its user and password."""
+    value = route.headers.get("Proxy-Authorization", "").removeprefix("Basic ")
+    if not value:
+        return route.url
+    user, _, password = base64.b64decode(value).decode().partition(":")
+    secret = f"{quote(user, safe='')}:{quote(password, safe='')}@"
+    return route.url.replace("://", f"://{secret}", 1)
