@@ -7,7 +7,6 @@ from pathlib import Path
 import pytest
 
 from benchmarks.growth.filled_databases import READY_RUNS, DatabaseCase, fill
-from benchmarks.growth.storage_growth import DATABASE_CASES
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.run_store import Store
@@ -40,8 +39,3 @@ async def test_a_filled_database_contains_valid_runs(tmp_path: Path) -> None:
     newest = await registry.reader.page("bench", 13, 9, lambda run: run.run_id)
     assert newest == ["completed_2", "completed_1", "completed_0"]
     await store.close()
-
-
-def test_each_server_has_a_database_of_its_own() -> None:
-    files = [database_case.file for database_case in DATABASE_CASES]
-    assert len(set(files)) == len(files)

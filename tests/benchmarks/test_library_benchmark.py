@@ -9,18 +9,14 @@ from __future__ import annotations
 import dataclasses
 import re
 import sys
-from itertools import groupby
 from pathlib import Path
 
-import msgspec
 import pytest
 
 from benchmarks.libraries import compared_libraries, samples
-from benchmarks.libraries.timed_pieces import Piece, WrongResult, rows
 from benchmarks.measuring import ROOT
 from benchmarks.round_trips.interleaved_rounds import (
     Contender,
-    ContenderFailed,
     started,
 )
 
@@ -46,28 +42,6 @@ def test_libraries_are_measured_in_the_locked_versions() -> None:
     assert {name: bench[name] for name in ours} == {name: dev[name] for name in ours}
 
 
-def test_a_sample_is_a_request_and_its_answer(folder: Path) -> None:
-    sample = samples.read(folder, samples.STATE)
-    assert sample.path.endswith("/workers/w/predict")
-    turn = sample.turn()
-    assert (turn["seq"], turn["executed_steps"]) == (1, 1)
-    assert sum(map(len, turn["observation"]["state"].values())) == 23
-    images = samples.read(folder, samples.CAMERAS).turn()["observation"]["images"]
-    assert {len(image["data"]) for image in images.values()} == {640 * 480 * 3}
-
-
-def test_libraries_work_in_turn_and_a_wrong_result_is_not_measured() -> None:
-    worked: list[str] = []
-    libraries = {"a": lambda _: worked.append("a"), "b": lambda _: worked.append("b")}
-    piece = Piece("piece", libraries, None, lambda made: made, None)
-    assert [row[:2] for row in rows(piece, 2)] == [["piece", "a"], ["piece", "b"]]
-    # Checked, tried out; then a and b, then b and a.
-    assert [name for name, _ in groupby(worked)] == ["a", "b", "a", "b", "a", "b", "a"]
-    wrong = Piece("piece", {"len": len}, "abc", lambda made: made, 2)
-    with pytest.raises(WrongResult, match="piece: len made 3"):
-        rows(wrong, 2)
-
-
 def with_this_python(contender: Contender) -> Contender:
     """By the Python of the tests."""
     return dataclasses.replace(
@@ -85,18 +59,3 @@ def test_a_client_receives_the_sample(client: str, folder: Path) -> None:
         times = pair.play(3)
     assert len(times.ns) == 3
     assert min(times.server_cpu_s, times.client_cpu_s) > 0
-
-
-def test_a_wrong_answer_ends_the_measurement(folder: Path, tmp_path: Path) -> None:
-    sample = samples.read(folder, samples.STATE)
-    sample.answer += b"!"
-    (tmp_path / samples.STATE).write_bytes(msgspec.msgpack.encode(sample))
-    name = compared_libraries.OURS
-    right = compared_libraries.contender(
-        name, compared_libraries.CHOSEN_SERVER, name, folder
-    )
-    wrong = dataclasses.replace(
-        with_this_python(right), environment={samples.FOLDER: str(tmp_path)}
-    )
-    with pytest.raises(ContenderFailed, match=name), started([wrong]):
-        raise AssertionError("it cannot have begun")

@@ -6,20 +6,14 @@ that `make test` does not make.
 
 from __future__ import annotations
 
-import dataclasses
-import sys
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from benchmarks import measuring
 from benchmarks.round_trips import compared_turns, observations
 from benchmarks.round_trips.contender_process import TurnClient
 from benchmarks.round_trips.interleaved_rounds import (
-    ContenderFailed,
-    ContenderPair,
     TurnTimes,
 )
 
@@ -51,16 +45,6 @@ def test_targets_are_computed_from_the_measurements() -> None:
     ]
 
 
-def test_a_part_replaces_its_own_section_only(tmp_path: Path) -> None:
-    file = tmp_path / "performance.md"
-    for part, text in (("one", "old"), ("other", "kept"), ("one", "new")):
-        measuring.put(part, part.title(), text, file)
-    page = file.read_text()
-    assert page.startswith(measuring.HEAD)
-    assert page.count("## One\n\nnew\n") == page.count("## Other\n\nkept\n") == 1
-    assert "old" not in page
-
-
 class FaultyConnections:
     """What may go wrong between a server and a client."""
 
@@ -81,27 +65,7 @@ class FaultyConnections:
         return self.world.turn(action)[0], {}
 
 
-def test_correct_observations_are_measured() -> None:
-    took, computed = TurnClient(FaultyConnections().correct, "camera").play(
-        3, whole=True
-    )
-    assert len(took) == 3
-    assert computed > 0
-
-
 @pytest.mark.parametrize("wire", ["ignoring_actions", "stale", "without_images"])
 def test_wrong_observations_are_not_measured(wire: str) -> None:
     with pytest.raises(AssertionError):
         TurnClient(getattr(FaultyConnections(), wire), "camera").play(1)
-
-
-def test_an_ended_process_has_no_cpu_time() -> None:
-    assert measuring.cpu_s(2**22 + 1) == 0.0  # no Linux has so many
-
-
-def test_a_contender_that_breaks_is_named(tmp_path: Path) -> None:
-    """And nothing waits for it, nor is left behind."""
-    sound = compared_turns.contender("tcp", "state", tmp_path)
-    broken = dataclasses.replace(sound, client=[sys.executable, "-c", ""])
-    with pytest.raises(ContenderFailed, match="tcp: "), ContenderPair(broken):
-        raise AssertionError("it cannot have begun")

@@ -21,14 +21,12 @@ from tests.support.server.cluster_nodes import (
     predict,
 )
 from tests.support.server.databases import UsedDatabase
-from tests.support.server.http_runs import predict_body, submit
+from tests.support.server.http_runs import submit
 from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.servers import TOKENS
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts two servers")
-# Longer than a busy machine takes to pause the node that plays it.
-TURN_S = 3.0
 
 
 @pytest.fixture(scope="module")
@@ -68,43 +66,6 @@ def play_to_end(
     return dict(answer.json())
 
 
-def test_a_run_is_played_through_every_node(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    first, second, _ = cluster.clients
-    run_id = submit(first, "score", "score")
-    turn = attach(second, run_id)
-    for client in (first, second):
-        turn = predict(client, run_id, turn, score=0.5).json()
-    views = [client.get(f"/v1/runs/{run_id}").json() for client in (first, second)]
-    assert [view["live_workers"] for view in views] == [1, 1]
-    assert views[0]["progress"] == views[1]["progress"]
-    turn = play_to_end(second, run_id, turn, 0.5)
-    turn = play_to_end(first, run_id, turn, 1)
-    assert turn["done"]
-    scores = [
-        client.get(f"/v1/runs/{run_id}/score").json() for client in (first, second)
-    ]
-    assert scores[0] == scores[1]
-    assert episodes(first, run_id) == episodes(second, run_id)
-    assert fence_of(used, run_id) == 1
-
-
-def test_a_retried_turn_is_executed_once_whichever_node_it_reaches(
-    cluster: Cluster,
-) -> None:
-    first, second, _ = cluster.clients
-    run_id = submit(first, "delay")
-    turn = attach(first, run_id)
-    url = f"/v1/runs/{run_id}/workers/w/predict"
-    body = predict_body(turn, delay_s=0.3)
-    with ThreadPoolExecutor(2) as threads:
-        answers = list(threads.map(lambda c: c.post(url, json=body), (first, second)))
-    assert [answer.status_code for answer in answers] == [200, 200]
-    assert answers[0].json() == answers[1].json()
-    assert answers[0].json()["episode"]["step"] == 1
-
-
 def test_another_node_goes_on_when_the_owner_is_killed(
     cluster: Cluster, used: UsedDatabase
 ) -> None:
@@ -126,39 +87,6 @@ def test_another_node_goes_on_when_the_owner_is_killed(
     found = [episode["result"] for episode in episodes(second, run_id)]
     assert [result["score"] for result in found] == [0.25, 0.75]
     assert [result["attempt"] for result in found] == [1, 1]
-    assert fence_of(used, run_id) == 2
-
-
-def test_a_node_that_was_paused_stores_nothing_of_a_run_it_lost(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Its turn was in play when it was paused, and would end the episode."""
-    first, second, _ = cluster.clients
-    run_id = submit(first, "delay")
-    turn = attach(first, run_id)
-    url = f"/v1/runs/{run_id}/workers/w/predict"
-    body = predict_body(turn, delay_s=TURN_S, end=1)
-    with ThreadPoolExecutor(1) as thread:
-        late = thread.submit(first.post, url, json=body)
-        wait_until(
-            lambda: (
-                first.get(f"/v1/runs/{run_id}").json().get("runs_played_before")
-                is not None
-            ),
-            "the turn is in play",
-        )
-        pause(cluster.nodes[0])
-        turn = attach(second, run_id)
-        again = play_to_end(second, run_id, turn, 0)
-        assert again["done"]
-        stored = episodes(second, run_id)
-        time.sleep(TURN_S)  # then its simulator has ended the episode
-        go_on(cluster.nodes[0])
-        assert late.result().status_code in (200, 404, 409, 410, 503)
-    wait_until(
-        lambda: "have taken over" in cluster.nodes[0].log(), "the node knows that"
-    )
-    assert episodes(second, run_id) == stored == episodes(first, run_id)
     assert fence_of(used, run_id) == 2
 
 
@@ -212,21 +140,6 @@ def test_a_node_that_ends_in_order_leaves_its_runs_at_once(cluster: Cluster) -> 
     body = {"attach_key": "a"}
     answer = second.put(f"/v1/runs/{run_id}/workers/w", json=body)
     assert answer.status_code == 200, answer.text
-
-
-def test_the_events_of_a_run_come_from_every_node(cluster: Cluster) -> None:
-    first, second, _ = cluster.clients
-    run_id = submit(first, "score")
-    names = []
-    with second.stream("GET", f"/v1/runs/{run_id}/events") as stream:
-        assert stream.headers["content-type"].startswith("text/event-stream")
-        lines = stream.iter_lines()
-        names.append(next(one for one in lines if one.startswith("event:")))
-        turn = attach(first, run_id)
-        play_to_end(first, run_id, turn, 1)
-        names += [one for one in lines if one.startswith("event:")]
-    assert "event: episode" in names
-    assert names[-1] == "event: run"
 
 
 def test_lists_show_the_runs_of_other_nodes_as_these_do(cluster: Cluster) -> None:

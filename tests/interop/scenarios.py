@@ -68,33 +68,19 @@ class Server:
 
     def read(self, path: str) -> dict[str, Any]:
         """One GET by hand, outside every client."""
-        headers = {"Authorization": f"Bearer {self.token}"}
-        answer = (
-            httpx.get(
-                self.url + path, headers=headers, trust_env=False, timeout=TIMEOUT_S
-            )
-            .raise_for_status()
-            .json()
-        )
-        assert isinstance(answer, dict)
-        return answer
+        return self._ask("GET", path)
 
     def write(self, path: str, body: dict[str, Any]) -> dict[str, Any]:
         """One POST by hand, outside every client."""
+        return self._ask("POST", path, json=body)
+
+    def _ask(self, method: str, path: str, **body: Any) -> dict[str, Any]:
         headers = {"Authorization": f"Bearer {self.token}"}
-        answer = (
-            httpx.post(
-                self.url + path,
-                json=body,
-                headers=headers,
-                trust_env=False,
-                timeout=TIMEOUT_S,
-            )
-            .raise_for_status()
-            .json()
-        )
-        assert isinstance(answer, dict)
-        return answer
+        how: dict[str, Any] = {"trust_env": False, "timeout": TIMEOUT_S, **body}
+        answer = httpx.request(method, self.url + path, headers=headers, **how)
+        content = answer.raise_for_status().json()
+        assert isinstance(content, dict)
+        return content
 
     def submit(self, **options: Any) -> str:
         """The id of a run of calibration that no client has submitted."""

@@ -24,7 +24,6 @@ from tests.interop.clients import (
     LANGUAGES,
     PACKAGES,
     Language,
-    mirror,
 )
 from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy
@@ -43,7 +42,6 @@ from tools import interop
 pytestmark = pytest.mark.slow("starts servers and clients")
 
 PYTHON = LANGUAGES[0]
-GENERATED = [language for language in LANGUAGES if not language.evaluates]
 
 
 def program_printing(text: str, language: str = "python") -> Program:
@@ -224,23 +222,6 @@ def test_what_is_built_is_not_built_again(
     assert copy.read_text() != "another"
 
 
-def test_a_mirror_keeps_what_builds_left(tmp_path: Path) -> None:
-    source, target = tmp_path / "source", tmp_path / "target"
-    for file in (
-        source / "a",
-        source / "dist" / "b",
-        target / "old",
-        target / "dist" / "c",
-    ):
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(file.name)
-    mirror(source, target)
-    left = sorted(
-        str(path.relative_to(target)) for path in target.rglob("*") if path.is_file()
-    )
-    assert left == ["a", "dist/c"]
-
-
 def test_every_client_of_ours_is_played() -> None:
     present = {
         f"{folder}/{path.name}"
@@ -252,23 +233,6 @@ def test_every_client_of_ours_is_played() -> None:
     for language in LANGUAGES:
         assert (ROOT / language.package / "interop").is_dir()
         assert (ROOT / language.package / "example").is_dir()
-
-
-LOOPS = {
-    "cpp": "worker.hpp",
-    "go": "worker/worker.go",
-    "java": "Worker.java",
-    "kotlin": "Worker.kt",
-    "python": "worker.py",
-    "rust": "worker.rs",
-    "typescript": "worker.ts",
-}
-
-
-@pytest.mark.parametrize("language", GENERATED, ids=lambda language: language.name)
-def test_the_worker_loop_is_short(language: Language) -> None:
-    loop = ROOT / language.package / "example" / LOOPS[language.name]
-    assert len(loop.read_text().splitlines()) <= 150
 
 
 def test_lock_files_name_no_address() -> None:

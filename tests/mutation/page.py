@@ -1,7 +1,7 @@
 """build/mutation.md, which `make mutation` writes from the results.
 
-Counts for each server and operator, and each survivor with its reason. Reads the
-results of campaigns and the triage; judges nothing.
+Counts for each server, and each survivor with its reason. Reads the results of
+campaigns and the triage; judges nothing.
 """
 
 from __future__ import annotations
@@ -10,7 +10,6 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
 from tests.mutation.campaign import Record, read_results, results_of
-from tests.mutation.operators import OPERATORS
 from tests.mutation.syntax import MutantSource
 from tests.mutation.targets import TARGETS, Target
 from tests.mutation.triage import Reason, read_triage
@@ -18,6 +17,7 @@ from tools.built_pages import write_page
 
 GOAL = 0.97
 NOTICED = ("killed", "unusable")
+OPEN = ("survived", "undecided")
 HEAD = """# Mutation testing
 
 Machine-made changes of servers in other languages, one at a time, and what the kit says
@@ -36,7 +36,7 @@ it was ended.
 The score is killed and unusable, of all that are valid and not excused; the goal is
 97 %. Reasons are written by people, in `tests/mutation/triage.toml`.
 
-A survivor may have a missing check. Its id is in the table; to judge it once more:
+A survivor may have a missing check. Its id stands first; to judge it once more:
 
     .venv/bin/python -m tests.mutation js --only ID --again survived,undecided
 
@@ -46,137 +46,69 @@ server that does not start and rules without a verdict, and each has one languag
 """
 
 
-def whole_page(sections: Sequence[str]) -> str:
-    """The whole page."""
-    return "\n".join([HEAD, *sections]).rstrip() + "\n"
-
-
 def section(
     target: Target,
-    made: Sequence[MutantSource],
-    records: Mapping[str, Record],
-    reasons: Mapping[str, Reason],
-) -> str:
-    """What is known of one server."""
-    judged = [records[one.id] for one in made if one.id in records]
-    if not judged:
-        return ""
-    lines = {one.id: one.line for one in made}
-    dates = sorted({record.date for record in judged})
-    kits = dict.fromkeys(record.kit for record in judged)
-    seeds = sorted({record.seed for record in judged})
-    survivors = [one for one in judged if one.outcome in ("survived", "undecided")]
-    summary = (
-        f"{len(judged)} of {len(made)} mutants judged, {dates[0]} to {dates[-1]}; "
-        f"kit of commit {', '.join(kits)}; seed {', '.join(map(str, seeds))}."
-    )
-    return "\n".join(
-        [
-            f"## `{target.folder}`",
-            "",
-            summary,
-            "",
-            *_counts(made, judged, reasons),
-            "",
-            *_table_of_survivors(survivors, lines, reasons),
-        ]
-    )
-
-
-def _counts(
     made: Sequence[MutantSource],
     judged: Sequence[Record],
     reasons: Mapping[str, Reason],
 ) -> list[str]:
-    columns = ["killed", "unusable", "undecided", "survived", "excused", "invalid"]
-    rows = [
-        f"| operator | made | judged | {' | '.join(columns)} | score |",
-        "|---|" + "---|" * (len(columns) + 3),
-    ]
-    for name in [*OPERATORS, "all"]:
-        count = sum(name in (one.operator, "all") for one in made)
-        part = [one for one in judged if name in (one.operator, "all")]
-        if not count:
-            continue
-        numbers = tally(part, reasons)
-        cells = [count, len(part), *(numbers[column] for column in columns)]
-        shown = " | ".join(str(cell) for cell in cells)
-        label = "**all**" if name == "all" else f"`{name}`"
-        rows.append(f"| {label} | {shown} | {_percent(score(part, reasons))} |")
-    return rows
+    """What is known of one server. Its operators are named by the results' lines."""
+    numbers, reached = tally(judged, reasons), score(judged, reasons)
+    dates = sorted({record.date for record in judged})
+    kits = ", ".join(dict.fromkeys(record.kit for record in judged))
+    seeds = ", ".join(map(str, sorted({record.seed for record in judged})))
+    counts = ", ".join(f"{numbers[name]} {name}" for name in sorted(numbers))
+    summary = (
+        f"{len(judged)} of {len(made)} mutants judged, {dates[0]} to {dates[-1]}; "
+        f"kit of commit {kits}; seed {seeds}. {counts}; score "
+        f"{'–' if reached is None else f'{100 * reached:.1f} %'}.\n"
+    )
+    lines = [f"## `{target.folder}`\n", summary]
+    # Code above a mutant may have changed since it was judged.
+    places = {one.id: one.line for one in made}
+    not_read = Reason("open", "not read yet")
+    for one in sorted(judged, key=lambda one: (one.file, places[one.id], one.id)):
+        if one.outcome in OPEN:
+            reason = reasons.get(one.id, not_read)
+            place = f"`{one.file}:{places[one.id]}` {one.function} {one.operator}"
+            change = f"{_code(one.original)} → {_code(one.replacement)}"
+            why = f"{reason.verdict}: {reason.text}"
+            lines.append(f"- {one.id} {one.outcome} {place}: {change}. {why}")
+    return lines
 
 
 def tally(records: Iterable[Record], reasons: Mapping[str, Reason]) -> Counter[str]:
     """How many have each outcome, and how many of those are excused."""
     numbers = Counter[str]()
     for record in records:
+        reason = reasons.get(record.id)
+        is_excused = reason is not None and reason.is_excused
         numbers[record.outcome] += 1
-        numbers["excused"] += is_excused(record, reasons)
+        numbers["excused"] += is_excused and record.outcome in OPEN
     return numbers
-
-
-def is_excused(record: Record, reasons: Mapping[str, Reason]) -> bool:
-    """Whether no check may judge a mutant that was not noticed."""
-    is_open = record.outcome in ("survived", "undecided")
-    reason = reasons.get(record.id)
-    return is_open and reason is not None and reason.is_excused
 
 
 def score(records: Iterable[Record], reasons: Mapping[str, Reason]) -> float | None:
     """The part that was noticed, of those that had to be."""
     numbers = tally(records, reasons)
     noticed = sum(numbers[outcome] for outcome in NOTICED)
-    missed = numbers["undecided"] + numbers["survived"] - numbers["excused"]
+    missed = sum(numbers[outcome] for outcome in OPEN) - numbers["excused"]
     return noticed / (noticed + missed) if noticed + missed else None
-
-
-def _percent(value: float | None) -> str:
-    return "–" if value is None else f"{100 * value:.1f} %"
-
-
-def _table_of_survivors(
-    records: Sequence[Record],
-    lines: Mapping[str, int],
-    reasons: Mapping[str, Reason],
-) -> list[str]:
-    if not records:
-        return []
-    rows = ["| mutant | place | change | verdict | reason |", "|---|---|---|---|---|"]
-    open_ = Reason("open", "not read yet")
-    for one in sorted(records, key=lambda one: (one.file, lines[one.id], one.id)):
-        reason = reasons.get(one.id, open_)
-        place = f"`{one.file}:{lines[one.id]}` {as_cell(one.function)}"
-        change = f"{_code(one.original)} → {_code(one.replacement)}"
-        verdict = reason.verdict
-        if one.outcome == "undecided":
-            verdict += ", undecided"
-        text = as_cell(reason.text)
-        rows.append(f"| {one.id} | {place} | {change} | {verdict} | {text} |")
-    return rows
 
 
 def _code(source: str) -> str:
     line = " ".join(source.split())
-    line = line if len(line) <= 80 else line[:79] + "…"
-    return f"`` {as_cell(line)} ``" if line else "nothing"
-
-
-def as_cell(words: str) -> str:
-    """The words in a cell of a table."""
-    return " ".join(words.split()).replace("|", "\\|")
+    return f"`` {line[:80]} ``" if line else "nothing"
 
 
 def build_page() -> bool:
     """Write the page; return whether the goal is reached for each server."""
-    reasons = read_triage()
-    sections = []
-    is_done = True
+    reasons, lines, is_done = read_triage(), [HEAD], True
     for target in TARGETS.values():
-        made = target.mutants()
-        records = read_results(results_of(target))
-        sections.append(section(target, made, records, reasons))
-        judged = [records[one.id] for one in made if one.id in records]
-        reached = score(judged, reasons)
-        is_done &= reached is None or reached >= GOAL
-    write_page("mutation.md", whole_page([one for one in sections if one]))
+        made, records = target.mutants(), read_results(results_of(target))
+        if judged := [records[one.id] for one in made if one.id in records]:
+            lines += section(target, made, judged, reasons)
+            reached = score(judged, reasons)
+            is_done &= reached is None or reached >= GOAL
+    write_page("mutation.md", "\n".join(lines) + "\n")
     return is_done

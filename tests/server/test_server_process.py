@@ -50,6 +50,19 @@ def environment(**settings: str) -> dict[str, str]:
     return inherited | settings
 
 
+def run_to_end(*command: str, **settings: str) -> subprocess.CompletedProcess[str]:
+    """A server, or a program that takes its place, which ends by itself."""
+    return subprocess.run(
+        [sys.executable, *command],
+        cwd=ROOT,
+        env=environment(**settings),
+        capture_output=True,
+        text=True,
+        timeout=TIMEOUT_S,
+        check=False,
+    )
+
+
 def is_one_line(code: int | None, stderr_text: str, *, about: str) -> bool:
     assert (code, stderr_text.count("\n")) == (2, 1), stderr_text
     assert stderr_text.startswith("proctor: ")
@@ -80,14 +93,11 @@ def test_a_failed_start_prints_one_line(tmp_path: Path, cause: str, about: str) 
             "file": ["--port", "0", "--database", str(ROOT / "LICENSE")],
             "driver": ["--port", "0", "--database", "nonsense://x"],
         }
-        ended = subprocess.run(
-            [sys.executable, "-m", "reference_server", *flags[cause]],
-            cwd=ROOT,
-            env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
-            capture_output=True,
-            text=True,
-            timeout=TIMEOUT_S,
-            check=False,
+        ended = run_to_end(
+            "-m",
+            "reference_server",
+            *flags[cause],
+            PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite"),
         )
     assert is_one_line(ended.returncode, ended.stderr, about=about)
     assert ended.stdout == ""
@@ -108,15 +118,7 @@ def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
         "PROCTOR_TOKENS": "alice:read:a-token",
         "PROCTOR_RECORDINGS": "off",
     }
-    ended = subprocess.run(
-        [sys.executable, "-c", program],
-        cwd=ROOT,
-        env=environment(**settings),
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
-    )
+    ended = run_to_end("-c", program, **settings)
     assert ended.returncode == 2, ended.stderr
     assert "cannot use the database (" in ended.stderr
     assert "Traceback" not in ended.stderr
@@ -126,14 +128,12 @@ def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
 def test_a_second_server_on_a_database_is_refused(tmp_path: Path) -> None:
     """The runs of the first one go on: nothing was done to them."""
     with ReferenceServer(tmp_path) as server, server.client() as client:
-        ended = subprocess.run(
-            [sys.executable, "-m", "reference_server", "--port", "0"],
-            cwd=ROOT,
-            env=environment(PROCTOR_DATABASE=str(server.database_file)),
-            capture_output=True,
-            text=True,
-            timeout=TIMEOUT_S,
-            check=False,
+        ended = run_to_end(
+            "-m",
+            "reference_server",
+            "--port",
+            "0",
+            PROCTOR_DATABASE=str(server.database_file),
         )
         assert is_one_line(ended.returncode, ended.stderr, about="another server")
         assert str(server.process.pid) in ended.stderr
@@ -257,14 +257,12 @@ def test_the_command_finds_the_made_token(tmp_path: Path) -> None:
 def test_a_file_without_a_token_ends_the_start_with_one_line(tmp_path: Path) -> None:
     path = tmp_path / "proctor.sqlite.token"
     path.write_text("two words\n")
-    ended = subprocess.run(
-        [sys.executable, "-m", "reference_server", "--port", "0"],
-        cwd=ROOT,
-        env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+    ended = run_to_end(
+        "-m",
+        "reference_server",
+        "--port",
+        "0",
+        PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite"),
     )
     assert is_one_line(ended.returncode, ended.stderr, about=f"no token in {path}")
 
@@ -296,14 +294,12 @@ def test_a_full_collection_goes_through_little(tmp_path: Path) -> None:
 
     Expect collections to go on, for what comes later.
     """
-    ended = subprocess.run(
-        [sys.executable, "-c", COUNTING_SERVER, "--port", "0"],
-        cwd=ROOT,
-        env=environment(PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite")),
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+    ended = run_to_end(
+        "-c",
+        COUNTING_SERVER,
+        "--port",
+        "0",
+        PROCTOR_DATABASE=str(tmp_path / "proctor.sqlite"),
     )
     assert ended.returncode == 0, ended.stderr
     kept, looked_at, is_enabled = ended.stdout.splitlines()[-1].split()

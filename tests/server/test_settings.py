@@ -332,11 +332,6 @@ def test_nodes_that_record_share_a_folder_and_a_key() -> None:
             Settings(**cluster, **{name: value})
 
 
-def test_a_node_takes_no_records() -> None:
-    with pytest.raises(ValidationError, match="cluster needs record_imports off"):
-        Settings(cluster="on", record_imports="on")
-
-
 @pytest.mark.parametrize("host", ["0.0.0.0", "::"])  # noqa: S104
 def test_a_node_on_every_address_is_given_the_url_of_one(host: str) -> None:
     cluster: dict[str, Any] = {"cluster": "on"}

@@ -44,15 +44,6 @@ def start_episode(task: str) -> Calibration:
     return simulator
 
 
-def pattern(count: int) -> bytes:
-    return bytes(
-        (7 * x + 13 * y + 29 * c + count) % 256
-        for y in range(HEIGHT)
-        for x in range(WIDTH)
-        for c in range(3)
-    )
-
-
 @pytest.mark.parametrize("task", TASKS)
 def test_every_task_has_its_instruction(task: str) -> None:
     assert Calibration(WIDTH, HEIGHT).reset(task, 1) == f"Calibration task {task}."
@@ -61,43 +52,6 @@ def test_every_task_has_its_instruction(task: str) -> None:
 def test_an_unknown_task_is_unplayable() -> None:
     with pytest.raises(TaskUnplayable):
         Calibration(WIDTH, HEIGHT).reset("juggle", 1)
-
-
-@pytest.mark.parametrize("task", TASKS)
-def test_counts_executed_actions_in_every_task(task: str) -> None:
-    simulator = start_episode(task)
-    for count in range(3):
-        assert simulator.observe().state["count"].tolist() == [count]
-        simulator.step(action())
-    simulator.reset(task, 1000)
-    assert simulator.observe().state["count"].tolist() == [0]
-
-
-def test_success_and_end_hold_at_one_and_not_below() -> None:
-    simulator = start_episode("count")
-    below = simulator.step(action(success=0.999, end=0.999))
-    at_one = simulator.step(action(success=1, end=1))
-    assert (below.success, below.terminated) == (False, False)
-    assert (at_one.success, at_one.terminated) == (True, True)
-
-
-def test_score_and_reward_are_the_commanded_score() -> None:
-    outcome = start_episode("score").step(action(score=0.3))
-    assert (outcome.score, outcome.reward) == (0.3, 0.3)
-
-
-def test_echo_returns_the_last_vector_bit_for_bit() -> None:
-    odd = [0.1, -0.0, 5e-324, 1.7976931348623157e308, 1 / 3, -1e-17, 2**53, 0.0]
-    simulator = start_episode("echo")
-    simulator.step(action(vector=odd))
-    state = encode(simulator.observe(), "raw")["state"]
-    assert struct.pack("<8d", *state["vector"]) == struct.pack("<8d", *odd)
-
-
-def test_clips_what_is_declared_to_be_clipped() -> None:
-    simulator = start_episode("count")
-    simulator.step(action(clipped=[-7.0, 0.25]))
-    assert simulator.observe().state["clipped"].tolist() == [-1.0, 0.25]
 
 
 def test_delay_takes_at_least_its_time_in_its_task_only() -> None:
@@ -121,12 +75,6 @@ def test_fault_breaks_down_in_its_task_only(monkeypatch: pytest.MonkeyPatch) -> 
         start_episode("fault").step(action(fault=2))
 
 
-@pytest.mark.parametrize("task", [task for task in TASKS if task != "echo"])
-def test_only_echo_has_images_and_tensors(task: str) -> None:
-    seen = encode(start_episode(task).observe(), "raw")
-    assert (seen["images"], seen["tensors"]) == ({}, {})
-
-
 def test_the_tensors_are_those_of_the_table() -> None:
     tensors = encode(start_episode("echo").observe(), "raw")["tensors"]
     assert tensors.pop("empty") == {"dtype": "float64", "shape": [0, 3], "data": b""}
@@ -134,32 +82,6 @@ def test_the_tensors_are_those_of_the_table() -> None:
     for dtype, (letter, elements) in ELEMENTS.items():
         expected = struct.pack(f"<6{letter}", *elements)
         assert tensors[dtype] == {"dtype": dtype, "shape": [2, 3], "data": expected}
-
-
-@pytest.mark.parametrize("count", [0, 1, 300])
-def test_the_raw_pattern_is_that_of_the_page(count: int) -> None:
-    simulator = start_episode("echo")
-    for _ in range(count):
-        simulator.step(action())
-    image = encode(simulator.observe(), "raw")["images"]["pattern"]
-    assert image == {
-        "codec": "raw",
-        "width": WIDTH,
-        "height": HEIGHT,
-        "channels": 3,
-        "data": pattern(count),
-    }
-
-
-def test_png_decodes_to_the_raw_image_and_jpeg_to_its_size() -> None:
-    seen = start_episode("echo").observe()
-    for codec in ("png", "jpeg"):
-        image = encode(seen, codec)["images"]["pattern"]
-        with Image.open(io.BytesIO(image["data"])) as decoded:
-            assert decoded.format == codec.upper()
-            assert (decoded.size, decoded.mode) == ((WIDTH, HEIGHT), "RGB")
-            if codec == "png":
-                assert decoded.tobytes() == pattern(0)
 
 
 def test_grey_images_have_one_channel() -> None:
@@ -194,68 +116,6 @@ def test_an_encoding_owns_its_bytes() -> None:
 # The manifest
 
 
-def test_without_options_there_is_one_score_episode() -> None:
-    resolved = benchmark_registry.resolve("calibration")
-    assert resolved.episodes == (benchmark_registry.EpisodePlan("score", "even", 1000),)
-    assert resolved.images == {"codec": "raw", "width": 16, "height": 12}
-    manifest = resolved.manifest
-    assert (manifest["max_steps"], manifest["max_chunk"]) == (10, 64)
-    assert (manifest["max_attempts"], manifest["max_faults"]) == (3, 3)
-    assert manifest["success_rule"] == "any_step"
-
-
-def test_options_shape_episodes_and_rules() -> None:
-    options = {
-        "tasks": ["echo", "echo", "fault"],
-        "max_steps": 4,
-        "success_rule": "last_step",
-        "max_attempts": 1,
-        "max_faults": 2,
-        "queue_s": 1.5,
-    }
-    resolved = benchmark_registry.resolve("calibration", options, max_chunk=8)
-    assert resolved.episodes == (
-        benchmark_registry.EpisodePlan("echo", "even", 1000),
-        benchmark_registry.EpisodePlan("echo", "odd", 1001),
-        benchmark_registry.EpisodePlan("fault", "even", 1002),
-    )
-    manifest = resolved.manifest
-    assert manifest["tasks"] == ["score", "count", "echo", "delay", "fault"]
-    assert manifest["splits"] == ["even", "odd"]
-    assert (manifest["episodes_total"], manifest["max_chunk"]) == (3, 8)
-    applied = {name: manifest[name] for name in options.keys() & manifest.keys()}
-    assert applied == {
-        "tasks": manifest["tasks"],
-        "max_steps": 4,
-        "success_rule": "last_step",
-        "max_attempts": 1,
-        "max_faults": 2,
-    }
-
-
-def test_action_space_is_that_of_the_page() -> None:
-    space = benchmark_registry.resolve("calibration").manifest["action_space"]
-    table = {
-        name: (
-            entry["size"],
-            entry["unit"],
-            entry.get("minimum"),
-            entry.get("maximum"),
-            entry["out_of_range"],
-        )
-        for name, entry in space.items()
-    }
-    assert table == {
-        "score": (1, "1", [0], [1], "refuse"),
-        "success": (1, "1", [0], [1], "refuse"),
-        "end": (1, "1", [0], [1], "refuse"),
-        "delay_s": (1, "s", [0], [5], "refuse"),
-        "fault": (1, "1", [0], [2], "refuse"),
-        "vector": (8, "1", None, None, "unbounded"),
-        "clipped": (2, "1", [-1, -1], [1, 1], "clip"),
-    }
-
-
 def test_simulator_configs_differ_only_by_images() -> None:
     default = benchmark_registry.resolve("calibration").world
     assert benchmark_registry.resolve("calibration", {"max_steps": 3}).world == default
@@ -282,12 +142,6 @@ def test_images_not_offered_are_refused(images: dict[str, Any], pointer: str) ->
     with pytest.raises(benchmark_registry.InvalidChoice) as refused:
         benchmark_registry.resolve("calibration", images=images)
     assert refused.value.pointer == pointer
-
-
-def test_options_are_for_calibration_only() -> None:
-    with pytest.raises(benchmark_registry.InvalidChoice) as refused:
-        benchmark_registry.resolve("tabletop_state", {})
-    assert refused.value.pointer == "/options"
 
 
 def test_the_benchmark_list_is_sorted() -> None:

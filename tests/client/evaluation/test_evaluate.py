@@ -13,7 +13,6 @@ from collections import deque
 from pathlib import Path
 
 import pytest
-from proctor_client import Action, Predict
 
 from reference_client import Observation, ProctorError, evaluate
 from tests.support.client.direct_client import ACCEPT_ANY, DirectClient
@@ -88,34 +87,6 @@ def test_the_readme_policy_solves_every_task(server: ReferenceServer) -> None:
         progress=ignore_progress,
     )
     assert score.score == 1.0
-
-
-@pytest.mark.parametrize("codec", ["raw", "png", "jpeg"])
-def test_images_and_tensors_arrive_as_the_benchmark_says(
-    server: ReferenceServer, codec: str
-) -> None:
-    seen: list[Observation] = []
-
-    class RecordingPolicy(GradedPolicy):
-        def act(self, observation: Observation) -> Actions:
-            seen.append(observation)
-            return super().act(observation)
-
-    images = {"codec": codec, "width": 64, "height": 48}
-    evaluate(
-        RecordingPolicy, url=server.url, images=images, **calibration_evaluation("echo")
-    )
-    for count, observation in enumerate(seen):
-        pattern = observation.images["pattern"]
-        assert pattern.shape == (48, 64, 3)
-        if codec != "jpeg":
-            assert pattern[5, 7, 2] == (7 * 7 + 13 * 5 + 29 * 2 + count) % 256
-        tensors = observation.tensors
-        assert tensors["int16"].tolist() == [[-2, -1, 0], [1, -(2**15), 2**15 - 1]]
-        assert tensors["bool"].tolist() == [[False, True, False], [True, False, True]]
-        assert tensors["uint64"][1, 2] == 2**64 - 1
-        assert tensors["empty"].shape == (0, 3)
-    assert len(seen) == 2
 
 
 # A wire that loses answers
@@ -228,32 +199,6 @@ def test_a_worker_that_is_taken_over_stops(
         evaluation.result(TIMEOUT_S)
     assert caught.value.code == "session_superseded"
     assert direct_client.control.get_run(run_id).live_workers == 1
-
-
-def test_takeover_continues_the_episode_of_a_crashed_program(
-    server: ReferenceServer, direct_client: DirectClient
-) -> None:
-    run = direct_client.submit("count")
-    turn = direct_client.attach(run.run_id, "worker-0")
-    chunk = [Action(values=action())] * 3
-    direct_client.data.predict(
-        run.run_id,
-        "worker-0",
-        Predict(session_id=turn.session_id, seq=1, actions=chunk),
-    )
-    policy = BlockingPolicy()
-    policy.may_continue.set()
-    score = evaluate(
-        lambda: policy,
-        url=server.url,
-        takeover=True,
-        **continued_evaluation(run.run_id),
-    )
-    assert policy.first is not None
-    assert policy.first.step == 3
-    assert policy.instructions == ["Calibration task count."]
-    assert score.score == 1.0
-    assert direct_client.attempts(run.run_id) == [1]
 
 
 def test_a_busy_worker_is_waited_for_until_its_lease_ends(

@@ -245,32 +245,6 @@ def test_an_interrupted_episode_is_continued_at_its_step(
     assert RaisingPolicy.steps == [0, 1, 2, 2, 3]
 
 
-def test_a_mistaken_policy_leaves_no_run(
-    server: ReferenceServer, direct_client: DirectClient
-) -> None:
-    class MistakenPolicy(GradedPolicy):
-        def act(self, observation: Observation) -> Any:
-            return observation.state["cuont"]
-
-    direct_client.submit("score")
-    before = direct_client.latest().run_id
-    arguments = calibration_evaluation("score") | {"dry_turn": True}
-    with pytest.raises(KeyError, match=r"observation\.state has count") as caught:
-        evaluate(MistakenPolicy, url=server.url, **arguments)
-    assert caught.value.__notes__ == ["This was a dry turn; no run was submitted."]
-    assert direct_client.latest().run_id == before
-
-
-def test_the_first_episodes_alone_have_a_partial_score(
-    server: ReferenceServer, direct_client: DirectClient
-) -> None:
-    arguments = calibration_evaluation(*["score"] * 5)
-    score = evaluate(GradedPolicy, url=server.url, episodes=3, **arguments)
-    assert (score.complete, score.score, score.counts.unscored) == (False, None, 2)
-    assert score.mean == pytest.approx(0.25)
-    assert direct_client.attempts(score.run_id) == [1] * 5
-
-
 INTERRUPTED = """
 import sys, threading
 from reference_client import evaluate

@@ -24,7 +24,6 @@ from tests.support.profiles.ebench_client import (
     load_pickle,
     open_client,
 )
-from tests.support.server.http_runs import submit
 from tests.support.server.runs import make_run
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -249,18 +248,3 @@ def test_every_equal_step_is_a_repetition_where_the_operator_says_so(
             answer = send_chunk(client, [{"0": action()}] * 100)
             assert (count(answer["obs"]), answer["executed_steps"]) == (101, 100)
         assert count(client.step({"0": action()})[0]) == 102
-
-
-def test_a_query_and_a_header_that_differ_are_refused(http: httpx.Client) -> None:
-    """EBE-024: whichever of them names the run of the endpoint."""
-    client = open_client(http, "count")
-    other = submit(http, "count")
-    for header, query in ((client.task_id, other), (other, client.task_id)):
-        answer = http.post(
-            f"{client.endpoint}/step",
-            content=dump_pickle({"0": action()}),
-            headers=PICKLED | {"run_id": header},
-            params={"run_id": query},
-        )
-        assert (answer.status_code, answer.json()["code"]) == (404, "not_found")
-    assert count(client.step({"0": action()})[0]) == 1

@@ -10,7 +10,6 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import httpx
-import numpy as np
 import pytest
 
 from reference_server.http.handlers import Handlers
@@ -122,114 +121,6 @@ def test_foreign_accounts_are_refused_in_an_envelope(
 
 
 # --- steps ---
-
-
-def test_a_worker_plays_a_run_to_its_end(http: httpx.Client) -> None:
-    client = EbenchClient(http, submit(http, "count", "score"))
-    client.find()
-    assert http.get(f"{client.endpoint}/docs").status_code == 200
-    first = client.reset()
-    obs = first["0"]["obs"]
-    assert (obs["reset"], obs["timestep"], count(first)) == (True, 0, 0)
-    assert first["0"]["metric"] is None
-    assert obs["instruction"] == "Calibration task count."
-
-    seen, done = client.step({"0": action()})
-    assert (seen["0"]["obs"]["reset"], seen["0"]["obs"]["timestep"]) == (False, 1)
-    assert (count(seen), done, seen["0"]["metric"]) == (1, False, None)
-
-    seen, done = client.step([{"0": action()}] * 2 + [{"0": action(success=1, end=1)}])
-    assert not done
-    assert seen["0"]["obs"]["reset"]
-    assert seen["0"]["metric"] == {"count": 1.0}
-    assert seen["0"]["episode_result"] == {
-        "episode_id": obs["episode_id"],
-        "task_name": "count",
-        "seed": 1000,
-        "score": 1.0,
-        "sr": 1.0,
-    }
-
-    seen, done = client.step({"0": action(score=0.25, end=1)})
-    assert done
-    assert seen["0"]["metric"] == {"count": 1.0, "score": 0.25}
-    assert seen["0"]["episode_result"]["sr"] == 0.25
-    assert client.status() == {
-        "status": "complete",
-        "benchmark_id": "calibration",
-        "run_id": client.task_id,
-        "total_episodes": 2,
-        "completed_episodes": 2,
-        "in_progress_episodes": 0,
-        "active_workers": [],
-        "results": {"count": 1.0, "score": 0.25},
-        "repeated_attempts": 0,
-        "max_attempts": None,
-        "max_chunk": 1024,
-        "equal_steps": "execute",
-    }
-    # The run stays completed, for every worker that connects.
-    assert client.step({"0": action()})[0]["0"]["obs"] is None
-    client.worker_ids = ("0", "late")
-    assert [w["obs"] for w in client.reset().values()] == [None, None]
-    assert client.workers("create_workers").status_code == 200
-    assert client.workers("kill").status_code == 200
-    assert client.step({"0": action(), "late": action()})[1]
-
-
-def test_step_chunk_executes_a_chunk(http: httpx.Client) -> None:
-    client = open_client(http, "count", "count")
-    steps = [{"0": action()}] * 2
-    answer = client.post("step_chunk?subframes=2&render_mode=lite", steps)
-    assert (count(answer["obs"]), answer["executed_steps"]) == (2, 2)
-    assert not answer["stopped_early"]
-    answer = client.post("step_chunk", [*steps, {"0": action(end=1)}, *steps])
-    assert (answer["executed_steps"], answer["stopped_early"]) == (3, True)
-    assert answer["obs"]["0"]["obs"]["reset"]
-    answer = client.post("step_chunk", [{"0": action(end=1)}])
-    assert (answer["obs"]["0"]["obs"], answer["stopped_early"]) == (None, True)
-
-
-def test_a_bad_action_moves_no_worker(http: httpx.Client) -> None:
-    client = open_client(http, "count", "count", workers=("0", "1"))
-    good = action()
-    bad: list[Any] = [
-        {"action": np.zeros(14)},
-        {"action": [float("nan")] * 15},
-        {"action": ["0"] * 15},
-        {"action": [True] * 15},
-        {"action": action(success=7)["action"]},
-        {"action": np.zeros((3, 6, 16))},
-        {"action": None},
-        {"motion": np.zeros(15)},
-        [0.0] * 15,
-        None,
-    ]
-    for wrong in bad:
-        for body in ({"0": good, "1": wrong}, [{"0": good, "1": good}, {"1": wrong}]):
-            answer = client.send("step", dump_pickle(body))
-            assert answer.status_code == 422, (wrong, answer.text)
-            assert answer.json()["errors"][0]["pointer"].count("/1") >= 1
-    seen, _ = client.step({"0": good, "1": good})
-    assert (count(seen, "0"), count(seen, "1")) == (1, 1)
-
-
-def test_a_chunk_over_the_limit_is_refused_before_parsing(http: httpx.Client) -> None:
-    client = open_client(http, "count", "count")
-    for rest in (action(), None):
-        answer = client.send(
-            "step", dump_pickle([{"0": action()}] * 1024 + [{"0": rest}])
-        )
-        assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
-        [error] = answer.json()["errors"]
-        assert error["pointer"] == "/0/0"
-        assert "at most 1024 actions" in error["detail"]
-    # Where the actions are not for the worker's episode, nothing is asked of them.
-    assert count(client.step({"0": action()})[0]) == 1
-    for _ in range(2):
-        _, done = client.step({"0": action(end=1)})
-    assert done
-    assert client.step([{"0": action()}] * 1025)[1]
 
 
 @pytest.mark.parametrize(

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import signal
 import socket
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from urllib.parse import urlsplit
 
 import httpx
@@ -19,12 +17,10 @@ from tests.support.profiles.ebench_client import (
     dump_pickle,
     episodes_of,
     open_client,
-    run_of,
 )
 from tests.support.raw_answers import read_answer
 from tests.support.server.http_runs import submit
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
-from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("restarts servers")
 
@@ -66,25 +62,6 @@ def test_sixteen_workers_share_a_run(
     assert score["score"] == pytest.approx(sum(expected) / 40, abs=1e-12)
 
 
-def test_one_client_steps_sixteen_workers_at_once(http: httpx.Client) -> None:
-    workers = tuple(map(str, range(16)))
-    client = open_client(http, *["count"] * 16, workers=workers)
-    for number in range(1, 4):
-        seen, done = client.step({worker: action() for worker in workers})
-        assert [count(seen, worker) for worker in workers] == [number] * 16
-    assert client.status()["active_workers"] == sorted(workers)
-    ends = [{worker: action(success=1, end=1) for worker in workers[:8]}]
-    seen, done = client.step([*ends, {worker: action() for worker in workers[8:]}])
-    assert not done
-    assert [seen[worker]["obs"] is None for worker in workers] == [True] * 8 + [
-        False
-    ] * 8
-    assert all(seen[worker]["metric"] is not None for worker in workers[:8])
-    seen, done = client.step({worker: action(end=1) for worker in workers})
-    assert done
-    assert http.get(f"/v1/runs/{client.task_id}/score").json()["score"] == 0.5
-
-
 def test_a_loop_that_follows_its_first_worker_is_started_again(
     http: httpx.Client,
 ) -> None:
@@ -115,58 +92,6 @@ def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:
     client.worker_ids = ("2",)
     answer = client.send("reset", dump_pickle({"worker_ids": ["2"]}))
     assert (answer.status_code, answer.json()["code"]) == (429, "worker_limit")
-
-
-def test_stop_and_resume_keep_scored_episodes(http: httpx.Client) -> None:
-    client = open_client(http, "score", "score", "score")
-    client.step({"0": action(score=0.5, end=1)})
-    client.step({"0": action(score=1)})
-    stopped = client.stop()
-    assert (stopped["code"], run_of(client)["state"]) == (0, "stopped")
-    assert client.status()["status"] == "incomplete"
-    refused = client.send("step", dump_pickle({"0": action()}))
-    assert (refused.status_code, refused.json()["state"]) == (409, "stopped")
-    answer = client.find()
-    assert (answer["code"], "stopped" in answer["msg"]) == (409, True)
-
-    task_id, endpoint = client.task_id, client.endpoint
-    client.submit(task_id=task_id, benchmark_set="calibration")
-    assert (client.task_id, client.endpoint) == (task_id, endpoint)
-    assert client.status()["completed_episodes"] == 1
-    client.reset()
-    for _ in range(2):
-        _, done = client.step({"0": action(score=0.25, end=1)})
-    assert done
-    assert http.get(f"/v1/runs/{task_id}/score").json()["score"] == 1 / 3
-    assert client.stop()["code"] == 409
-    assert client.find()["data"]["ready"]
-    again = client.control("createTask", task_id=task_id)  # EBE-027
-    assert again["code"] == 0
-    assert again["data"]["task_id"] != task_id
-    assert http.get(f"/v1/runs/{task_id}/score").json()["score"] == 1 / 3
-
-
-def test_progress_survives_a_server_restart(tmp_path: Path) -> None:
-    killed_server = ReferenceServer(tmp_path, PROCTOR_PROFILES="ebench")
-    with killed_server.client() as http:
-        client = open_client(http, "score", "score")
-        client.step({"0": action(score=0.5, end=1)})
-        client.step({"0": action(score=1)})
-    killed_server.end(signal.SIGKILL)
-    killed_server.start()
-    try:
-        with killed_server.client() as http:
-            client = EbenchClient(http, client.task_id)
-            client.submit(task_id=client.task_id)
-            assert client.status()["results"] == {"score": 0.5}
-            # Its worker does not know; what it sends was meant for a lost episode.
-            seen, _ = client.step({"0": action(score=1, end=1)})
-            assert (seen["0"]["obs"]["reset"], seen["0"]["metric"]) == (True, None)
-            assert client.step({"0": action(score=1, end=1)})[1]
-            score = http.get(f"/v1/runs/{client.task_id}/score").json()
-            assert score["score"] == 0.75
-    finally:
-        killed_server.end()
 
 
 def test_a_simulator_that_breaks_costs_no_attempt(http: httpx.Client) -> None:
@@ -227,21 +152,6 @@ def request_of(
     return "\r\n".join([*lines, "", ""]).encode() + body
 
 
-def send_and_disconnect(
-    server: ReferenceServer, client: EbenchClient, verb: str, body: bytes
-) -> None:
-    """Send a request, leave before it is answered, but after a turn has begun.
-
-    A server may drop the request of a connection that is closed before it looked at it.
-    """
-    with socket.create_connection(address_of(server), TIMEOUT_S) as connection:
-        connection.sendall(request_of(server, client, verb, body))
-        wait_until(
-            lambda: run_of(client).get("runs_played_before") is not None,
-            "an action of the run is executed",
-        )
-
-
 def test_closing_after_the_whole_answer_confirms_it(
     server: ReferenceServer, http: httpx.Client
 ) -> None:
@@ -255,34 +165,3 @@ def test_closing_after_the_whole_answer_confirms_it(
             connection.sendall(request)
             read_answer(connection)
     assert count(client.reset()) == 100
-
-
-def test_a_different_step_after_a_lost_answer_is_executed(
-    server: ReferenceServer, http: httpx.Client
-) -> None:
-    client = open_client(http, "delay")
-    send_and_disconnect(server, client, "step", dump_pickle({"0": action(delay_s=0.2)}))
-    assert count(client.step({"0": action(delay_s=0.1)})[0]) == 2
-
-
-def test_the_end_of_an_episode_is_returned_again(
-    server: ReferenceServer, http: httpx.Client
-) -> None:
-    client = open_client(http, "delay", "delay")
-    body = {"0": action(delay_s=0.2, success=1, end=1)}
-    send_and_disconnect(server, client, "step", dump_pickle(body))
-    seen, _ = client.step(body)
-    assert seen["0"]["metric"] == {"delay": 1.0}
-    assert run_of(client)["progress"]["episodes_scored"] == 1
-    seen, done = client.step(body)
-    assert (done, run_of(client)["state"]) == (True, "completed")
-
-
-def test_a_repeated_reset_is_answered_alike(
-    server: ReferenceServer, http: httpx.Client
-) -> None:
-    client = open_client(http, "count")
-    client.step({"0": action()})
-    send_and_disconnect(server, client, "reset", dump_pickle({"worker_ids": ["0"]}))
-    assert count(client.reset()) == 1
-    assert count(client.step({"0": action()})[0]) == 2

@@ -20,63 +20,13 @@ from tests.support.profiles.flageval_client import (
     TASKS,
     get_evaldiffs,
     model_info,
-    post,
     post_evaluation,
-    submit_evaluation,
-    wait_until_finished,
 )
 from tests.support.push_runs import episodes, wait_for_state
 from tests.support.server.runs import make_run
 from tests.support.servers import TOKENS, ReferenceServer
 
 # --- from the request to the result ---
-
-
-def test_models_are_compared_with_their_baseline(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    """Three models in one request, one of them the baseline; one answers otherwise."""
-    answers = {"a-nvidia-origin": "1", "a-twin": "1", "a-other": "0.75"}
-    chat.reply = lambda request: answers[request.body["model"]]
-    infos = [model_info(chat, name) for name in answers]
-    answer = post_evaluation(
-        client, *infos, user_id=7, special_event="yes", region="sz"
-    )
-    assert (answer["err_code"], answer["err_msg"], answer["err_message"]) == (
-        0,
-        "success",
-        "success",
-    )
-    assert [t["eval_model"] for t in answer["eval_tasks"]] == list(answers)
-    assert {t["chip"] for t in answer["eval_tasks"]} == {"Nvidia-H100"}
-    request_id = answer["request_id"]
-    assert wait_until_finished(client, request_id) == {
-        "err_code": 0,
-        "err_msg": "success",
-        "err_message": "success",
-        "finished": True,
-        "status": "S",
-        "datasets_progress": "6/6",
-        "running_dataset": "",
-        "running_progress": "",
-    }
-    results = get_evaldiffs(client, request_id)["eval_results"]
-    assert set(results) == set(answers)
-    assert results["a-twin"] == {
-        "status": "S",
-        "release": True,
-        "details": [
-            {"dataset": "score", "status": "S", "accuracy": 1.0, "diff": 0.0},
-            {"dataset": "count", "status": "S", "accuracy": 1.0, "diff": 0.0},
-        ],
-    }
-    assert results["a-nvidia-origin"]["release"] is True
-    other = results["a-other"]
-    assert other["release"] is False
-    assert [d["diff"] for d in other["details"]] == [0.25, 1.0]
-    assert [d["accuracy"] for d in other["details"]] == [0.75, 0.0]
-    by_query = client.get("/evaldiffs", params={"request_id": request_id})
-    assert by_query.json()["eval_results"] == results
 
 
 def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> None:
@@ -119,40 +69,7 @@ def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> Non
         assert KEY not in client.get(path).text
 
 
-def test_requests_of_a_query_are_compared_with_the_first(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    answers = {"d-base": "1", "d-near": "0.96", "d-far": "0"}
-    chat.reply = lambda request: answers[request.body["model"]]
-    ids = [submit_evaluation(client, model_info(chat, name)) for name in answers]
-    for request_id in ids:
-        wait_until_finished(client, request_id)
-    named = {"request_ids": ",".join(ids)}
-    answer = client.get("/evaluation_diffs", params=named).json()
-    diffs = answer["eval_diffs"]
-    assert list(diffs) == ids[1:]
-    assert diffs[ids[2]]["release"] is False
-    # Near in one dataset is not near in all: count asks for all or nothing.
-    assert diffs[ids[1]]["release"] is False
-    assert diffs[ids[1]]["details"][0]["diff"] == pytest.approx(0.04)
-    assert answer["tolerance"] == 0.05
-
-
 # --- stopping, going on, failing ---
-
-
-def test_a_model_that_does_not_answer_is_out_of_retries(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    chat.status = 500
-    request_id = submit_evaluation(client, model_info(chat, "l-gone"))
-    assert wait_until_finished(client, request_id)["status"] == "OOR"
-    result = get_evaldiffs(client, request_id)["eval_results"]["l-gone"]
-    assert (result["status"], result["release"]) == ("OOR", False)
-    assert [d["status"] for d in result["details"]] == ["OOR", "OOR"]
-    chat.status = 200
-    assert post(client, "/resume_evaluation", request_id=request_id)["err_code"] == 0
-    assert wait_until_finished(client, request_id)["status"] == "S"
 
 
 @pytest.mark.parametrize(

@@ -328,16 +328,6 @@ async def test_private_entries_are_seen_by_their_account_and_a_reader_of_all(
             await board.flag(entry["entry_id"], flagged=True, reason="odd")
 
 
-async def test_runs_of_other_accounts_are_not_published(tmp_path: Path) -> None:
-    async with opened_board(tmp_path) as (parts, board):
-        await completed(parts, "run_1")
-        with expect_refusal("not_found"):
-            await board.publish("bob", "run_1", PUBLIC)
-        with expect_refusal("not_found"):
-            await board.withdraw("bob", "run_1")
-        assert count_rows(parts.path, "entries") == 0
-
-
 async def test_a_leaf_that_is_not_stored_stores_no_entry(tmp_path: Path) -> None:
     """The disk is full between both. Expect neither, and both at the next try."""
     async with opened_board(tmp_path) as (parts, board):

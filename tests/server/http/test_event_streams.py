@@ -93,34 +93,7 @@ async def score_episodes(parts: ServerParts, run: Run, *order: int) -> None:
     await parts.registry.writer.commit(run)
 
 
-async def complete_run(parts: ServerParts, run: Run) -> None:
-    rules.apply_event(run, "attach_worker")
-    await score_episodes(
-        parts, run, *[e.index for e in run.episodes if e.result is None]
-    )
-    rules.apply_event(run, "all_scored")
-    await parts.registry.writer.commit(run)
-
-
 # --- changes of a run ---
-
-
-async def test_a_stream_carries_each_change(parts: ServerParts) -> None:
-    run = await add_stored_run(parts, *["score"] * 3)
-    stream = await StreamClient.open(make_event_stream(parts))
-    first = await stream.part()
-    assert first.startswith(b"retry: 1000\n\nevent: run\n")
-    await score_episodes(parts, run, 2)
-    events = await stream.events()
-    assert (kinds(events), indices(events)) == (["episode", "run"], [2])
-    assert events[0].body == run_views.episode_view(run.episodes[2])
-    assert events[1].body == view(run)
-    await complete_run(parts, run)
-    last = await stream.rest()
-    assert indices(last) == [0, 1]
-    assert last[-1].body["state"] == "completed"
-    answer = await make_event_stream(parts).answer(last[-1].id)
-    assert (answer.status_code, answer.body) == (204, b"")
 
 
 async def test_unstored_results_are_not_sent(
@@ -293,17 +266,6 @@ async def test_an_id_that_is_ahead_of_the_run_is_refused(parts: ServerParts) -> 
     run.scored, run.scored_order = 0, []
     with expect_refusal("invalid_request"):
         await make_event_stream(parts).answer(id_)
-
-
-@pytest.mark.parametrize("account", ["bob", "unknown"])
-async def test_runs_of_other_accounts_are_not_found(
-    account: str, parts: ServerParts
-) -> None:
-    await add_stored_run(parts)
-    with expect_refusal("not_found"):
-        await make_event_stream(parts, account=account).answer(None)
-    with expect_refusal("not_found"):
-        await make_event_stream(parts, "run_2").answer(None)
 
 
 async def test_a_stream_ends_when_the_store_fails(

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
 import re
-import signal
 import subprocess
 import time
 from collections.abc import Iterator
@@ -18,7 +16,7 @@ import httpx
 
 from conformance.client.event_reader import Event, EventParser
 from tests.support.paths import ROOT
-from tests.support.server.event_lists import indices, kinds
+from tests.support.server.event_lists import kinds
 from tests.support.server.http_runs import predict_body, submit
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -51,43 +49,6 @@ class ScoringWorker:
         body = predict_body(self._turn, end=1)
         self._turn = self._client.post(f"{self._path}/predict", json=body).json()
         assert "episode_result" in self._turn
-
-
-def read_until_scored(events: Iterator[Event], scored: int) -> list[Event]:
-    found = []
-    for event in events:
-        found.append(event)
-        progress = event.body.get("progress")
-        if progress and progress["episodes_scored"] == scored:
-            return found
-    raise AssertionError(f"the stream ended after {kinds(found)}")
-
-
-def test_event_ids_are_valid_after_a_kill(server: ReferenceServer) -> None:
-    with server.client() as client:
-        run_id = submit(client, *["score"] * 3)
-        first, second = (ScoringWorker(client, run_id, worker) for worker in "ab")
-        second.play()
-        first.play()
-        with following(client, run_id) as events:
-            received = read_until_scored(events, 2)
-    server.end(signal.SIGKILL)
-    server.start()
-    with server.client() as client:
-        with following(client, run_id) as events:
-            again = read_until_scored(events, 2)
-        assert indices(again) == indices(received) == [1, 0]
-        assert [one.body for one in again[:2]] == [one.body for one in received[:2]]
-        streams = contextlib.ExitStack()
-        with streams:
-            behind = [
-                streams.enter_context(following(client, run_id, event.id))
-                for event in received
-            ]
-            ScoringWorker(client, run_id, "c").play()
-            for number, events in enumerate(behind, 1):
-                rest = indices(read_until_scored(events, 3))
-                assert rest == [1, 0, 2][len(indices(received[:number])) :]
 
 
 def test_a_detach_after_completion_sends_no_event(server: ReferenceServer) -> None:

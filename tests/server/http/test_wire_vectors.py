@@ -11,7 +11,6 @@ import json
 from typing import Any
 
 import msgspec
-import pydantic
 import pytest
 
 from reference_server.generated import models
@@ -72,16 +71,12 @@ def test_there_are_vectors_of_every_kind() -> None:
 
 
 @pytest.mark.parametrize("vector", ACCEPTED)
-def test_both_encodings_hold_one_value(vector: dict[str, Any]) -> None:
+def test_models_and_encoder_round_trip_each_vector(vector: dict[str, Any]) -> None:
+    """Both encodings of a vector hold one value, and that value comes out again."""
     packed = base64.b64decode(vector["msgpack"])
     structure = codec.decode(packed, codec.MSGPACK)
     assert values_equal(in_json(structure), json.loads(vector["json"]))
     assert msgspec.msgpack.encode(structure) == packed
-
-
-@pytest.mark.parametrize("vector", ACCEPTED)
-def test_models_and_encoder_round_trip_each_vector(vector: dict[str, Any]) -> None:
-    structure = codec.decode(base64.b64decode(vector["msgpack"]), codec.MSGPACK)
     for name in vector.get("may_drop", ()):
         del structure[name]  # our models are those of the version that we speak
     model = getattr(models, vector["schema"])
@@ -106,14 +101,3 @@ def test_the_same_with_a_number_is_accepted() -> None:
     sound = {"session_id": "s", "seq": 1, "actions": [{"values": {"vector": [0.5]}}]}
     execute(codec.JSON, json.dumps(sound).encode())
     execute(codec.MSGPACK, msgspec.msgpack.encode(sound))
-
-
-@pytest.mark.parametrize("vector", ACCEPTED)
-def test_the_generated_client_decodes_it(vector: dict[str, Any]) -> None:
-    import proctor_client
-
-    model = getattr(proctor_client, vector["schema"])
-    decoded = model.from_json(vector["json"])
-    again = model.from_json(decoded.to_json())
-    assert again == decoded
-    assert isinstance(decoded, pydantic.BaseModel)

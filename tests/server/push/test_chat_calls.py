@@ -137,80 +137,6 @@ def chat() -> Iterator[ScriptedChat]:
         yield server
 
 
-def submit_chat_run(
-    client: httpx.Client, chat: ScriptedChat, *tasks: str, **more: Any
-) -> str:
-    body = push_submission(chat.url, *tasks, protocol="openai_chat", **more)
-    answer = client.post("/v1/runs", json=body)
-    assert answer.status_code == 201, answer.text
-    return str(answer.json()["run_id"])
-
-
-def test_a_model_is_asked_once_for_each_episode(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    """Expect question, model, numbers and key as submitted; and the answer's score."""
-    generation = {"temperature": 0.5, "max_tokens": 16000, "top_p": 1}
-    order = {"model": "m-1", "api_key": "s3cret", "generation": generation}
-    run_id = submit_chat_run(client, chat, "score", "count", **order)
-    run = wait_for_state(client, run_id)
-    assert run["state"] == "completed", run
-    assert [e["result"]["score"] for e in episodes(client, run_id)] == [0.25, 0.0]
-    assert {r.path for r in chat.requests} == {"/v1/chat/completions"}
-    assert {r.headers["authorization"] for r in chat.requests} == {"Bearer s3cret"}
-    for request in chat.requests:
-        assert request.body | {"messages": []} == generation | {
-            "model": "m-1",
-            "messages": [],
-        }
-        assert '"max_tokens":16000' in request.raw.decode()
-        (message,) = request.body["messages"]
-        assert message["role"] == "user"
-    asked = sorted(request.question for request in chat.requests)
-    assert asked == ["Calibration task count.", "Calibration task score."]
-    shown = run["policy_server"]
-    assert (shown["model"], shown["generation"]) == ("m-1", generation)
-    assert "s3cret" not in client.get(f"/v1/runs/{run_id}").text
-
-
-@pytest.mark.parametrize(
-    ("said", "score"),
-    [("1", 1.0), ("7", 1.0), ("no idea", 0.0), (None, 0.0), (["1"], 0.0)],
-)
-def test_an_unreadable_answer_is_no_fault(
-    client: httpx.Client, chat: ScriptedChat, said: Any, score: float
-) -> None:
-    chat.reply = said
-    run_id = submit_chat_run(client, chat, "score")
-    assert wait_for_state(client, run_id)["state"] == "completed"
-    (episode,) = episodes(client, run_id)
-    assert (episode["result"]["score"], episode["attempt"]) == (score, 1)
-    assert "policy_fault" not in episode
-
-
-def test_an_invalid_completion_is_a_fault(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    chat.body = {"choices": []}
-    run = wait_for_state(client, submit_chat_run(client, chat, "score"))
-    assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "is not a chat completion" in run["reason"]
-
-
-def test_an_unreachable_model_fails_the_run_and_a_resume_continues(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    chat.status = 503
-    run_id = submit_chat_run(client, chat, "score", "score")
-    run = wait_for_state(client, run_id)
-    assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "answered with status 503" in run["reason"]
-    chat.status = 200
-    assert client.post(f"/v1/runs/{run_id}/resume").status_code == 200
-    assert wait_for_state(client, run_id)["state"] == "completed"
-    assert [e["result"]["score"] for e in episodes(client, run_id)] == [0.25, 0.25]
-
-
 def test_a_chat_model_cannot_play_a_robot_benchmark(
     client: httpx.Client, chat: ScriptedChat
 ) -> None:
@@ -270,43 +196,6 @@ def test_raw_images_are_refused_for_chat_models(
     run = wait_for_state(client, client.post("/v1/runs", json=body).json()["run_id"])
     assert run["state"] == "failed"
     assert "png or jpeg" in run["reason"]
-
-
-# --- completions ---
-
-
-@pytest.mark.parametrize(
-    ("body", "reason"),
-    [
-        (None, "accepts no images"),
-        ({"choices": [{"message": {}}]}, "it has no /choices/0/text"),
-        ({"choices": []}, "it has no /choices/0/text"),
-    ],
-)
-def test_what_is_no_completion_is_a_fault(
-    client: httpx.Client, chat: ScriptedChat, body: Any, reason: str
-) -> None:
-    """A turn with an image, which cannot be sent, and answers without a text."""
-    chat.body = body
-    task = "echo" if body is None else "score"
-    images = {"codec": "png", "width": 16, "height": 12}
-    submission = push_submission(chat.url, task, protocol="openai_completions")
-    answer = client.post("/v1/runs", json=submission | {"images": images})
-    run = wait_for_state(client, answer.json()["run_id"])
-    assert run["state"] == "failed"
-    assert reason in run["reason"]
-    assert all(not request.is_chat for request in chat.requests)
-
-
-def test_a_completion_without_text_is_no_answer(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    chat.body = {"choices": [{"text": None}]}
-    submission = push_submission(chat.url, protocol="openai_completions")
-    run_id = client.post("/v1/runs", json=submission).json()["run_id"]
-    assert wait_for_state(client, run_id)["state"] == "completed"
-    (episode,) = episodes(client, run_id)
-    assert episode["result"]["score"] == 0.0
 
 
 # --- large answers ---

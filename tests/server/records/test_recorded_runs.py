@@ -92,37 +92,6 @@ async def test_a_result_is_stored_with_the_digest_of_its_recording(
         assert recordings.run_ids() == []
 
 
-async def test_a_recording_goes_on_after_a_restart(tmp_path: Path) -> None:
-    async with played(tmp_path) as (parts, _):
-        run = await submit(parts)
-        await parts.executor.predict(run, predict_command(await attach(parts, run)))
-    async with played(tmp_path) as (parts, recordings):
-        run = await parts.registry.get("run_1")
-        turn = await attach(parts, run, "another")
-        await parts.executor.predict(run, predict_command(turn, end=1))
-        of_turns = ["/attempt", "/turn", "/attempt"]
-        assert topics(recordings.path("run_1", 0)) == [*of_turns * 2, "/result"]
-
-
-async def test_an_abandoned_episode_is_stored_with_its_recording(
-    tmp_path: Path,
-) -> None:
-    async with played(tmp_path) as (parts, recordings):
-        run = await submit(parts)
-        for key in "abc":
-            turn = await attach(parts, run, key)
-            await parts.executor.predict(run, predict_command(turn))
-            stop_run(parts, run)
-            await parts.registry.writer.commit(run)
-            if run.state != "completed":
-                await parts.service.resume_run(run.account, run.run_id)
-        result = run.episodes[0].result
-        assert result is not None
-        assert result.outcome == "abandoned"
-        of_turns = ["/attempt", "/turn", "/attempt"]
-        assert topics(recordings.path("run_1", 0)) == [*of_turns * 3, "/result"]
-
-
 async def test_what_cannot_be_recorded_fails_the_run_and_costs_no_attempt(
     tmp_path: Path,
 ) -> None:

@@ -144,6 +144,7 @@ def test_an_episode_that_ends_is_scored(success: bool, outcome: str) -> None:
     last = chunk_result(3, ended=True, success=success, score=0.25, truncated=True)
     ended = play_turn(run, session, last, NOW + 3)
     assert ended is run.episodes[0]
+    assert not ended.in_progress
     assert ended.result == Result(
         cast(Any, outcome), 0.25, 1, 5, True, True, 3.0, WALL, None, 0, 2.5
     )

@@ -377,48 +377,6 @@ def test_a_node_that_joins_again_ends_if_the_others_have_another_key(
     assert f"the other nodes sign records with {signing}" in said
 
 
-def test_of_servers_that_start_at_once_with_two_keys_one_is_refused(
-    tmp_path: Path,
-) -> None:
-    """Neither is there yet when the other one begins to start."""
-    inherited = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
-    shared = inherited | {
-        "PROCTOR_CLUSTER": "on",
-        "PROCTOR_DATABASE": str(tmp_path / "proctor.sqlite"),
-        "PROCTOR_TOKENS": "a:read+run:a-token",
-    }
-    started = [
-        subprocess.Popen(
-            [*ReferenceServer.command, "--port", "0"],
-            cwd=ROOT,
-            env=shared | {"PROCTOR_SIGNING_KEY": str(tmp_path / f"key {number}")},
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        for number in range(2)
-    ]
-    try:
-        wait_until(
-            lambda: any(one.poll() is not None for one in started),
-            "one is refused",
-            2 * TIMEOUT_S,
-        )
-        (refused,) = (one for one in started if one.poll() is not None)
-        assert "cannot be a node of this cluster" in (said := refused.communicate()[1])
-        assert "set signing_key to a copy of their file" in said
-        (serves,) = (one for one in started if one is not refused)
-        assert serves.stdout is not None
-        url = serves.stdout.readline().split()[-1]
-        headers = {"Authorization": "Bearer a-token"}
-        with httpx.Client(base_url=url, headers=headers, trust_env=False) as client:
-            assert fetch_keys(client) == 1
-    finally:
-        for one in started:
-            one.kill()
-            one.communicate()
-
-
 def fetch_keys(client: httpx.Client) -> int:
     """How many keys have signed, or would."""
     return len(client.get("/v1/keys").json()["keys"])

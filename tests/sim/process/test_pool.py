@@ -5,7 +5,6 @@ import errno
 import os
 import signal
 import sys
-import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -14,9 +13,7 @@ from typing import Any
 import pytest
 
 from reference_sim import benchmark_registry
-from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.process import simulator_process
-from reference_sim.process.observation_encoding import encode
 from reference_sim.process.pool import (
     NoCapacity,
     SimulatorFault,
@@ -122,17 +119,6 @@ async def test_plays_an_episode(fork: bool) -> None:
         assert last.observation is None
 
 
-async def test_observes_every_step_when_all_are_wanted() -> None:
-    async with opened_pool() as pool:
-        handle = await pool.acquire(WORLD)
-        await begin(handle, "count", max_steps=2)
-        played = await handle.play([action()] * 5, observe_all=True)
-        assert played.observations is not None
-        counts = [seen["state"]["count"] for seen in played.observations]
-        assert counts == [[1.0], [2.0]]
-        assert played.observation == played.observations[-1]
-
-
 async def test_the_current_observation_can_be_read_again() -> None:
     async with opened_pool() as pool:
         handle = await pool.acquire(OTHER_WORLD)
@@ -140,40 +126,6 @@ async def test_the_current_observation_can_be_read_again() -> None:
         played = await handle.play([action()], observe_all=False)
         assert await handle.observe() == played.observation
         assert (await handle.observe())["images"]["pattern"]["width"] == 64
-
-
-async def test_observations_arrive_bit_for_bit() -> None:
-    async with opened_pool() as pool:
-        handle = await pool.acquire(WORLD)
-        beginning = await handle.begin("echo", 7, max_steps=3, success_rule="any_step")
-        simulator = Calibration(width=16, height=12)
-        simulator.reset("echo", 7)
-        assert beginning.observation == encode(simulator.observe(), "raw")
-
-
-@pytest.mark.parametrize(("rule", "score"), [("any_step", 1.0), ("last_step", 0.0)])
-async def test_outside_task_score_the_score_is_the_success(
-    rule: str, score: float
-) -> None:
-    async with opened_pool() as pool:
-        handle = await pool.acquire(WORLD)
-        await handle.begin("count", 7, max_steps=2, success_rule=rule)
-        played = await handle.play(
-            [action(success=1, score=0.3), action(score=0.3)], observe_all=False
-        )
-        assert (played.score, played.success) == (score, bool(score))
-
-
-async def test_parts_of_the_timing_fit_into_the_whole() -> None:
-    async with opened_pool() as pool:
-        handle = await pool.acquire(WORLD)
-        await begin(handle, "delay")
-        started = time.perf_counter()
-        played = await handle.play([action(delay_s=0.05)] * 2, observe_all=True)
-        total = time.perf_counter() - started
-        timing = played.timing
-        assert timing.simulate_s >= 0.1
-        assert timing.simulate_s + timing.render_s + timing.encode_s <= total
 
 
 async def test_a_released_process_is_lent_again_for_the_same_world() -> None:

@@ -245,13 +245,6 @@ def test_a_run_that_was_never_played_is_deleted(proctor: ProctorCommand) -> None
     assert proctor("status", played["run_id"]) == 0
 
 
-def test_the_latest_runs_are_listed(proctor: ProctorCommand) -> None:
-    run_id = proctor.json("submit", *options("score"))["run_id"]
-    assert proctor.json("status")[0]["run_id"] == run_id
-    assert proctor("status") == 0
-    assert re.search(rf"{run_id} +\w+ +calibration +unnamed +0/1", proctor.out)
-
-
 def test_the_submitter_is_recorded(proctor: ProctorCommand) -> None:
     """Every flag about the policy arrives in the run."""
     flags = "--name n --type VLA --policy-version 2 --submitter s --homepage http://h"

@@ -6,7 +6,6 @@ Signals, deaths and restarts happen while a policy is held, so nothing depends o
 from __future__ import annotations
 
 import importlib.util
-import json
 import os
 import re
 import signal
@@ -177,26 +176,6 @@ def test_when_every_process_dies_the_run_is_not_complete(
     answer_json = proctor.json(*run, "--processes")
     assert (proctor.code, answer_json["error"]["code"]) == (1, "worker_died")
     assert "--processes" in answer_json["resume"]
-
-
-@pytest.mark.slow("starts servers")
-def test_a_server_that_restarts_is_waited_for(
-    policy_folder: Path, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    """It is killed while both workers think. Expect the whole score all the same."""
-    tasks = options(*["count"] * 3)
-    with ReferenceServer(tmp_path_factory.mktemp("own_server")) as own_server:
-        run = [*RUN_BLOCKING_POLICY, *tasks, "--workers", "2", "--json", "--processes"]
-        with start_proctor(policy_folder, own_server.url, *run) as process:
-            wait_until(lambda: acting_policies(policy_folder) == 2, "both workers act")
-            own_server.end(signal.SIGKILL)
-            (policy_folder / "go").touch()
-            wait_until(
-                lambda: "is unreachable" in stderr_text(policy_folder), "it is missed"
-            )
-            own_server.start()
-            code, out = wait_for_exit(process)
-    assert (code, json.loads(out)["score"]) == (0, 1.0)
 
 
 def test_a_failed_run_states_whether_it_can_resume(proctor: ProctorCommand) -> None:

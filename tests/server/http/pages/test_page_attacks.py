@@ -195,6 +195,9 @@ def test_the_sign_in_after_a_form_leads_back_to_its_page(
         *("/pages/%2e%2e/v1", "/pages/%0d%0aSet-Cookie:a", "/pages;//evil.example"),
         *("/pages#//evil.example", "/Pages", "/pages\t", "\\\\evil.example/pages"),
         *("http:/pages", "/pages/logout", "/pagesx", "/pages?a=b\r\nX: y"),
+        *("//evil.example", "https://evil.example", "/\\evil.example", "javascript:a"),
+        *("/pages//evil.example", "/pages/../v1", "/pages\n/x", "/pages@evil", ""),
+        "/pages/login",
     ],
 )
 def test_no_address_leads_elsewhere(server: ReferenceServer, target: str) -> None:
