@@ -12,11 +12,11 @@ from typing import Any, Final
 
 import msgspec
 
+from reference_record.benchmark_manifest import manifest_sha256
 from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES
 from reference_record.formats.opened_seeds import OpenedBenchmark, seeds_for
-from reference_record.formats.strict_json import sha256_of_json
 from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
@@ -30,9 +30,9 @@ from reference_sim.replay.episode_replay import (
 )
 from reference_sim.replay.foreign_manifest import (
     BenchmarkChoice,
+    open_part,
     read_choice,
     selected,
-    without_sealed_seeds,
 )
 from reference_sim.replay.host_secrets import local_secrets
 
@@ -129,7 +129,7 @@ def _add_seeds_of_this_machine(
 
 def _resolved(choice: BenchmarkChoice) -> benchmark_registry.ResolvedBenchmark:
     return benchmark_registry.resolve(
-        choice.benchmark_id, choice.options, choice.images, max_chunk=choice.max_chunk
+        choice.benchmark_id, choice.options, choice.images
     )
 
 
@@ -151,15 +151,13 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
     if reason is not None:
         raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
     manifest = selected(resolved.manifest, choice.select)
-    if sha256_of_json(manifest) == choice.manifest_sha256:
-        return ReplayedBenchmark(manifest, resolved.world)
-    open_part = without_sealed_seeds(manifest)
-    if sha256_of_json(open_part) != choice.open_sha256:
+    known = open_part(manifest)
+    if manifest_sha256(known) != choice.open_sha256:
         raise UnusableRecord(
             f"{benchmark_id} is another one here: its manifest has another SHA-256. "
             "Install the version of the record: proctor verify shows it"
         )
-    return ReplayedBenchmark(open_part, resolved.world)
+    return ReplayedBenchmark(known, resolved.world)
 
 
 def add_opened_seeds(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from typing import Any
 
@@ -10,14 +11,21 @@ import pytest
 
 from reference_record.broken import BrokenRecord
 from reference_record.formats.bundle import open_bundle
+from reference_record.pages.record_documents import read_reported_run
 from reference_record.verification import verify
-from reference_sim.replay.record_replay import resolve
-from tests.support.record.played_records import save_calibration_record
+from reference_sim import benchmark_registry
+from reference_sim.replay.record_replay import replay_record, resolve
+from tests.support.record.played_records import (
+    OPTIONS,
+    play_chunks,
+    save_calibration_record,
+    save_played_record,
+)
 
 
 @pytest.mark.parametrize(
     "changed",
-    [{"sealed_splits": 5}, {"max_chunk": 10**9}, {"episodes": [1]}, {"episodes": {}}],
+    [{"sealed_splits": 5}, {"seeds": [2**53]}, {"episodes": [1]}, {"episodes": {}}],
 )
 def test_a_manifest_of_other_types_is_broken(
     changed: dict[str, Any], tmp_path: Path
@@ -26,3 +34,30 @@ def test_a_manifest_of_other_types_is_broken(
     manifest = msgspec.json.decode(bundle.read("manifest.json")) | changed
     with pytest.raises(BrokenRecord, match=r"manifest\.json"):
         resolve(verify(bundle).evaluation, msgspec.json.encode(manifest))
+
+
+@pytest.mark.parametrize("has_earlier_form", [False, True])
+def test_a_record_of_either_form_is_verified_replayed_and_shown(
+    has_earlier_form: bool, tmp_path: Path
+) -> None:
+    found = benchmark_registry.resolve("calibration", OPTIONS)
+    sha256 = None
+    if has_earlier_form:
+        text = msgspec.json.encode(found.manifest, order="deterministic")
+        sha256 = hashlib.sha256(text).hexdigest()
+    path, folder = tmp_path / "r.proctor", tmp_path
+    save_played_record(path, folder, found, play_chunks, sha256=sha256)
+    bundle = open_bundle(path)
+    manifest = bundle.read("manifest.json")
+    assert (b'"title"' in manifest) is has_earlier_form
+    known = resolve(verify(bundle).evaluation, manifest)
+    assert replay_record(path, known).result == "exact"
+    shown = read_reported_run(bundle, {}).benchmark
+    assert shown is not None
+    assert shown["title"] == found.manifest["title"]
+    assert shown["image_sizes"] == found.manifest["image_sizes"]
+    image = shown["observation_space"]["images"]["pattern"]
+    assert (
+        image["description"]
+        == (found.manifest["observation_space"]["images"]["pattern"]["description"])
+    )
