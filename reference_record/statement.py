@@ -64,9 +64,12 @@ class RunFacts(Struct):
     images: dict[str, Any] | None = None
 
 
-class BenchmarkFacts(Struct):
+class BenchmarkFacts(Struct, omit_defaults=True):
+    """shown: what the host showed beside the manifest, as a merge patch of it."""
+
     benchmark_id: Text
     version: Text
+    shown: dict[str, Any] = {}
 
 
 class PolicyFacts(Struct):

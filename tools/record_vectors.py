@@ -1,6 +1,7 @@
 """Writes spec/vectors/record/: good records, and broken ones with what is wrong.
 
-`python -m tools vectors` writes them again; a test compares every byte.
+`python -m tools vectors` writes them, and the manifests, again; a test compares every
+byte.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from tests.support.record.broken_records import (
     good_archive_with_verdict,
 )
 from tests.support.record.sample_records import HOST_KEY, OTHER_KEY, make_archive
+from tools import manifest_vectors
 
 KEYS = {HOST_KEY.keyid: "example host", OTHER_KEY.keyid: "another lab"}
 FOLDER = Path(__file__).resolve().parents[1] / "spec" / "vectors" / "record"
@@ -106,4 +108,4 @@ def main() -> int:
             path.unlink()
     for name, data in wanted.items():
         (FOLDER / name).write_bytes(data)
-    return 0
+    return manifest_vectors.main()

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
+from reference_record.benchmark_manifest import manifest_sha256
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Outcome, Result, Run, State
-from reference_server.runs.benchmarks import digest
 from reference_server.storage.run_store import Store
 from reference_sim import benchmark_registry
 
@@ -71,7 +71,7 @@ def build_run(length: int, state: State) -> Run:
         reason=None,
         retryable=None,
         manifest=manifest,
-        manifest_sha256=digest(manifest),
+        manifest_sha256=manifest_sha256(manifest),
         submission={
             "benchmark_id": "calibration",
             "policy": policy,

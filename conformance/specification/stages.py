@@ -60,7 +60,9 @@ _BY_AREA = {
 # Whose checks need less or more than their area does.
 _BY_ID = {
     **dict.fromkeys(("SVC-001", "SVC-002"), 1),
-    **dict.fromkeys(("AUTH-004", "BEN-003", "BEN-005", "ERR-009", "LEASE-007"), 3),
+    **dict.fromkeys(
+        ("AUTH-004", "BEN-003", "BEN-005", "BEN-006", "ERR-009", "LEASE-007"), 3
+    ),
     **dict.fromkeys(("LIFE-102", "LIFE-103", "LIFE-202", "LIFE-203"), 3),
     **dict.fromkeys(("RUN-003", "RUN-008", "RUN-012", "RUN-014"), 4),
     **dict.fromkeys(("RUN-024", "RUN-025"), 4),

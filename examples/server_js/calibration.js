@@ -60,12 +60,31 @@ const ABOUT = {
   simulator: { name: 'calibration', version: '1' },
 };
 
-/** What is played under these options, with the hash of everything in it that can change a score. */
+// RFC 8785: JSON.stringify writes texts and numbers in its form, and sort has its order of names.
+function canonical(value) {
+  if (Array.isArray(value)) return `[${value.map(canonical)}]`;
+  if (value === null || typeof value !== 'object') return JSON.stringify(value);
+  const names = Object.keys(value).filter((name) => value[name] !== undefined).sort();
+  return `{${names.map((name) => `${JSON.stringify(name)}:${canonical(value[name])}`)}}`;
+}
+
+const unexplained = (named) =>
+  Object.fromEntries(Object.entries(named).map(([name, { description, ...entry }]) => [name, entry]));
+
+/** The manifest of spec/benchmarks.md: what can change a score, without texts and choices of the server (BEN-006). */
+function manifest(rules, episodes) {
+  const { title, description, max_chunk, image_sizes, image_codecs, observation_space, ...kept } = ABOUT;
+  const { state, images, tensors } = observation_space;
+  const observed = { state, images: unexplained(images), tensors: unexplained(tensors) };
+  return { ...kept, ...rules, observation_space: observed, episodes: episodes.map(({ index, ...episode }) => episode) };
+}
+
+/** What is played under these options, with the digest of its manifest. */
 export function plan(options = {}) {
   const { tasks = ['score'], max_steps = 10, max_attempts = 3, max_faults = 3, success_rule = 'any_step' } = options;
   const rules = { max_steps, max_attempts, max_faults, success_rule };
   const episodes = tasks.map((task, index) => ({ index, task, split: ABOUT.splits[index % 2], seed: index + 1000 }));
-  const manifest_sha256 = createHash('sha256').update(JSON.stringify([ABOUT, rules, episodes])).digest('hex');
+  const manifest_sha256 = createHash('sha256').update(canonical(manifest(rules, episodes))).digest('hex');
   return { ...rules, episodes, manifest_sha256 };
 }
 

@@ -2,16 +2,17 @@
 
 A text of unknown origin is read into typed structures: UTF-8, and no member twice. Two
 readers of one text must see the same (REC-004), so what libraries decide differently is
-refused. And a value has one text, its canonical one, of which its digest is made.
+refused. And a value has one text, its canonical one of RFC 8785, of which its digest is
+made.
 """
 
 from __future__ import annotations
 
-import hashlib
 import json
 from typing import Any, TypeVar
 
 import msgspec
+import rfc8785
 
 from reference_record.broken import BrokenRecord
 
@@ -43,10 +44,8 @@ def _refuse_repeated(pairs: list[tuple[str, Any]]) -> None:
 
 
 def canonical_json(value: Any) -> bytes:
-    """The text of a value: members in the order of their names, and no white space."""
-    return msgspec.json.encode(value, order="deterministic")
+    """The text of a value by RFC 8785.
 
-
-def sha256_of_json(value: Any) -> str:
-    """The SHA-256 of the canonical text, in hexadecimal digits."""
-    return hashlib.sha256(canonical_json(value)).hexdigest()
+    Raises ValueError for an integer that a double does not hold exactly.
+    """
+    return rfc8785.dumps(value)

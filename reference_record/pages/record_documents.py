@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import msgspec
 from msgspec import Struct
 
+from reference_record.benchmark_manifest import merged
 from reference_record.formats.bundle import Bundle
 from reference_record.formats.names import EPISODES, MANIFEST
 from reference_record.pages.page_contents import signed_level
@@ -139,7 +140,7 @@ def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun
         _complete(episode, recorded)
         return recorded
 
-    benchmark = _convert(manifest, _Manifest)
+    benchmark = _benchmark(manifest, said)
     return ReportedRun(
         run=_run(said, episodes),
         score=said.score,
@@ -151,6 +152,15 @@ def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun
         level=signed_level(report.levels),
         read=read,
     )
+
+
+def _benchmark(manifest: bytes, said: Evaluation) -> _Manifest | None:
+    """The benchmark as the host showed it; None where members are absent."""
+    try:
+        whole = merged(msgspec.json.decode(manifest), said.benchmark.shown)
+        return msgspec.convert(whole, _Manifest)
+    except (msgspec.MsgspecError, RecursionError):
+        return None
 
 
 def _convert(data: bytes, kind: type[T]) -> T | None:

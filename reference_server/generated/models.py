@@ -1451,7 +1451,7 @@ Sha256 = TypeAliasType(
     Annotated[
         str,
         Field(
-            description="The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.",
+            description="The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).",
             pattern="^[0-9a-f]{64}$",
         ),
     ],

@@ -1,8 +1,9 @@
 """The members of a manifest and of a submission that the server reads.
 
-Both are the spec's schemas Benchmark and SubmitRun as plain data. A manifest is hashed
-as it is, so members that are not named here stay in it. A submission is validated by
-the generated models before it gets this type.
+Both are the spec's schemas Benchmark and SubmitRun as plain data. A benchmark may have
+members that are not named here; `reference_record/benchmark_manifest.py` says
+which of them are hashed. A submission is validated by the generated models before it
+gets this type.
 
 A benchmark declares `sealed_splits`. A host plays secret seeds in them, which
 `reference_sim/host_seeds.py` draws, and shows a commitment to them instead.
@@ -76,16 +77,3 @@ class Submission(TypedDict):
 def is_sealed(manifest: Mapping[str, Any], split: str) -> bool:
     """SEAL-001, SEAL-002: whether the seeds of a split are secret."""
     return split in manifest.get("sealed_splits", ())
-
-
-def without_sealed_seeds(manifest: Mapping[str, Any]) -> Mapping[str, Any]:
-    """The manifest as it may be shown: episodes of sealed splits have no seed."""
-    if not manifest.get("sealed_splits"):
-        return manifest
-    episodes = [
-        {name: value for name, value in episode.items() if name != "seed"}
-        if is_sealed(manifest, episode["split"])
-        else episode
-        for episode in manifest["episodes"]
-    ]
-    return {**manifest, "episodes": episodes}

@@ -14,14 +14,16 @@ from typing import Any, cast
 
 import msgspec
 
-from reference_record.formats.strict_json import sha256_of_json
+from reference_record.benchmark_manifest import (
+    is_manifest,
+    manifest_sha256,
+)
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules import submission as submission_rules
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import (
     Manifest,
     Submission,
-    without_sealed_seeds,
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -156,7 +158,7 @@ class Benchmarks:
         manifest = submission_rules.select_episodes(whole, select)
         if isinstance(manifest, Refuse):
             raise Refused.from_verdict(manifest)
-        sha256 = digest(manifest)
+        sha256 = manifest_sha256(manifest)
         if len(self._manifests) >= SHARED_MANIFESTS_MAX:
             self._manifests.clear()
         # One for all runs that have it: it is most of what a run takes in memory.
@@ -216,22 +218,13 @@ def _simulator_config(
     )
     whole = _sealed_manifest(resolved, seed_secret)
     manifest = submission_rules.select_episodes(whole, submission.get("select"))
-    if isinstance(manifest, Refuse) or digest(manifest) != run.manifest_sha256:
+    if isinstance(manifest, Refuse) or not is_manifest(manifest, run.manifest_sha256):
         raise Refused(
             "benchmark_unavailable",
             f"{benchmark_id} has changed since this run was submitted: what it offers "
             "now has another manifest. Submit another run.",
         )
     return resolved.world
-
-
-def digest(manifest: Manifest | Mapping[str, Any]) -> str:
-    """The `manifest_sha256` of a manifest with its episodes (BEN-005).
-
-    SEAL-004: a seed of few bits could be found by its hash, so that of sealed splits is
-    covered by the commitment alone.
-    """
-    return sha256_of_json(without_sealed_seeds(manifest))
 
 
 async def _unavailable(benchmark_id: str) -> str | None:

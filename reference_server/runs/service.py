@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import hashlib
 import secrets
 import time
 from collections.abc import Awaitable, Callable, Mapping, Sequence
@@ -18,7 +19,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Literal, cast
 
-from reference_record.formats.strict_json import sha256_of_json
+import msgspec
+
 from reference_record.unsigned_record import Record
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
@@ -497,4 +499,6 @@ def _has_entry() -> Refused:
 
 def body_digest(submission: Json) -> str:
     """RUN-003, RUN-028: equal values are the same body, however they were written."""
-    return sha256_of_json(submission)
+    # Not in the form of RFC 8785: it is compared with digests of keys that were stored.
+    text = msgspec.json.encode(submission, order="deterministic")
+    return hashlib.sha256(text).hexdigest()

@@ -8,18 +8,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from typing import Annotated, Any, Final
+from typing import Any
 
 import msgspec
-from msgspec import Meta
 
+from reference_record.benchmark_manifest import (
+    manifest_sha256,
+    without_sealed_seeds,
+)
 from reference_record.broken import BrokenRecord
 from reference_record.formats.names import MANIFEST, STATEMENT
-from reference_record.formats.strict_json import read_json, sha256_of_json
+from reference_record.formats.strict_json import read_json
 from reference_record.statement import Evaluation
-
-# No server announces more actions in one predict.
-MAX_CHUNK: Final = 4096
 
 
 class _PlannedEpisode(msgspec.Struct):
@@ -29,7 +29,6 @@ class _PlannedEpisode(msgspec.Struct):
 class _ForeignManifest(msgspec.Struct):
     """The few members that are read; the rest of the manifest is only compared."""
 
-    max_chunk: Annotated[int, Meta(ge=1, le=MAX_CHUNK)]
     episodes: list[_PlannedEpisode]
     sealed_splits: list[str] = []
 
@@ -44,15 +43,14 @@ class Part(msgspec.Struct, frozen=True, omit_defaults=True):
 class BenchmarkChoice(msgspec.Struct, frozen=True):
     """The benchmark that a record names, with digests in place of its manifest.
 
-    open_sha256: the digest of the manifest without the seeds that a host keeps secret.
+    open_sha256: the digest of the manifest without the seeds that a host keeps secret,
+        in the form of BEN-006, also where the record has an earlier form.
     seeds_sha256: the digest of these seeds, to which the host is committed.
     """
 
     benchmark_id: str
     options: dict[str, Any] | None
     images: dict[str, Any] | None
-    max_chunk: int
-    manifest_sha256: str
     open_sha256: str
     select: Part | None = None
     seeds_sha256: str | None = None
@@ -60,16 +58,19 @@ class BenchmarkChoice(msgspec.Struct, frozen=True):
 
 def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
     """Reads the whole manifest, which may be large. Raises BrokenRecord."""
-    read = read_json(MANIFEST, manifest, _ForeignManifest)
+    read_json(MANIFEST, manifest, _ForeignManifest)
     whole = msgspec.json.decode(manifest)
-    open_part, commitment = without_sealed_seeds(whole), whole.get("seeds_sha256")
+    commitment = whole.get("seeds_sha256")
+    try:
+        open_sha256 = manifest_sha256(open_part(whole))
+    except (ValueError, RecursionError) as error:
+        detail = str(error) or "it nests too deeply"
+        raise BrokenRecord(MANIFEST, "REC-008", detail) from error
     return BenchmarkChoice(
         evaluation.benchmark.benchmark_id,
         evaluation.run.options,
         evaluation.run.images,
-        read.max_chunk,
-        evaluation.manifest_sha256,
-        sha256_of_json(open_part),
+        open_sha256,
         _part_of(evaluation.score.get("select")),
         commitment if _is_sha256(commitment) else None,
     )
@@ -118,16 +119,7 @@ def _is_sha256(text: object) -> bool:
     return isinstance(text, str) and re.fullmatch("[0-9a-f]{64}", text) is not None
 
 
-def without_sealed_seeds(manifest: dict[str, Any]) -> dict[str, Any]:
-    """The manifest without the seeds that the host of a sealed split keeps secret."""
-    sealed = manifest.get("sealed_splits", ())
-    episodes = [
-        {
-            k: v
-            for k, v in episode.items()
-            if k != "seed" or episode["split"] not in sealed
-        }
-        for episode in manifest["episodes"]
-    ]
-    rest = {k: v for k, v in manifest.items() if k != "seeds_sha256"}
-    return {**rest, "episodes": episodes}
+def open_part(manifest: dict[str, Any]) -> dict[str, Any]:
+    """The manifest without what the host of a sealed split keeps secret."""
+    shown = without_sealed_seeds(manifest)
+    return {k: v for k, v in shown.items() if k != "seeds_sha256"}

@@ -12,11 +12,11 @@ from typing import Any, Final
 
 import msgspec
 
+from reference_record.benchmark_manifest import manifest_of, manifest_sha256
 from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES
 from reference_record.formats.opened_seeds import OpenedBenchmark, seeds_for
-from reference_record.formats.strict_json import sha256_of_json
 from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
@@ -32,9 +32,9 @@ from reference_sim.replay.episode_replay import (
 from reference_sim.replay.foreign_manifest import (
     BenchmarkChoice,
     differences,
+    open_part,
     read_choice,
     selected,
-    without_sealed_seeds,
 )
 from reference_sim.replay.host_secrets import local_secrets
 
@@ -106,7 +106,9 @@ class AnotherManifest(UnusableRecord):
 
     def compared_with(self, recorded: Json) -> AnotherManifest:
         """The same error with the members that differ."""
-        lines = [*differences(without_sealed_seeds(recorded), self._here)]
+        lines = [
+            *differences(manifest_of(open_part(recorded)), manifest_of(self._here))
+        ]
         more = len(lines) - DIFFERENCES_SHOWN
         shown = lines[:DIFFERENCES_SHOWN] + ([f"and {more} more"] if more > 0 else [])
         return AnotherManifest(self._benchmark_id, self._here, "; ".join(shown))
@@ -153,7 +155,7 @@ def _add_seeds_of_this_machine(
 
 def _resolved(choice: BenchmarkChoice) -> benchmark_registry.ResolvedBenchmark:
     return benchmark_registry.resolve(
-        choice.benchmark_id, choice.options, choice.images, max_chunk=choice.max_chunk
+        choice.benchmark_id, choice.options, choice.images
     )
 
 
@@ -175,12 +177,10 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
     if reason is not None:
         raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
     manifest = selected(resolved.manifest, choice.select)
-    if sha256_of_json(manifest) == choice.manifest_sha256:
-        return ReplayedBenchmark(manifest, resolved.world)
-    open_part = without_sealed_seeds(manifest)
-    if sha256_of_json(open_part) != choice.open_sha256:
-        raise AnotherManifest(benchmark_id, open_part)
-    return ReplayedBenchmark(open_part, resolved.world)
+    known = open_part(manifest)
+    if manifest_sha256(known) != choice.open_sha256:
+        raise AnotherManifest(benchmark_id, known)
+    return ReplayedBenchmark(known, resolved.world)
 
 
 def add_opened_seeds(

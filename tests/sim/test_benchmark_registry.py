@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from reference_server.runs.benchmarks import digest
+from reference_record.benchmark_manifest import manifest_sha256
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import BadBenchmark
@@ -69,7 +69,7 @@ def test_declared_resources_come_with_the_simulator_and_change_no_manifest(
     del benchmark_registry._BENCHMARKS["cartpole"]
     benchmark_registry.add(f"{tmp_path}/cartpole.toml", print)
     having = benchmark_registry.resolve("cartpole")
-    assert digest(having.manifest) == digest(without.manifest)
+    assert manifest_sha256(having.manifest) == manifest_sha256(without.manifest)
     assert without.world.ray_resources == {}
     assert having.world.ray_resources == {"CPU": 0.5, "GPU": 1}
     assert benchmark_registry.ray_resources("cartpole") == {"CPU": 0.5, "GPU": 1}

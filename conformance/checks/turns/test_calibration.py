@@ -13,6 +13,7 @@ from conformance.checks.support.given_states import (
 from conformance.checks.support.long_run import long_run
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
+from conformance.oracle.expected_manifest import digest_of, manifest_of
 from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.verdicts import expect
 
@@ -26,6 +27,7 @@ RULES = {
     "success_rule": "any_step",
     "episodes_total": 1,
     "splits": ["even", "odd"],
+    "simulator": {"name": "calibration", "version": "1"},
 }
 # name: size, unit, minimum, maximum, out of range
 ACTIONS: dict[str, tuple[int, str, list[int] | None, list[int] | None, str]] = {
@@ -133,6 +135,62 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
         expect.equal(result["split"], ("even", "odd")[index % 2], "split")
         expect.equal(result["seed"], index + 1000, "seed")
     expect_long_manifest(context)
+
+
+def calibration_manifest(**options: Any) -> dict[str, Any]:
+    """Give the manifest that calibration.md defines for these options."""
+    plain = {"rotation": "none", "frame": "none", "relative": False}
+    states = {
+        name: (size, "1", None, None, "unbounded") for name, size in STATES.items()
+    }
+    actions, state = (
+        {
+            name: plain
+            | {"size": size, "unit": unit, "out_of_range": beyond}
+            | ({} if low is None else {"minimum": low, "maximum": high})
+            for name, (size, unit, low, high, beyond) in vectors.items()
+        }
+        for vectors in (ACTIONS, states)
+    )
+    of_echo = {"tasks": ["echo"]}
+    tensors = {name: {"dtype": name, "shape": [2, 3]} | of_echo for name in DTYPES}
+    tensors["empty"] = {"dtype": "float64", "shape": [0, 3]} | of_echo
+    images = {name: {"channels": 3} | of_echo for name in IMAGES}
+    episodes = [
+        {"task": task, "split": ("even", "odd")[index % 2], "seed": index + 1000}
+        for index, task in enumerate(options.get("tasks", ["score"]))
+    ]
+    described = RULES | {name: options[name] for name in options if name in RULES}
+    return manifest_of(
+        described
+        | {"benchmark_id": "calibration", "tasks": TASKS, "episodes": episodes}
+        | {"action_space": actions}
+        | {"observation_space": {"state": state, "images": images, "tensors": tensors}}
+    )
+
+
+@requirement("BEN-006")
+def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
+    """The description of `calibration`, and runs with several options.
+
+    Expect the SHA-256 of the canonical bytes of the manifest of calibration.md.
+    """
+    answer = context.call("get_benchmark", benchmark_id="calibration")
+    benchmark = expect.ok(answer)
+    expected = calibration_manifest()
+    shown = manifest_of(benchmark | {"episodes": expected["episodes"]})
+    names = sorted({*expected, *shown})
+    wrong = [name for name in names if shown.get(name) != expected.get(name)]
+    what = f"manifest_sha256; description differs in {wrong}"
+    for options in (
+        {},
+        {"tasks": TASKS, "max_steps": 10000, "success_rule": "last_step"},
+        {"tasks": ["echo"] * 300, "max_attempts": 1, "max_faults": 2},
+    ):
+        body = context.submit_body(options=options)
+        run = context.adopt(expect.ok(context.call("submit_run", json=body), 201))
+        digest = digest_of(calibration_manifest(**options))
+        expect.equal(run.body["manifest_sha256"], digest, f"{what}, run of {options}")
 
 
 def listed_scores(worker: WorkerClient) -> dict[int, float]:

@@ -220,7 +220,6 @@ func getBenchmark(r *request) (*answer, *wire.Problem) {
 	rules := calibration.ManifestOf(nil).Rules()
 	return ok(append(append(benchmarkSummary(), rules[2:]...), wire.Object{
 		{"description", "Needs no physics; for judging servers, not policies."},
-		{"simulator", wire.Object{{"name", "counter"}, {"version", "1"}}},
 		{"unavailable_reason", nil},
 	}...))
 }

@@ -5,6 +5,7 @@ package calibration
 import (
 	"crypto/sha256"
 	"encoding/hex"
+	"encoding/json"
 	"fmt"
 	"math"
 	"slices"
@@ -195,19 +196,49 @@ func (m Manifest) Rules() wire.Object {
 		{"max_faults", m.MaxFaults}, {"success_rule", m.SuccessRule},
 		{"action_space", spacesObject(ActionSpace)}, {"observation_space", observationSpace()},
 		{"image_sizes", sizes}, {"image_codecs", CodecNames},
+		{"simulator", wire.Object{{"name", BenchmarkID}, {"version", "1"}}},
 	}
 }
 
-// Digest is `manifest_sha256`: equal for equal choices (BEN-003).
+// notInManifest explains the benchmark or is the server's choice: no score depends on it.
+var notInManifest = []string{"max_chunk", "image_sizes", "image_codecs"}
+
+// Digest is `manifest_sha256`: that of the canonical manifest (BEN-003, BEN-006).
 func (m Manifest) Digest() string {
-	episodes := []wire.Object{}
+	episodes := []any{}
 	for i, task := range m.Tasks {
-		episodes = append(episodes, wire.Object{
-			{"task", task}, {"split", Split(i)}, {"seed", FirstSeed + i},
+		episodes = append(episodes, map[string]any{
+			"task": task, "split": Split(i), "seed": FirstSeed + i,
 		})
 	}
-	sum := sha256.Sum256(wire.AppendJSON(nil, append(m.Rules(), wire.Member{"episodes", episodes})))
+	manifest := unexplained(m.Rules()).(map[string]any)
+	manifest["episodes"] = episodes
+	for _, name := range notInManifest {
+		delete(manifest, name)
+	}
+	// json sorts names by bytes and writes numbers as RFC 8785 does, and texts, too, that
+	// are ASCII without <, > and &: all of this manifest.
+	text, err := json.Marshal(manifest)
+	if err != nil {
+		panic(err)
+	}
+	sum := sha256.Sum256(text)
 	return hex.EncodeToString(sum[:])
+}
+
+// unexplained makes maps of objects, without descriptions.
+func unexplained(value any) any {
+	object, is := value.(wire.Object)
+	if !is {
+		return value
+	}
+	made := map[string]any{}
+	for _, m := range object {
+		if _, isText := m.Value.(string); !isText || m.Name != "description" {
+			made[m.Name] = unexplained(m.Value)
+		}
+	}
+	return made
 }
 
 // Action is one validated action; clipped is inside its range already.

@@ -22,7 +22,7 @@ struct Benchmark {
     std::string version{};
     std::string title{};
     std::string description{};
-    std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     std::int32_t episodes_total{};
     std::vector<std::string> tasks{};
     std::vector<std::string> splits{};

@@ -17,7 +17,7 @@ struct BenchmarkSummary {
     std::string benchmark_id{};
     std::string version{};
     std::string title{};
-    std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     std::int32_t episodes_total{};
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {

@@ -23,7 +23,7 @@ struct BoardEntry {
     std::string submitter{}; // Name of the account that submitted the run.
     std::string benchmark_id{};
     std::string benchmark_version{};
-    std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     std::optional<SelectionView> select{};
     RunPolicy policy{};
     std::string model_name{};

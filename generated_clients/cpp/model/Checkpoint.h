@@ -15,7 +15,7 @@ struct Checkpoint {
     static constexpr char const* schema_name = "Checkpoint";
 
     std::int64_t tree_size{};
-    std::string root_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string root_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     std::string note{}; // The signed note, which says both as well.
     std::string keyid{}; // Of the key of `list_keys` that signed it.
 

@@ -17,7 +17,7 @@ struct Comparison {
 
     std::string baseline{}; // Id of the run that the others are compared with.
     std::string benchmark_id{};
-    std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     double tolerance{};
     std::vector<ComparedRun> runs{}; // One entry per run that was named, in that order.
 

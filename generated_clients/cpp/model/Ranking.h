@@ -16,7 +16,7 @@ struct Ranking {
     static constexpr char const* schema_name = "Ranking";
 
     std::string benchmark_id{};
-    std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     std::optional<std::int32_t> episodes_total{}; // How many episodes each entry has; null where the manifest has no entry.
     std::int32_t ranked{}; // How many entries have a rank.
     std::int64_t comparisons{}; // How many pairs of them were tested.

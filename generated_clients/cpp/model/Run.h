@@ -26,7 +26,7 @@ struct Run {
     std::optional<bool> retryable{}; // Whether a failed run may be resumed; null in other states.
     std::string benchmark_id{};
     std::string benchmark_version{};
-    std::string manifest_sha256{}; // The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software.
+    std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     RunPolicy policy{};
     std::optional<std::string> mode{}; // A `RunMode`, or one of a later version; `pull` when absent.
     std::optional<PolicyServerView> policy_server{};

@@ -58,7 +58,7 @@ class Benchmark(Message):
     title: StrictStr
     description: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     episodes_total: Annotated[int, Field(strict=True, ge=1)]
     tasks: Annotated[list[StrictStr], Field(max_length=100000)]
     splits: Annotated[list[StrictStr], Field(max_length=100000)]
@@ -101,7 +101,7 @@ class BenchmarkSummary(Message):
     version: StrictStr
     title: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     episodes_total: Annotated[int, Field(strict=True, ge=1)]
 
 
@@ -113,7 +113,7 @@ class BoardEntry(Message):
     benchmark_id: StrictStr
     benchmark_version: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     select: SelectionView | None = None
     policy: RunPolicy
     model_name: StrictStr
@@ -175,7 +175,7 @@ class CalibrationTask(StrEnum):
 class Checkpoint(Message):
     tree_size: Annotated[int, Field(strict=True, ge=0)]
     root_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     note: StrictStr
     """The signed note, which says both as well."""
     keyid: StrictStr
@@ -224,7 +224,7 @@ class Comparison(Message):
     """Id of the run that the others are compared with."""
     benchmark_id: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     tolerance: Annotated[float, Field(strict=True, ge=0, le=1)]
     runs: Annotated[list[ComparedRun], Field(max_length=16)]
     """One entry per run that was named, in that order."""
@@ -743,7 +743,7 @@ class Ranking(Message):
 
     benchmark_id: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     episodes_total: StrictInt | None
     """How many episodes each entry has; null where the manifest has no entry."""
     ranked: Annotated[int, Field(strict=True, ge=0)]
@@ -844,7 +844,7 @@ class Run(Message):
     benchmark_id: StrictStr
     benchmark_version: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     policy: RunPolicy
     mode: (
         Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
@@ -910,7 +910,7 @@ class Score(Message):
     run_id: StrictStr
     benchmark_id: StrictStr
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
-    """The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software."""
+    """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     select: SelectionView | None = None
     state: RunState
     complete: StrictBool

@@ -40,7 +40,7 @@ export interface Benchmark {
     version: string;
     title: string;
     description: string;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
     episodes_total: number;
     tasks: string[];
@@ -78,7 +78,7 @@ export interface BenchmarkSummary {
     benchmark_id: string;
     version: string;
     title: string;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
     episodes_total: number;
 }
@@ -90,7 +90,7 @@ export interface BoardEntry {
     submitter: string;
     benchmark_id: string;
     benchmark_version: string;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
     select?: SelectionView;
     policy: RunPolicy;
@@ -147,7 +147,7 @@ export type CalibrationTask = (typeof CalibrationTask)[keyof typeof CalibrationT
 
 export interface Checkpoint {
     tree_size: number;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     root_sha256: string;
     /** The signed note, which says both as well. */
     note: string;
@@ -194,7 +194,7 @@ export interface Comparison {
     /** Id of the run that the others are compared with. */
     baseline: string;
     benchmark_id: string;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
     tolerance: number;
     /** One entry per run that was named, in that order. */
@@ -633,7 +633,7 @@ export interface RankedEntry {
 /** See board.md for every number here. */
 export interface Ranking {
     benchmark_id: string;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
     /** How many episodes each entry has; null where the manifest has no entry. */
     episodes_total: number | null;
@@ -726,7 +726,7 @@ export interface Run {
     retryable: boolean | null;
     benchmark_id: string;
     benchmark_version: string;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
     policy: RunPolicy;
     /** A `RunMode`, or one of a later version; `pull` when absent. */
@@ -787,7 +787,7 @@ export type RunState = (typeof RunState)[keyof typeof RunState];
 export interface Score {
     run_id: string;
     benchmark_id: string;
-    /** The digest of a manifest, which is all of a benchmark that can change a score, written in a form that the server chooses and keeps. Only equality means anything, and only among digests of the same server software. */
+    /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
     select?: SelectionView;
     state: RunState;

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+import msgspec
+
+from reference_record import benchmark_manifest
 from reference_server.runs import (
     benchmarks,
 )
@@ -40,7 +43,22 @@ def hashes_a_benchmark_anew_each_time() -> None:
     put(Benchmarks, "view", wrong)
 
 
-@mutant("BEN-005", through=instead_of(benchmarks, "digest"))
+@mutant("BEN-006", through=instead_of(benchmark_manifest, "manifest_of"))
+def hashes_the_texts_of_a_benchmark(right: Any, benchmark: Any) -> Any:
+    """A host that mends a typing error in a description gets another benchmark."""
+    return {**right(benchmark), "description": benchmark["description"]}
+
+
+@mutant("BEN-006", through=instead_of(benchmark_manifest, "canonical_json"))
+def hashes_numbers_as_its_language_writes_them(right: Any, manifest: Any) -> Any:
+    """Servers in two languages show different digests of one benchmark."""
+    written = right(manifest)
+    wrong = msgspec.json.encode(manifest, order="deterministic")
+    assert wrong != written
+    return wrong
+
+
+@mutant("BEN-005", "BEN-006", through=instead_of(benchmarks, "manifest_sha256"))
 def hashes_the_first_hundred_episodes(right: Any, manifest: Any) -> Any:
     """Runs of different episodes are compared as if they were the same."""
     episodes = manifest["episodes"]

@@ -22,7 +22,7 @@ from tests.support.record.hostile_records import resigned
 from tests.support.record.played_records import save_calibration_record
 
 SHA256 = "0" * 64
-CHOICE = BenchmarkChoice("calibration", {"tasks": ["score"]}, None, 64, SHA256, SHA256)
+CHOICE = BenchmarkChoice("calibration", {"tasks": ["score"]}, None, SHA256)
 
 
 @pytest.fixture(scope="module")

@@ -4,14 +4,14 @@ import hashlib
 import json
 from typing import Any, cast
 
-from reference_record.formats.strict_json import canonical_json
-from reference_server.rules.manifest import (
-    Manifest,
-    is_sealed,
+from reference_record.benchmark_manifest import (
+    manifest_file,
+    manifest_of,
+    manifest_sha256,
     without_sealed_seeds,
 )
+from reference_server.rules.manifest import Manifest, is_sealed
 from reference_server.rules.run import Episode
-from reference_server.runs.benchmarks import digest
 from reference_sim.host_seeds import seal
 
 SECRET, OTHER = b"s" * 32, b"o" * 32
@@ -54,11 +54,13 @@ def test_open_splits_keep_their_seeds_and_sealed_ones_get_others() -> None:
 def test_seeds_follow_from_the_secret_and_the_benchmark_alone() -> None:
     found = seal(manifest(), SECRET, 1, SEED_MAX)
     assert seal(manifest(), SECRET, 1, SEED_MAX) == found
-    assert digest(seal(manifest(), SECRET, 1, SEED_MAX)) == digest(found)
+    assert manifest_sha256(seal(manifest(), SECRET, 1, SEED_MAX)) == manifest_sha256(
+        found
+    )
     other = seal(manifest(), OTHER, 1, SEED_MAX)
     assert not set(seeds(other, "test")) & set(seeds(found, "test"))
     assert other["seeds_sha256"] != found["seeds_sha256"]
-    assert digest(other) != digest(found)
+    assert manifest_sha256(other) != manifest_sha256(found)
     renamed = seal(manifest(benchmark_id="bench_2"), SECRET, 1, SEED_MAX)
     assert not set(seeds(renamed, "test")) & set(seeds(found, "test"))
 
@@ -68,12 +70,12 @@ def test_nothing_that_is_hashed_has_a_sealed_seed() -> None:
     found = seal(manifest(), SECRET, 1, SEED_MAX)
     shown = without_sealed_seeds(found)
     assert [("seed" in e) for e in shown["episodes"]] == 48 * [True] + 48 * [False]
-    in_records = canonical_json(shown)
-    assert json.loads(in_records) == shown
-    assert hashlib.sha256(in_records).hexdigest() == digest(found)
+    in_records = manifest_file(found, manifest_sha256(found))
+    assert json.loads(in_records) == manifest_of(shown)
+    assert hashlib.sha256(in_records).hexdigest() == manifest_sha256(found)
     elsewhere: Any = {**found, "episodes": [dict(e) for e in found["episodes"]]}
     elsewhere["episodes"][-1]["seed"] = 7
-    assert digest(elsewhere) == digest(found)
+    assert manifest_sha256(elsewhere) == manifest_sha256(found)
     plain = hashlib.sha256(str(seeds(found, "test")).encode()).hexdigest()
     assert found["seeds_sha256"] != plain
 

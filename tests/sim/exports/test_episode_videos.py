@@ -17,7 +17,7 @@ from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main
 from reference_sim.host_seeds import seal
 from reference_sim.interface import Simulator
-from reference_sim.replay.foreign_manifest import without_sealed_seeds
+from reference_sim.replay.foreign_manifest import open_part
 from tests.support.record.played_records import Chunk, play_chunks, save_played_record
 from tests.support.sim.echo_records import other_action, other_digest, save_echo
 
@@ -172,7 +172,7 @@ def sealed_record(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     options = {"tasks": ["echo", "echo"], "sealed": True}
     found = benchmark_registry.resolve("calibration", options)
     drawn = seal(found.manifest, SECRET, found.seed_block, found.seed_max)
-    shown = without_sealed_seeds(dict(drawn)) | {"seeds_sha256": drawn["seeds_sha256"]}
+    shown = open_part(dict(drawn)) | {"seeds_sha256": drawn["seeds_sha256"]}
     record = folder / "run-1.proctor"
     plans = tuple(benchmark_registry.EpisodePlan(**e) for e in drawn["episodes"])
     sealed = replace(found, manifest=shown, episodes=plans)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 from pathlib import Path
 from typing import Any
@@ -11,14 +12,21 @@ import pytest
 
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.formats.bundle import open_bundle
+from reference_record.pages.record_documents import read_reported_run
 from reference_record.verification import verify
-from reference_sim.replay.record_replay import resolve
-from tests.support.record.played_records import save_calibration_record
+from reference_sim import benchmark_registry
+from reference_sim.replay.record_replay import replay_record, resolve
+from tests.support.record.played_records import (
+    OPTIONS,
+    play_chunks,
+    save_calibration_record,
+    save_played_record,
+)
 
 
 @pytest.mark.parametrize(
     "changed",
-    [{"sealed_splits": 5}, {"max_chunk": 10**9}, {"episodes": [1]}, {"episodes": {}}],
+    [{"sealed_splits": 5}, {"seeds": [2**53]}, {"episodes": [1]}, {"episodes": {}}],
 )
 def test_a_manifest_of_other_types_is_broken(
     changed: dict[str, Any], tmp_path: Path
@@ -34,10 +42,10 @@ def test_a_manifest_of_other_types_is_broken(
     [
         ({"max_steps": 7}, "max_steps is {max_steps} here, 7 in the record"),
         ({"new": {"a": "x" * 99}}, f'new is absent here, {{{{"a":"{"x" * 34}…'),
-        ({"title": "\x1b[2J"}, "title is {title} here, \\x1b[2J in the record"),
+        ({"version": "\x1b[2J"}, "version is {version} here, \\x1b[2J in the record"),
         (
-            {"max_attempts": 1, "max_faults": 9, "title": "t", "version": "9"},
-            "title is {title} here, t in the record; and 1 more",
+            {"max_attempts": 1, "max_faults": 9, "success_rule": "t", "version": "9"},
+            "success_rule is {success_rule} here, t in the record; and 1 more",
         ),
     ],
 )
@@ -47,6 +55,32 @@ def test_the_members_are_named_in_which_the_benchmark_differs_here(
     bundle = open_bundle(save_calibration_record(tmp_path / "r", tmp_path))
     here = msgspec.json.decode(bundle.read("manifest.json"))
     evaluation = verify(bundle).evaluation
-    evaluation = msgspec.structs.replace(evaluation, manifest_sha256="0" * 64)
     with pytest.raises(UnusableRecord, match=re.escape(said.format(**here))):
         resolve(evaluation, msgspec.json.encode(here | changed))
+
+
+@pytest.mark.parametrize("has_earlier_form", [False, True])
+def test_a_record_of_either_form_is_verified_replayed_and_shown(
+    has_earlier_form: bool, tmp_path: Path
+) -> None:
+    found = benchmark_registry.resolve("calibration", OPTIONS)
+    sha256 = None
+    if has_earlier_form:
+        text = msgspec.json.encode(found.manifest, order="deterministic")
+        sha256 = hashlib.sha256(text).hexdigest()
+    path, folder = tmp_path / "r.proctor", tmp_path
+    save_played_record(path, folder, found, play_chunks, sha256=sha256)
+    bundle = open_bundle(path)
+    manifest = bundle.read("manifest.json")
+    assert (b'"title"' in manifest) is has_earlier_form
+    known = resolve(verify(bundle).evaluation, manifest)
+    assert replay_record(path, known).result == "exact"
+    shown = read_reported_run(bundle, {}).benchmark
+    assert shown is not None
+    assert shown["title"] == found.manifest["title"]
+    assert shown["image_sizes"] == found.manifest["image_sizes"]
+    image = shown["observation_space"]["images"]["pattern"]
+    assert (
+        image["description"]
+        == (found.manifest["observation_space"]["images"]["pattern"]["description"])
+    )

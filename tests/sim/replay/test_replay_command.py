@@ -102,7 +102,7 @@ def test_an_episode_that_is_not_there_leaves_the_record_as_it_is(
     ("name", "code", "text"),
     [
         ("recording_changed", 1, "do not trust it: episodes/00000.mcap"),
-        ("good", 1, "do not trust it: manifest.json"),
+        ("good", 2, "this machine has no benchmark sample"),
         ("absent", 2, "No such file"),
     ],
 )

@@ -10,6 +10,11 @@ from typing import Any
 
 import msgspec
 
+from reference_record.benchmark_manifest import (
+    manifest_file,
+    manifest_sha256,
+    texts_of,
+)
 from reference_record.formats.names import recording_name
 from reference_record.formats.recording_parts import (
     TurnCommand,
@@ -18,7 +23,6 @@ from reference_record.formats.recording_parts import (
     parts_of,
     read_part,
 )
-from reference_record.formats.strict_json import canonical_json
 from reference_record.recording import EpisodeResult, Message, Turn
 from reference_record.recording_file import join_parts
 from reference_record.score import Outcome, compute_score
@@ -79,13 +83,17 @@ def save_played_record(
     options: Mapping[str, Any] = OPTIONS,
     faults: int = 0,
     run_id: str = "r",
+    sha256: str | None = None,
 ) -> Path:
     """Play episodes, sign the record, save it. only: indices; others have no result.
+
+    sha256: that of the manifest, where it has an earlier form.
 
     options: those of `found`, if it is calibration. faults: how often each episode
     begins again after its first chunk.
     """
-    manifest = canonical_json(found.manifest)
+    sha256 = sha256 or manifest_sha256(found.manifest)
+    manifest = manifest_file(found.manifest, sha256)
     lines, recordings = [], {}
     for index in range(len(found.episodes)):
         if index not in only:
@@ -201,7 +209,9 @@ def _evaluation(
             dict(options) if benchmark_id == "calibration" else None,
             found.images,
         ),
-        benchmark=BenchmarkFacts(benchmark_id, found.manifest["version"]),
+        benchmark=BenchmarkFacts(
+            benchmark_id, found.manifest["version"], dict(texts_of(found.manifest))
+        ),
         manifest_sha256=sha256,
         policy=PolicyFacts("p"),
         score=score,

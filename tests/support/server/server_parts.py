@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 
+from reference_record.benchmark_manifest import manifest_sha256
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
@@ -21,7 +22,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Result, Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.admission.disk_bound import DiskBound
-from reference_server.runs.benchmarks import Benchmarks, digest
+from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
@@ -176,7 +177,7 @@ def calibration_run(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
         "run_id": run_id,
         "state": "queued",
         "manifest": found.manifest,
-        "manifest_sha256": digest(found.manifest),
+        "manifest_sha256": manifest_sha256(found.manifest),
         "submission": submission | {"options": options},
         "images": found.images,
         "episodes": [Episode(i, **plan) for i, plan in enumerate(plans)],
