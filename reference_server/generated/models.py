@@ -816,7 +816,7 @@ class PlayerView(BaseModel):
 
 class PolicyDescription(BaseModel):
     """
-    What a policy server says of itself; see policy.yaml.
+    What a policy server says of itself.
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)

@@ -533,7 +533,7 @@ class PlayerView(Message):
 
 
 class PolicyDescription(Message):
-    """What a policy server says of itself; see policy.yaml."""
+    """What a policy server says of itself."""
 
     name: Annotated[str, Field(strict=True, min_length=1, max_length=200)]
     version: Annotated[str, Field(strict=True, max_length=200)] | None = None

@@ -472,7 +472,7 @@ export interface PlayerView {
     client?: string;
 }
 
-/** What a policy server says of itself; see policy.yaml. */
+/** What a policy server says of itself. */
 export interface PolicyDescription {
     name: string;
     version?: string;

@@ -110,12 +110,18 @@ def enum_values_are_identifiers(document: Json) -> Iterator[str]:
 
 
 def errors_are_problems(document: Json) -> Iterator[str]:
-    problem = {"$ref": "#/components/responses/Problem"}
+    problem = {"$ref": "#/components/schemas/Problem"}
     for path, method, operation in operations(document):
         responses = operation["responses"]
         success = [c for c in responses if re.fullmatch("2[0-9]{2}|304", str(c))]
         errors = {c: answer for c, answer in responses.items() if c not in success}
-        if not success or errors != {"4XX": problem, "5XX": problem}:
+        contents = [resolve(document, e).get("content", {}) for e in errors.values()]
+        types = [(kind, e["schema"]) for c in contents for kind, e in c.items()]
+        if (
+            not success
+            or sorted(errors) != ["4XX", "5XX"]
+            or types != [("application/problem+json", problem)] * 2
+        ):
             yield f"{method} {path}: {sorted(map(str, responses))}"
 
 
