@@ -75,8 +75,8 @@ class ExamplePolicy:
 def play(story: Story, policy_url: str) -> None:
     look_around(story)
     shown = {
-        "submit_run_request": "Two episodes of the benchmark `calibration`",
-        "submit_run": "The run, which workers may attach to",
+        "submit_run_request": "Two episodes of calibration",
+        "submit_run": "Ready for workers",
     }
     key = {"Idempotency-Key": "example-1"}
     submitted = story.call("POST", "/v1/runs", SUBMISSION, shown, headers=key)
@@ -91,7 +91,7 @@ def play(story: Story, policy_url: str) -> None:
     query = f"baseline={baseline}&runs={submitted['run_id']}"
     shown = {"compare_runs": "A run beside a baseline"}
     story.call("GET", f"/v1/comparisons?{query}", shown=shown)
-    shown = {"list_runs": "One run, and where the next page begins"}
+    shown = {"list_runs": "One run, and the next cursor"}
     story.call("GET", "/v1/runs?limit=1", shown=shown)
     with story.client.stream("GET", f"{run}/events") as events:
         first, _, _ = "".join(events.iter_text()).partition("event: run")
@@ -107,7 +107,7 @@ def look_around(story: Story) -> None:
         ("list_benchmarks", "Two benchmarks", "/v1/benchmarks"),
         (
             "get_benchmark",
-            "The benchmark `calibration`, with two of its tensors",
+            "calibration, two tensors of it",
             "/v1/benchmarks/calibration",
         ),
         ("list_keys", "The key in use", "/v1/keys"),
@@ -126,8 +126,8 @@ def attach(story: Story, run: str) -> str:
     wrong = body | {"assumes": {"state": {"count": {"unit": "rad"}}}}
     story.refused("convention_mismatch", "PUT", worker, json=wrong)
     shown = {
-        "attach_worker_request": "A worker, with what its policy assumes",
-        "attach_worker": "Turn 0: the session, and its first observation",
+        "attach_worker_request": "A worker and what it assumes",
+        "attach_worker": "Turn 0, the first observation",
     }
     session_id: str = story.call("PUT", worker, body, shown)["session_id"]
     another = {"attach_key": "another"}
@@ -142,7 +142,7 @@ def play_first_episode(story: Story, run: str, session_id: str) -> None:
     body = session | {"seq": 1, "actions": [action(0.25), action(0.5)]}
     shown = {
         "predict_request": "A chunk of two actions",
-        "predict": "The observation after the last action",
+        "predict": "The next observation",
     }
     story.call("POST", predict, body, shown)
     story.refused("seq_out_of_order", "POST", predict, json=body | {"seq": 3})
@@ -150,13 +150,13 @@ def play_first_episode(story: Story, run: str, session_id: str) -> None:
     story.refused("seq_conflict", "POST", predict, json=changed)
     shown = {
         "heartbeat_request": "The session",
-        "heartbeat": "When the lease ends, without another request",
+        "heartbeat": "When the lease ends",
     }
     story.call("POST", f"{run}/workers/w0/heartbeat", session, shown)
     end = session | {"seq": 2, "actions": [action(1, success=1, end=1)]}
     shown = {
         "predict_end_request": "An action that ends the episode",
-        "predict_end": "The result, and the next episode with a picture and tensors",
+        "predict_end": "A result, and the next episode",
     }
     story.call("POST", predict, end, shown)
     story.call("GET", run, shown={"get_run": "A run in play"})
@@ -165,21 +165,21 @@ def play_first_episode(story: Story, run: str, session_id: str) -> None:
 
 
 def stop(story: Story, run: str, session_id: str) -> None:
-    shown = {"get_score_bounds": "Bounds, while an episode is missing"}
+    shown = {"get_score_bounds": "Bounds, with an episode missing"}
     story.call("GET", f"{run}/score", shown=shown)
     shown = {
-        "stop_run_request": "Stop now; `drain` plays to the end what is in play",
+        "stop_run_request": "Stop now",
         "stop_run": "The stopped run",
     }
     story.call("POST", f"{run}/stop", {"mode": "abort"}, shown)
     late = {"session_id": session_id, "seq": 3, "actions": [action(1)]}
     story.refused("session_ended", "POST", f"{run}/workers/w0/predict", json=late)
-    shown = {"list_episodes": "An episode with its result, and one that is pending"}
+    shown = {"list_episodes": "A scored and a pending one"}
     story.call("GET", f"{run}/episodes", shown=shown)
 
 
 def finish(story: Story, run: str) -> None:
-    shown = {"resume_run": "The run, which workers may attach to again"}
+    shown = {"resume_run": "Ready for workers again"}
     story.call("POST", f"{run}/resume", shown=shown)
     worker = f"{run}/workers/w0"
     session_id = story.call("PUT", worker, {"attach_key": "next"})["session_id"]
@@ -197,8 +197,8 @@ def finish(story: Story, run: str) -> None:
 def play_pushed(story: Story, policy_url: str) -> str:
     """Let the server call a policy; the id of the run."""
     shown = {
-        "submit_push_run_request": "A run in which the server calls the policy",
-        "submit_push_run": "The run, with the policy server that it calls",
+        "submit_push_run_request": "The server calls the policy",
+        "submit_push_run": "A run that calls a policy server",
     }
     server = {"url": policy_url, "protocol": "proctor", "api_key": "example-key"}
     pushed = {"mode": "push", "policy_server": server}
@@ -214,7 +214,7 @@ def hand_in(story: Story, run: str) -> None:
     sent: Json = {"headers": {"Content-Type": "application/zip"}}
     broken = record.replace(b'"success"', b'"failure"', 1)
     story.refused("record_broken", "POST", "/v1/records", content=broken, **sent)
-    shown = {"import_record": "The record, which waits to be replayed"}
+    shown = {"import_record": "A record that waits for its replay"}
     made = story.call("POST", "/v1/records", shown=shown, content=record, **sent)
     path = f"/v1/records/{made['import_id']}"
     story.wait(path, "finished")
@@ -238,9 +238,9 @@ def publish(story: Story, run: str, manifest_sha256: str) -> None:
     for name, summary, path in (
         ("list_entries", "One entry", "/v1/entries"),
         ("get_ranking", "One entry with its rank", ranking),
-        ("list_history", "The second leaf, and where the next page begins", second),
+        ("list_history", "One leaf, and the next cursor", second),
         ("get_checkpoint", "Three leaves, signed", "/v1/history/checkpoint"),
-        ("prove_inclusion", "The path of the second of three leaves", inclusion),
+        ("prove_inclusion", "The second of three leaves", inclusion),
         ("prove_consistency", "From one leaf to three", consistency),
     ):
         story.call("GET", path, shown={name: summary})
@@ -257,9 +257,9 @@ def examples_of_policy(policy: RecordedApp, policy_url: str) -> dict[str, Json]:
     story = Story(policy_url, "example-key")
     for name, summary, value in (
         ("describe_policy", "A policy and what it assumes", described),
-        ("reset_request", "An episode of the benchmark `calibration`", asked),
+        ("reset_request", "An episode of calibration", asked),
         ("reset", "The policy is ready", ready),
-        ("predict_request", "Turn 0: the first observation", turn),
+        ("predict_request", "Turn 0, the first observation", turn),
         ("predict", "A chunk of two actions", actions),
     ):
         story.keep(name, summary, value)

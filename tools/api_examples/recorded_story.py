@@ -13,6 +13,7 @@ import httpx
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 PATIENCE_S = 60.0
+SUMMARY_MAX = 36  # what viewers show of it
 
 Json = dict[str, Any]
 
@@ -51,10 +52,11 @@ class Story:
         """Send a request that is refused, and keep the problem under its code."""
         problem = self.client.request(method, path, **settings).json()
         assert problem.get("code") == code, problem
-        self.keep(code, problem["title"], problem)
+        self.keep(code, f"{code}, {problem['status']}", problem)
 
     def keep(self, name: str, summary: str, value: Any) -> None:
         assert name not in self.examples, f"{name} is the name of two examples"
+        assert len(summary) <= SUMMARY_MAX, f"the summary of {name} is long"
         self.examples[name] = {"summary": summary, "value": value}
 
     def wait(self, path: str, state: str) -> None:
