@@ -125,7 +125,7 @@ def copy_files_of_specification(html: Path) -> None:
 
 def write_entry(html: Path) -> None:
     """Write the page above all versions, which leads to the one that was built."""
-    versions = sorted(path.name for path in html.parent.iterdir() if path.is_dir())
+    versions = sorted(path.name for path in html.parent.glob("[0-9]*"))
     links = "".join(f'<li><a href="{v}/index.html">{v}</a></li>' for v in versions)
     html.with_name("index.html").write_text(
         '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'

@@ -135,6 +135,7 @@ def _rules(operation_id: str) -> str:
     rows = [
         [link_to_rule(rule.id, traces()), cell(rule.text)]
         for rule in rules_of(operation_id)
+        if rule.profile != "policy"  # its `predict` is that of policy.yaml
     ]
     if not rows:
         return "None but those that hold for every operation.\n"
