@@ -47,6 +47,7 @@ def _add_writers(add: AddCommand) -> None:
         command.add_argument(flag, dest=member, action="store_true", help=meaning)
     add("diagrams", "diagrams", "rewrite the pictures in docs/")
     add("vectors", "record_vectors", "rewrite records and manifests of spec/vectors/")
+    add("examples", "api_examples.play_story", "rewrite the examples of spec/*.yaml")
     add("site", "site.build_site", "build the site of the standard")
 
 

@@ -33,6 +33,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parent.parent
 SPEC = ROOT / "spec" / "openapi.yaml"
+POLICY = ROOT / "spec" / "policy.yaml"
 GENERATORS = ROOT / "tools" / "generators"
 CONFIGS = sorted(GENERATORS.glob("*.yaml"))
 ON_REQUEST = GENERATORS / "on_request"
@@ -64,7 +65,8 @@ COPIES = tuple(KIT_TRANSPORT / path.name for path in TRANSPORT)
 SINGLE_FILES = (MODELS, CATALOGUE, PARAMETERS, TURNS, *VERSIONS, *COPIES)
 # A change of these may change what is generated.
 INPUTS = (
-    *("spec/openapi.yaml", "spec/profiles", "tools/generate.py", "tools/generators"),
+    *("spec/openapi.yaml", "spec/policy.yaml", "spec/profiles"),
+    *("tools/generate.py", "tools/generators"),
     *("requirements/generate.txt", "pyproject.toml"),
     "generated_clients/python/proctor_client/transport",
 )
@@ -159,6 +161,22 @@ def run(*command: str | Path) -> str:
     return done.stdout
 
 
+def read_document() -> dict[str, Any]:
+    """The document of the protocol, with the messages of policy servers.
+
+    An operation has one tag, its plane: generators write one class for each tag, and a
+    plane is what has a base URL of its own.
+    """
+    document: dict[str, Any] = yaml.safe_load(SPEC.read_text())
+    policy = yaml.safe_load(POLICY.read_text().replace(f'"{SPEC.name}#', '"#'))
+    document["components"]["schemas"] |= policy["components"]["schemas"]
+    for item in document["paths"].values():
+        for operation in item.values():
+            is_data_plane = operation["tags"] == ["Play"]
+            operation["tags"] = ["data" if is_data_plane else "control"]
+    return document
+
+
 def with_bytes(schema: Any) -> Any:
     """Give Base64 strings the format that the models' generator reads as bytes."""
     if isinstance(schema, list):
@@ -194,13 +212,13 @@ def write_python(target: Path, document: dict[str, Any], *options: str) -> None:
 
 
 def write_models(out: Path) -> None:
-    document = yaml.safe_load(SPEC.read_text())
+    document = read_document()
     write_python(out / MODELS, document, *MODELS_OPTIONS)
     format_python(out / MODELS)
 
 
 def write_turns(out: Path) -> None:
-    document = yaml.safe_load(SPEC.read_text())
+    document = read_document()
     schemas = reachable(document["components"]["schemas"], "Turn")
     document |= {"paths": {}, "components": {"schemas": schemas}}
     target = out / TURNS
@@ -211,7 +229,7 @@ def write_turns(out: Path) -> None:
 
 
 def write_catalogue(out: Path) -> None:
-    problems = yaml.safe_load(SPEC.read_text())["x-problems"]
+    problems = read_document()["x-problems"]
     target = out / CATALOGUE
     target.write_text(f"{CATALOGUE_HEADER}{problems!r}\n")
     format_python(target)
@@ -269,7 +287,7 @@ def as_pattern(schema: dict[str, Any]) -> str:
 
 def write_versions(out: Path) -> None:
     """The protocol's version: the first two numbers of the document's own."""
-    document = yaml.safe_load(SPEC.read_text())
+    document = read_document()
     version = document["info"]["version"].rpartition(".")[0]
     for path in VERSIONS:
         (out / path).write_text(f'{VERSION_HEADER}\nPROTOCOL_VERSION = "{version}"\n')
@@ -385,7 +403,7 @@ def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
     with tempfile.TemporaryDirectory() as scratch:
         files = []
         calls = Path(scratch, SPEC.name)
-        document = without_streams(yaml.safe_load(SPEC.read_text()))
+        document = without_streams(read_document())
         calls.write_text(json.dumps(with_open_messages(document)))
         for name, plan in plans.items():
             more = plan.get("additionalProperties", {})

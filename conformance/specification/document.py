@@ -134,7 +134,7 @@ class Spec:
                     operation_id=description["operationId"],
                     method=method.upper(),
                     path=path,
-                    is_data_plane="data" in description["tags"],
+                    is_data_plane="Play" in description["tags"],
                     needs_token=bool(security),
                     profile=description.get("x-profile", "core"),
                     description=description,
@@ -271,7 +271,7 @@ def load_policy_spec() -> Spec:
     """Load policy.yaml: its paths and rules, with the schemas of openapi.yaml."""
     whole, policy = load_spec().document, _read(SPEC_DIRECTORY / "policy.yaml")
     here = _with_own_references(policy)
-    here["components"]["schemas"] = whole["components"]["schemas"]
+    here["components"]["schemas"] |= whole["components"]["schemas"]
     codes = policy["x-problems"]
     here["x-problems"] = {code: whole["x-problems"][code] for code in codes}
     return Spec(here | {"x-lifecycle": {"transitions": []}})

@@ -21,16 +21,16 @@ Dtype: TypeAlias = Annotated[str, Meta(pattern="^[a-z][a-z0-9_]{0,63}$")]
 
 class EpisodeResult(Struct):
     episode_id: str
-    index: Annotated[int, Meta(ge=0)]
+    index: Annotated[int, Meta(description="Position in the manifest.", ge=0)]
     task: str
     split: str
-    attempt: Annotated[int, Meta(ge=1)]
-    faults: Annotated[int, Meta(ge=0)]
+    attempt: Annotated[int, Meta(description="The attempt that was scored.", ge=1)]
+    faults: Annotated[int, Meta(description="How often the simulator broke.", ge=0)]
     outcome: Outcome
-    score: Annotated[float, Meta(ge=0.0, le=1.0)]
-    steps: Annotated[int, Meta(ge=0)]
-    terminated: bool
-    truncated: bool
+    score: Annotated[float, Meta(description="From 0 to 1.", ge=0.0, le=1.0)]
+    steps: Annotated[int, Meta(description="Actions executed in the attempt.", ge=0)]
+    terminated: Annotated[bool, Meta(description="The task ended by itself.")]
+    truncated: Annotated[bool, Meta(description="The step limit ended the episode.")]
     think_s: Annotated[
         float, Meta(description="Time between turns that the policy took.", ge=0.0)
     ]
@@ -73,13 +73,17 @@ class EpisodeView(Struct):
     The episode that the observation belongs to.
     """
 
-    episode_id: str
+    episode_id: Annotated[str, Meta(description="Names the episode within the run.")]
     index: Annotated[int, Meta(description="Position in the manifest.", ge=0)]
-    task: str
-    instruction: str
-    attempt: Annotated[int, Meta(ge=1)]
-    step: Annotated[int, Meta(ge=0)]
-    max_steps: Annotated[int, Meta(ge=1)]
+    task: Annotated[str, Meta(description="What kind of episode it is.")]
+    instruction: Annotated[str, Meta(description="What the policy is to do, in words.")]
+    attempt: Annotated[
+        int, Meta(description="Number of this playing of it, from 1.", ge=1)
+    ]
+    step: Annotated[int, Meta(description="Actions executed in this attempt.", ge=0)]
+    max_steps: Annotated[
+        int, Meta(description="Steps after which it is truncated.", ge=1)
+    ]
 
 
 class Fault(Struct):
@@ -87,9 +91,9 @@ class Fault(Struct):
     The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one.
     """
 
-    episode_id: str
+    episode_id: Annotated[str, Meta(description="Which episode began again.")]
     faults: Annotated[int, Meta(description="Faults of this episode so far.", ge=1)]
-    detail: str
+    detail: Annotated[str, Meta(description="What happened, for people.")]
 
 
 class Image(Struct):
@@ -108,8 +112,10 @@ ImageCodec: TypeAlias = Annotated[str, Meta(pattern="^[a-z][a-z0-9_]{0,63}$")]
 
 
 class Lease(Struct):
-    expires_at: str
-    idle_timeout_s: float
+    expires_at: Annotated[
+        str, Meta(description="When the session ends, unless a request extends it.")
+    ]
+    idle_timeout_s: Annotated[float, Meta(description="Length of the lease.")]
 
 
 class Observation(Struct):
@@ -152,10 +158,10 @@ class Timing(Struct):
     Server time of this turn, in seconds.
     """
 
-    total_s: Annotated[float, Meta(ge=0.0)]
-    queue_s: Annotated[float, Meta(ge=0.0)]
-    simulate_s: Annotated[float, Meta(ge=0.0)]
-    render_s: Annotated[float, Meta(ge=0.0)]
+    total_s: Annotated[float, Meta(description="The whole turn on the server.", ge=0.0)]
+    queue_s: Annotated[float, Meta(description="Waiting for the simulator.", ge=0.0)]
+    simulate_s: Annotated[float, Meta(description="Executing actions.", ge=0.0)]
+    render_s: Annotated[float, Meta(description="Rendering images.", ge=0.0)]
     encode_s: Annotated[float, Meta(description="Encoding of images.", ge=0.0)]
 
 
@@ -164,9 +170,13 @@ class Turn(Struct):
     The answer to attach (seq 0) and to predict.
     """
 
-    session_id: str
-    seq: Annotated[int, Meta(ge=0)]
-    executed_steps: Annotated[int, Meta(ge=0)]
+    session_id: Annotated[
+        str, Meta(description="Names the session in every later request.")
+    ]
+    seq: Annotated[int, Meta(description="Number of the turn.", ge=0)]
+    executed_steps: Annotated[
+        int, Meta(description="How many actions of the chunk were executed.", ge=0)
+    ]
     stopped_early: Annotated[
         bool, Meta(description="The episode ended before the chunk did.")
     ]

@@ -159,7 +159,7 @@ Blob = TypeAliasType(
 
 class BoardEntry(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    entry_id: str
+    entry_id: Annotated[str, Field(description="Names the entry in every path.")]
     run_id: str
     submitter: Annotated[
         str, Field(description="Name of the account that submitted the run.")
@@ -187,7 +187,7 @@ class BoardEntry(BaseModel):
         ),
     ]
     score: EntryScore
-    published_at: str
+    published_at: Annotated[str, Field(description="When the entry was made.")]
     changed_at: Annotated[
         str,
         Field(
@@ -400,12 +400,12 @@ EntryState = TypeAliasType(
 class Episode(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     episode_id: str
-    index: Annotated[int, Field(ge=0)]
+    index: Annotated[int, Field(description="Position in the manifest.", ge=0)]
     task: str
     split: str
     status: EpisodeStatus
     attempt: Annotated[int, Field(description="The current or next attempt.", ge=1)]
-    faults: Annotated[int, Field(ge=0)]
+    faults: Annotated[int, Field(description="How often the simulator broke.", ge=0)]
     policy_fault: Annotated[
         str | MISSING,
         Field(
@@ -424,7 +424,7 @@ class EpisodeList(BaseModel):
 class EpisodeResult(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     episode_id: str
-    index: Annotated[int, Field(ge=0)]
+    index: Annotated[int, Field(description="Position in the manifest.", ge=0)]
     task: str
     split: str
     seed: Annotated[
@@ -435,13 +435,13 @@ class EpisodeResult(BaseModel):
             le=9007199254740991,
         ),
     ] = MISSING
-    attempt: Annotated[int, Field(ge=1)]
-    faults: Annotated[int, Field(ge=0)]
+    attempt: Annotated[int, Field(description="The attempt that was scored.", ge=1)]
+    faults: Annotated[int, Field(description="How often the simulator broke.", ge=0)]
     outcome: Outcome
-    score: Annotated[float, Field(ge=0.0, le=1.0)]
-    steps: Annotated[int, Field(ge=0)]
-    terminated: bool
-    truncated: bool
+    score: Annotated[float, Field(description="From 0 to 1.", ge=0.0, le=1.0)]
+    steps: Annotated[int, Field(description="Actions executed in the attempt.", ge=0)]
+    terminated: Annotated[bool, Field(description="The task ended by itself.")]
+    truncated: Annotated[bool, Field(description="The step limit ended the episode.")]
     think_s: Annotated[
         float, Field(description="Time between turns that the policy took.", ge=0.0)
     ]
@@ -487,13 +487,19 @@ class EpisodeView(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    episode_id: str
+    episode_id: Annotated[str, Field(description="Names the episode within the run.")]
     index: Annotated[int, Field(description="Position in the manifest.", ge=0)]
-    task: str
-    instruction: str
-    attempt: Annotated[int, Field(ge=1)]
-    step: Annotated[int, Field(ge=0)]
-    max_steps: Annotated[int, Field(ge=1)]
+    task: Annotated[str, Field(description="What kind of episode it is.")]
+    instruction: Annotated[
+        str, Field(description="What the policy is to do, in words.")
+    ]
+    attempt: Annotated[
+        int, Field(description="Number of this playing of it, from 1.", ge=1)
+    ]
+    step: Annotated[int, Field(description="Actions executed in this attempt.", ge=0)]
+    max_steps: Annotated[
+        int, Field(description="Steps after which it is truncated.", ge=1)
+    ]
 
 
 class Fault(BaseModel):
@@ -502,9 +508,9 @@ class Fault(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    episode_id: str
+    episode_id: Annotated[str, Field(description="Which episode began again.")]
     faults: Annotated[int, Field(description="Faults of this episode so far.", ge=1)]
-    detail: str
+    detail: Annotated[str, Field(description="What happened, for people.")]
 
 
 class FlagEntry(BaseModel):
@@ -524,7 +530,10 @@ class GroupScore(BaseModel):
 
 class Heartbeat(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    session_id: Annotated[str, Field(max_length=128, min_length=1)]
+    session_id: Annotated[
+        str,
+        Field(description="Session of `attach_worker`.", max_length=128, min_length=1),
+    ]
 
 
 class HistoryLeaf(BaseModel):
@@ -628,8 +637,10 @@ class KeyList(BaseModel):
 
 class Lease(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    expires_at: str
-    idle_timeout_s: float
+    expires_at: Annotated[
+        str, Field(description="When the session ends, unless a request extends it.")
+    ]
+    idle_timeout_s: Annotated[float, Field(description="Length of the lease.")]
 
 
 Letter = TypeAliasType("Letter", Annotated[str, Field(pattern="^[a-z]{1,8}$")])
@@ -650,8 +661,12 @@ class Limits(BaseModel):
             ge=4,
         ),
     ]
-    idle_timeout_s_min: float
-    idle_timeout_s_max: float
+    idle_timeout_s_min: Annotated[
+        float, Field(description="Shortest lease of a session that a run may have.")
+    ]
+    idle_timeout_s_max: Annotated[
+        float, Field(description="Longest lease of a session that a run may have.")
+    ]
     wait_s_max: Annotated[
         int, Field(description="Longest wait that a long-poll is granted.")
     ]
@@ -783,11 +798,13 @@ Outcome = TypeAliasType("Outcome", Literal["success", "failure", "abandoned"])
 
 class OutcomeCounts(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    total: int
+    total: Annotated[int, Field(description="All episodes.")]
     success: int
     failure: int
-    abandoned: int
-    unscored: int
+    abandoned: Annotated[
+        int, Field(description="Scored 0, because the last attempt was closed.")
+    ]
+    unscored: Annotated[int, Field(description="Without a result so far.")]
 
 
 class Player(BaseModel):
@@ -826,7 +843,7 @@ class PlayerView(BaseModel):
 
 class PolicyDescription(BaseModel):
     """
-    What a policy server says of itself; see policy.yaml.
+    What a policy server says of itself.
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
@@ -841,11 +858,30 @@ class PolicyDescription(BaseModel):
 
 class PolicyInfo(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    name: Annotated[str, Field(max_length=200, min_length=1)]
-    version: Annotated[str | MISSING, Field(max_length=200)] = MISSING
-    submitter: Annotated[str | MISSING, Field(max_length=200)] = MISSING
+    name: Annotated[
+        str,
+        Field(
+            description="What the policy is called in results.",
+            max_length=200,
+            min_length=1,
+        ),
+    ]
+    version: Annotated[
+        str | MISSING,
+        Field(
+            description="Which state of it, for example a checkpoint.", max_length=200
+        ),
+    ] = MISSING
+    submitter: Annotated[
+        str | MISSING, Field(description="Who submits it.", max_length=200)
+    ] = MISSING
     homepage: Annotated[
-        str | MISSING, Field(max_length=500, pattern="^https?://[!-~]+$")
+        str | MISSING,
+        Field(
+            description="Where to read about it.",
+            max_length=500,
+            pattern="^https?://[!-~]+$",
+        ),
     ] = MISSING
 
 
@@ -960,8 +996,18 @@ class PolicyServerView(BaseModel):
 
 class Predict(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    session_id: Annotated[str, Field(max_length=128, min_length=1)]
-    seq: Annotated[int, Field(ge=1, le=9007199254740991)]
+    session_id: Annotated[
+        str,
+        Field(description="Session of `attach_worker`.", max_length=128, min_length=1),
+    ]
+    seq: Annotated[
+        int,
+        Field(
+            description="Number of the turn, 1 for the first one; a repeat has the same number.",
+            ge=1,
+            le=9007199254740991,
+        ),
+    ]
     actions: Annotated[list[Action], Field(max_length=65536, min_length=1)]
     observe: Observe | MISSING = MISSING
 
@@ -972,9 +1018,9 @@ class Problem(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    type: str
-    title: str
-    status: Annotated[int, Field(ge=400, le=599)]
+    type: Annotated[str, Field(description="`urn:proctor:problem:` and the code.")]
+    title: Annotated[str, Field(description="What the code means.")]
+    status: Annotated[int, Field(description="Status of the response.", ge=400, le=599)]
     detail: Annotated[str, Field(description="What happened and what to do about it.")]
     code: Annotated[
         str, Field(description="One of x-problems, or one of a later version.")
@@ -992,7 +1038,9 @@ class Problem(BaseModel):
         ),
     ] = MISSING
     state: RunState | MISSING = MISSING
-    expected_seq: Annotated[int | MISSING, Field(ge=1)] = MISSING
+    expected_seq: Annotated[
+        int | MISSING, Field(description="Of `seq_out_of_order`: the next seq.", ge=1)
+    ] = MISSING
     ended_by: SessionEnd | MISSING = MISSING
     entry_id: Annotated[
         str | MISSING,
@@ -1008,7 +1056,7 @@ class ProblemItem(BaseModel):
             description="JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record."
         ),
     ]
-    detail: str
+    detail: Annotated[str, Field(description="What is wrong there.")]
 
 
 Profile = TypeAliasType(
@@ -1018,16 +1066,28 @@ Profile = TypeAliasType(
 
 class Progress(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    episodes_total: int
+    episodes_total: Annotated[int, Field(description="How many episodes the run has.")]
     episodes_scored: Annotated[int, Field(description="Abandoned ones included.")]
-    episodes_in_progress: int
-    episodes_pending: int
+    episodes_in_progress: Annotated[int, Field(description="How many are played now.")]
+    episodes_pending: Annotated[int, Field(description="How many wait to be played.")]
 
 
 class ProtocolRange(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    min: Annotated[str, Field(pattern="^[0-9]{1,4}\\.[0-9]{1,4}$")]
-    max: Annotated[str, Field(pattern="^[0-9]{1,4}\\.[0-9]{1,4}$")]
+    min: Annotated[
+        str,
+        Field(
+            description="Lowest version that is spoken.",
+            pattern="^[0-9]{1,4}\\.[0-9]{1,4}$",
+        ),
+    ]
+    max: Annotated[
+        str,
+        Field(
+            description="Highest version that is spoken.",
+            pattern="^[0-9]{1,4}\\.[0-9]{1,4}$",
+        ),
+    ]
 
 
 class PublicKey(BaseModel):
@@ -1060,7 +1120,10 @@ class PublishEntry(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    model_name: Annotated[str, Field(max_length=200, min_length=1)]
+    model_name: Annotated[
+        str,
+        Field(description="What the entry is called.", max_length=200, min_length=1),
+    ]
     is_public: Annotated[
         bool,
         Field(description="Whether others see the entry, and whether it has a rank."),
@@ -1077,12 +1140,24 @@ class PublishEntry(BaseModel):
         MISSING
     )
     homepage: Annotated[
-        str | MISSING, Field(max_length=500, pattern="^https?://[!-~]+$")
+        str | MISSING,
+        Field(
+            description="Where to read about the model.",
+            max_length=500,
+            pattern="^https?://[!-~]+$",
+        ),
     ] = MISSING
     code_url: Annotated[
-        str | MISSING, Field(max_length=500, pattern="^https?://[!-~]+$")
+        str | MISSING,
+        Field(
+            description="Where its code is.",
+            max_length=500,
+            pattern="^https?://[!-~]+$",
+        ),
     ] = MISSING
-    notes: Annotated[str | MISSING, Field(max_length=2000)] = MISSING
+    notes: Annotated[
+        str | MISSING, Field(description="Anything else, for readers.", max_length=2000)
+    ] = MISSING
 
 
 class RankInterval(BaseModel):
@@ -1266,7 +1341,7 @@ Rotation = TypeAliasType(
 
 class Run(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    run_id: str
+    run_id: Annotated[str, Field(description="Names the run in every path.")]
     state: RunState
     reason: Annotated[
         str | None,
@@ -1279,7 +1354,9 @@ class Run(BaseModel):
         Field(description="Whether a failed run may be resumed; null in other states."),
     ]
     benchmark_id: str
-    benchmark_version: str
+    benchmark_version: Annotated[
+        str, Field(description="Version of the benchmark when the run was submitted.")
+    ]
     manifest_sha256: Sha256
     policy: RunPolicy
     mode: Annotated[
@@ -1297,8 +1374,10 @@ class Run(BaseModel):
         ),
     ] = MISSING
     select: SelectionView | MISSING = MISSING
-    max_workers: int
-    idle_timeout_s: float
+    max_workers: Annotated[
+        int, Field(description="Most live workers that it may have.")
+    ]
+    idle_timeout_s: Annotated[float, Field(description="Lease of its sessions.")]
     images: ImageChoice
     endpoint: Annotated[
         str,
@@ -1309,10 +1388,12 @@ class Run(BaseModel):
     queue_position: Annotated[
         int | None, Field(description="1 is next; null unless queued.")
     ]
-    live_workers: Annotated[int, Field(ge=0)]
+    live_workers: Annotated[
+        int, Field(description="How many workers have a live session.", ge=0)
+    ]
     progress: Progress
-    created_at: str
-    updated_at: str
+    created_at: Annotated[str, Field(description="When it was submitted.")]
+    updated_at: Annotated[str, Field(description="When it changed for the last time.")]
     runs_played_before: Annotated[
         int | MISSING,
         Field(
@@ -1375,12 +1456,18 @@ class Score(BaseModel):
     manifest_sha256: Sha256
     select: SelectionView | MISSING = MISSING
     state: RunState
-    complete: bool
+    complete: Annotated[bool, Field(description="Every episode has a result.")]
     score: Annotated[float | None, Field(description="Null until complete.")]
-    score_low: float
-    score_high: float
+    score_low: Annotated[
+        float, Field(description="The score if every missing episode got 0.")
+    ]
+    score_high: Annotated[
+        float, Field(description="The score if every missing episode got 1.")
+    ]
     counts: OutcomeCounts
-    success_rate: float | None
+    success_rate: Annotated[
+        float | None, Field(description="Successes among the scored episodes.")
+    ]
     success_interval: Interval
     mean: Annotated[float | None, Field(description="Mean over the scored episodes.")]
     mean_interval: Interval
@@ -1416,7 +1503,7 @@ class Service(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    name: str
+    name: Annotated[str, Field(description="Name of the server software.")]
     version: Annotated[str, Field(description="Version of the server software.")]
     protocol: ProtocolRange
     profiles: Annotated[
@@ -1497,7 +1584,12 @@ class StopRun(BaseModel):
 
 class SubmitRun(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    benchmark_id: Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
+    benchmark_id: Annotated[
+        str,
+        Field(
+            description="One of `list_benchmarks`.", pattern="^[a-z][a-z0-9_]{0,63}$"
+        ),
+    ]
     policy: PolicyInfo
     max_workers: Annotated[
         int | MISSING,
@@ -1559,10 +1651,12 @@ class Timing(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    total_s: Annotated[float, Field(ge=0.0)]
-    queue_s: Annotated[float, Field(ge=0.0)]
-    simulate_s: Annotated[float, Field(ge=0.0)]
-    render_s: Annotated[float, Field(ge=0.0)]
+    total_s: Annotated[
+        float, Field(description="The whole turn on the server.", ge=0.0)
+    ]
+    queue_s: Annotated[float, Field(description="Waiting for the simulator.", ge=0.0)]
+    simulate_s: Annotated[float, Field(description="Executing actions.", ge=0.0)]
+    render_s: Annotated[float, Field(description="Rendering images.", ge=0.0)]
     encode_s: Annotated[float, Field(description="Encoding of images.", ge=0.0)]
 
 
@@ -1584,8 +1678,10 @@ class Turn(BaseModel):
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
-    session_id: str
-    seq: Annotated[int, Field(ge=0)]
+    session_id: Annotated[
+        str, Field(description="Names the session in every later request.")
+    ]
+    seq: Annotated[int, Field(description="Number of the turn.", ge=0)]
     episode: EpisodeView | MISSING = MISSING
     observation: Observation | MISSING = MISSING
     observations: Annotated[
@@ -1594,7 +1690,9 @@ class Turn(BaseModel):
             description="With `observe` all, one per executed action.", max_length=65536
         ),
     ] = MISSING
-    executed_steps: Annotated[int, Field(ge=0)]
+    executed_steps: Annotated[
+        int, Field(description="How many actions of the chunk were executed.", ge=0)
+    ]
     stopped_early: Annotated[
         bool, Field(description="The episode ended before the chunk did.")
     ]

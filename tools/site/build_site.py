@@ -1,10 +1,10 @@
-"""Builds the site of the standard into build/site/html: `make site`.
+"""Builds the site of the standard into build/site/html/VERSION: `make site`.
 
 The pages are written into build/site/source, from the specification, the kit, the
 mutants and the documents of this repository; Sphinx, in an environment of its own,
 makes HTML of them. Pages that measurements have written into build/ are shown, too. A
 link that leads nowhere fails the build. The result needs no server and no network: open
-index.html.
+build/site/html/index.html. The folders of other versions are left as they are.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
+from conformance.specification.document import load_spec
 from tools.npm_package import provide_file
 from tools.site import operation_pages, overview_pages, rule_pages
 from tools.site.kit_reports import KitReports, read_reports
@@ -89,7 +90,7 @@ def write_source(directory: Path, reports: KitReports, measured: Path) -> None:
 
 def build(directory: Path, reports: KitReports, measured: Path) -> Path:
     """Build the site; the folder of its pages. SystemExit where a link is dead."""
-    source, html = directory / "source", directory / "html"
+    source, html = directory / "source", directory / "html" / load_spec().version
     # A page that is gone from the repository has to go from an earlier site, too.
     for folder in (source, html):
         shutil.rmtree(folder, ignore_errors=True)
@@ -108,9 +109,32 @@ def build(directory: Path, reports: KitReports, measured: Path) -> Path:
     )
     if done.returncode:
         sys.exit("site: not built; see above")
+    copy_files_of_specification(html)
+    write_entry(html)
     return html
 
 
+def copy_files_of_specification(html: Path) -> None:
+    """Copy what is no page to the path that it has beside the pages."""
+    for path in sorted((ROOT / "spec").rglob("*")):
+        if path.is_file() and path.suffix in FILES - {".md"}:
+            target = html / path.relative_to(ROOT)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(path, target)
+
+
+def write_entry(html: Path) -> None:
+    """Write the page above all versions, which leads to the one that was built."""
+    versions = sorted(path.name for path in html.parent.glob("[0-9]*"))
+    links = "".join(f'<li><a href="{v}/index.html">{v}</a></li>' for v in versions)
+    html.with_name("index.html").write_text(
+        '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
+        f'<meta http-equiv="refresh" content="0; url={html.name}/index.html">\n'
+        f"<title>Proctor</title>\n<h1>Proctor</h1>\n<ul>{links}</ul>\n</html>\n"
+    )
+
+
 def main() -> int:
-    print(f"site: {build(BUILD, read_reports(), ROOT / MEASURED) / 'index.html'}")
+    html = build(BUILD, read_reports(), ROOT / MEASURED)
+    print(f"site: {html.with_name('index.html')}")
     return 0

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from conformance.specification.document import Operation, load_spec
+from conformance.specification.document import (
+    Operation,
+    Spec,
+    load_policy_spec,
+    load_spec,
+)
 from conformance.specification.ledger import rules_of
 from tools.site.kit_reports import KitReports
 from tools.site.markdown import cell, link_to_rule, table
@@ -14,6 +20,7 @@ from tools.traceability import traces
 
 Json = dict[str, Any]
 PLANES = {False: "control", True: "data"}
+LINK_IN_SPEC = re.compile(r"\]\((?=[a-z_/]+\.md)")
 
 
 def pages(reports: KitReports) -> dict[str, str]:
@@ -63,7 +70,7 @@ def operation_page(operation: Operation, reports: KitReports) -> str:
             f"{described['summary']}. Profile `{operation.profile}`; "
             f"{PLANES[operation.is_data_plane]} plane; needs {needs}.\n"
         ),
-        described.get("description", ""),
+        LINK_IN_SPEC.sub("](/spec/", described.get("description", "")),
         "\n## Parameters\n",
         _parameters(operation),
         "## Request\n",
@@ -128,6 +135,7 @@ def _rules(operation_id: str) -> str:
     rows = [
         [link_to_rule(rule.id, traces()), cell(rule.text)]
         for rule in rules_of(operation_id)
+        if rule.profile != "policy"  # its `predict` is that of policy.yaml
     ]
     if not rows:
         return "None but those that hold for every operation.\n"
@@ -155,7 +163,8 @@ def messages_page() -> str:
             "stand here.\n"
         )
     ]
-    for name, schema in load_spec().document["components"]["schemas"].items():
+    schemas = _schemas(load_spec()) | _schemas(load_policy_spec())
+    for name, schema in schemas.items():
         lines += [f"({_anchor(name)})=\n", f"## {name}\n"]
         lines += [f"{schema['description']}\n"] if "description" in schema else []
         if "properties" in schema:
@@ -164,6 +173,11 @@ def messages_page() -> str:
         else:
             lines.append(f"{_type(schema)}\n")
     return "\n".join(lines)
+
+
+def _schemas(spec: Spec) -> Json:
+    schemas: Json = spec.document["components"]["schemas"]
+    return schemas
 
 
 def _anchor(name: str) -> str:

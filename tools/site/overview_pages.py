@@ -19,53 +19,6 @@ from tools.traceability import ROOT, traces
 
 VECTORS = ROOT / "spec" / "vectors"
 
-SESSION = """\
-sequenceDiagram
-    participant C as worker (client)
-    participant S as server
-    C->>S: attach_worker, attach_key
-    S-->>C: turn 0: episode, first observation, lease
-    loop until done
-        C->>S: predict, seq 1, 2, 3 …, a chunk of actions
-        S-->>C: turn: observation, rewards, lease
-    end
-    C->>S: heartbeat (only when the policy thinks for long)
-    S-->>C: lease
-    C->>S: detach_worker
-    S-->>C: 204
-"""
-TURN = """\
-sequenceDiagram
-    participant C as worker (client)
-    participant S as server
-    participant E as episode
-    C->>S: predict, seq 7, actions
-    S->>E: execute the chunk
-    E-->>S: observation, rewards, end?
-    Note over S: the result of an ended episode is stored first
-    S--xC: the answer is lost
-    C->>S: predict, seq 7, the same actions
-    Note over S: nothing is executed again
-    S-->>C: the stored turn 7
-    C->>S: predict, seq 9
-    S-->>C: refused, seq_out_of_order, expected_seq 8
-"""
-TAKEOVER = """\
-sequenceDiagram
-    participant A as first process
-    participant S as server
-    participant B as second process
-    A->>S: attach_worker, attach_key a
-    S-->>A: session 1, turn 0
-    A->>S: predict, seq 1
-    S-->>A: turn 1
-    Note over A: the process dies
-    B->>S: attach_worker, attach_key b, takeover
-    S-->>B: session 2, turn 0: the same episode at the same step
-    A->>S: predict, seq 2 (session 1)
-    S-->>A: refused, session_superseded
-"""
-
 
 def pages(reports: KitReports) -> dict[str, str]:
     """Path → text."""
@@ -141,7 +94,7 @@ docs/glossary
 
 
 def how_it_works_page() -> str:
-    """Life of a run, of a session, of a turn, as pictures."""
+    """The life of a run as a picture and as a table."""
     lifecycle = load_spec().lifecycle
     return f"""# How it works
 
@@ -158,29 +111,12 @@ Every cell of the table is a rule of the area [LIFE](rules/LIFE.md); – is a re
 
 {lifecycle_table(lifecycle)}
 
-## The life of a session
+## A session, a turn, an episode
 
-A worker attaches, plays turn after turn, and detaches. Each successful request
-extends its lease (LEASE-003, LEASE-004). When the lease ends, the attempt ends without
-a result, and the episode returns to the queue (EPI-003).
-
-{picture(SESSION)}
-
-Rules: [attach](rules/ATT.md), [turns](rules/PRED.md), [leases](rules/LEASE.md),
-[detach](rules/DET.md).
-
-## A turn, exactly once
-
-A turn has a number. A client that got no answer sends the same number with the same
-actions, and gets the stored answer (PRED-002); nothing is executed twice.
-
-{picture(TURN)}
-
-## Takeover
-
-A new process continues the episode of one that died, at the same step (ATT-004).
-
-{picture(TAKEOVER)}
+[The overview](spec/overview.md#who-talks-to-whom) shows them as pictures: who talks to
+whom, what happens to a turn whose answer is lost, and what changes the state of a
+session, an episode and an attempt. Rules: [attach](rules/ATT.md),
+[turns](rules/PRED.md), [leases](rules/LEASE.md), [detach](rules/DET.md).
 """
 
 

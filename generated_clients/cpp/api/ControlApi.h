@@ -38,85 +38,85 @@ class ControlApi {
 public:
     explicit ControlApi(std::shared_ptr<Connection> connection) : m_connection(std::move(connection)) {}
 
-    /// Runs beside a baseline, episode by episode
+    /// Compare runs with a baseline
     Comparison compareRuns(std::string const& baseline, std::string const& runs, std::optional<double> const& tolerance = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// Remove a record that was handed in
+    /// Delete an imported record
     void deleteImport(std::string const& importId, std::optional<std::string> const& proctorVersion = {});
 
-    /// What is known here of a record that was handed in
+    /// Get an imported record
     RecordImport getImport(std::string const& importId, std::optional<std::string> const& proctorVersion = {});
 
-    /// Delete a run that is not in play, with all that is stored of it
+    /// Delete a run
     void deleteRun(std::string const& runId, std::optional<std::string> const& proctorVersion = {});
 
-    /// State, progress and the reason for both; can wait for a change
+    /// Get a run, or wait for its next change
     Run getRun(std::string const& runId, std::optional<std::string> const& ifNoneMatch = {}, std::optional<std::string> const& prefer = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// What this server is, speaks and allows
+    /// Describe the service
     Service describeService(std::optional<std::string> const& proctorVersion = {});
 
-    /// Say of a public entry that something is wrong with it, or take that back
+    /// Flag an entry, or remove its flag
     BoardEntry flagEntry(std::string const& entryId, FlagEntry const& flagEntry, std::optional<std::string> const& proctorVersion = {});
 
-    /// One benchmark with its spaces, conventions and rules
+    /// Get a benchmark
     Benchmark getBenchmark(std::string const& benchmarkId, std::optional<std::string> const& proctorVersion = {});
 
-    /// The size and the root of the history, signed
+    /// Get the signed checkpoint of the history
     Checkpoint getCheckpoint(std::optional<std::string> const& proctorVersion = {});
 
-    /// One entry, withdrawn or not
+    /// Get an entry
     BoardEntry getEntry(std::string const& entryId, std::optional<std::string> const& proctorVersion = {});
 
-    /// The public entries of one manifest, ranked
+    /// Get the ranking of a benchmark
     Ranking getRanking(std::string const& benchmarkId, std::optional<std::string> const& manifestSha256 = {}, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// The score, or its bounds while episodes are missing
+    /// Get the score of a run
     Score getScore(std::string const& runId, std::optional<std::string> const& proctorVersion = {});
 
-    /// Hand in a record of any host, to be verified and replayed here
+    /// Import a record
     RecordImport importRecord(std::string const& body, std::optional<std::string> const& proctorVersion = {});
 
-    /// The records that the account handed in, newest first
+    /// List imported records
     RecordImportList listImports(std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// The benchmarks offered here
+    /// List the benchmarks
     BenchmarkList listBenchmarks(std::optional<std::string> const& proctorVersion = {});
 
-    /// Entries of the leaderboard, newest first
+    /// List entries of the leaderboard
     BoardEntryList listEntries(std::optional<std::string> const& benchmarkId = {}, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// Every episode with its result so far, in manifest order
+    /// List the episodes of a run
     EpisodeList listEpisodes(std::string const& runId, std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// What happened to public entries, oldest first
+    /// List the history
     HistoryPage listHistory(std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// The public keys with which this host signs records
+    /// List the signing keys
     KeyList listKeys(std::optional<std::string> const& proctorVersion = {});
 
-    /// The caller's runs, newest first
+    /// List runs
     RunList listRuns(std::optional<std::string> const& cursor = {}, std::optional<std::int32_t> const& limit = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// Ask for one evaluation of one policy on one benchmark
+    /// Submit a run
     Run submitRun(SubmitRun const& submitRun, std::optional<std::string> const& idempotencyKey = {}, std::optional<std::string> const& proctorVersion = {});
 
-    /// Proof that a history of one size begins with that of another
+    /// Prove that the history only grew
     ConsistencyProof proveConsistency(std::string const& oldSize, std::string const& newSize, std::optional<std::string> const& proctorVersion = {});
 
-    /// Proof that a leaf stands in the history of a size
+    /// Prove that a leaf is in the history
     InclusionProof proveInclusion(std::string const& leafIndex, std::string const& treeSize, std::optional<std::string> const& proctorVersion = {});
 
-    /// Publish a completed run on the leaderboard, or change what its entry says
+    /// Publish a run on the leaderboard
     BoardEntry publishEntry(std::string const& runId, PublishEntry const& publishEntry, std::optional<std::string> const& proctorVersion = {});
 
-    /// Take the entry of a run off the leaderboard, for good
+    /// Withdraw the entry of a run
     BoardEntry withdrawEntry(std::string const& runId, std::optional<std::string> const& proctorVersion = {});
 
-    /// Go on with the episodes that have no score yet
+    /// Resume a run
     Run resumeRun(std::string const& runId, std::optional<std::string> const& proctorVersion = {});
 
-    /// Stop now (abort) or after the episodes in play (drain)
+    /// Stop a run
     Run stopRun(std::string const& runId, StopRun const& stopRun, std::optional<std::string> const& proctorVersion = {});
 
 private:

@@ -21,16 +21,16 @@ class DataApi {
 public:
     explicit DataApi(std::shared_ptr<Connection> connection) : m_connection(std::move(connection)) {}
 
-    /// Open a session for a worker and get its turn 0
+    /// Attach a worker
     Turn attachWorker(std::string const& runId, std::string const& workerId, AttachWorker const& attachWorker, std::optional<std::string> const& proctorVersion = {});
 
-    /// Close a session and free its slot at once
+    /// Detach a worker
     void detachWorker(std::string const& runId, std::string const& workerId, std::string const& sessionId, std::optional<std::string> const& proctorVersion = {});
 
-    /// Extend the lease while the policy thinks
+    /// Keep a session alive
     Lease heartbeat(std::string const& runId, std::string const& workerId, Heartbeat const& heartbeat, std::optional<std::string> const& proctorVersion = {});
 
-    /// A chunk of actions in, the next observation out
+    /// Play a turn
     Turn predict(std::string const& runId, std::string const& workerId, Predict const& predict, std::optional<std::string> const& proctorVersion = {});
 
 private:

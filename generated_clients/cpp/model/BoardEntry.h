@@ -18,7 +18,7 @@ namespace proctor {
 struct BoardEntry {
     static constexpr char const* schema_name = "BoardEntry";
 
-    std::string entry_id{};
+    std::string entry_id{}; // Names the entry in every path.
     std::string run_id{};
     std::string submitter{}; // Name of the account that submitted the run.
     std::string benchmark_id{};
@@ -38,7 +38,7 @@ struct BoardEntry {
     std::string level{}; // What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.
     std::int32_t attempts{}; // How many runs of the benchmark the account has submitted until now, published or not.
     EntryScore score{};
-    std::string published_at{};
+    std::string published_at{}; // When the entry was made.
     std::string changed_at{}; // When the description, the state or the flag changed for the last time.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {

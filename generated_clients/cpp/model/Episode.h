@@ -17,12 +17,12 @@ struct Episode {
     static constexpr char const* schema_name = "Episode";
 
     std::string episode_id{};
-    std::int32_t index{};
+    std::int32_t index{}; // Position in the manifest.
     std::string task{};
     std::string split{};
     EpisodeStatus status{};
     std::int32_t attempt{}; // The current or next attempt.
-    std::int32_t faults{};
+    std::int32_t faults{}; // How often the simulator broke.
     std::optional<std::string> policy_fault{}; // In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
     std::optional<EpisodeResult> result{};
 

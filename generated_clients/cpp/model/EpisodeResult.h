@@ -17,17 +17,17 @@ struct EpisodeResult {
     static constexpr char const* schema_name = "EpisodeResult";
 
     std::string episode_id{};
-    std::int32_t index{};
+    std::int32_t index{}; // Position in the manifest.
     std::string task{};
     std::string split{};
     std::optional<std::int64_t> seed{}; // Absent where `sealed_splits` of the benchmark names the split.
-    std::int32_t attempt{};
-    std::int32_t faults{};
+    std::int32_t attempt{}; // The attempt that was scored.
+    std::int32_t faults{}; // How often the simulator broke.
     Outcome outcome{};
-    double score{};
-    std::int32_t steps{};
-    bool terminated{};
-    bool truncated{};
+    double score{}; // From 0 to 1.
+    std::int32_t steps{}; // Actions executed in the attempt.
+    bool terminated{}; // The task ended by itself.
+    bool truncated{}; // The step limit ended the episode.
     double think_s{}; // Time between turns that the policy took.
     std::string finished_at{};
     std::optional<PlayerView> player{};

@@ -14,13 +14,13 @@ namespace proctor {
 struct EpisodeView {
     static constexpr char const* schema_name = "EpisodeView";
 
-    std::string episode_id{};
+    std::string episode_id{}; // Names the episode within the run.
     std::int32_t index{}; // Position in the manifest.
-    std::string task{};
-    std::string instruction{};
-    std::int32_t attempt{};
-    std::int32_t step{};
-    std::int32_t max_steps{};
+    std::string task{}; // What kind of episode it is.
+    std::string instruction{}; // What the policy is to do, in words.
+    std::int32_t attempt{}; // Number of this playing of it, from 1.
+    std::int32_t step{}; // Actions executed in this attempt.
+    std::int32_t max_steps{}; // Steps after which it is truncated.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("episode_id", self.episode_id);

@@ -14,9 +14,9 @@ namespace proctor {
 struct Fault {
     static constexpr char const* schema_name = "Fault";
 
-    std::string episode_id{};
+    std::string episode_id{}; // Which episode began again.
     std::int32_t faults{}; // Faults of this episode so far.
-    std::string detail{};
+    std::string detail{}; // What happened, for people.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("episode_id", self.episode_id);

@@ -13,7 +13,7 @@ namespace proctor {
 struct Heartbeat {
     static constexpr char const* schema_name = "Heartbeat";
 
-    std::string session_id{};
+    std::string session_id{}; // Session of `attach_worker`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("session_id", self.session_id);

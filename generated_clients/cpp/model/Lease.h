@@ -14,8 +14,8 @@ namespace proctor {
 struct Lease {
     static constexpr char const* schema_name = "Lease";
 
-    std::string expires_at{};
-    double idle_timeout_s{};
+    std::string expires_at{}; // When the session ends, unless a request extends it.
+    double idle_timeout_s{}; // Length of the lease.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("expires_at", self.expires_at);

@@ -16,8 +16,8 @@ struct Limits {
     std::int64_t max_body_bytes{}; // Longest request body that is read.
     std::int32_t max_workers{}; // Most live workers a run may ask for.
     std::int32_t max_chunk{}; // Most actions in one predict; a benchmark may allow fewer.
-    double idle_timeout_s_min{};
-    double idle_timeout_s_max{};
+    double idle_timeout_s_min{}; // Shortest lease of a session that a run may have.
+    double idle_timeout_s_max{}; // Longest lease of a session that a run may have.
     std::int32_t wait_s_max{}; // Longest wait that a long-poll is granted.
     std::optional<std::int32_t> max_header_bytes{}; // Longest request line with its headers that is read; for the profile `limits`.
     std::optional<double> header_timeout_s{}; // Time in which the headers of a request are complete, from its first byte; for the profile `limits`.

@@ -13,11 +13,11 @@ namespace proctor {
 struct OutcomeCounts {
     static constexpr char const* schema_name = "OutcomeCounts";
 
-    std::int32_t total{};
+    std::int32_t total{}; // All episodes.
     std::int32_t success{};
     std::int32_t failure{};
-    std::int32_t abandoned{};
-    std::int32_t unscored{};
+    std::int32_t abandoned{}; // Scored 0, because the last attempt was closed.
+    std::int32_t unscored{}; // Without a result so far.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("total", self.total);

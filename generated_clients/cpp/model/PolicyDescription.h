@@ -12,7 +12,7 @@
 
 namespace proctor {
 
-/// What a policy server says of itself; see policy.yaml.
+/// What a policy server says of itself.
 struct PolicyDescription {
     static constexpr char const* schema_name = "PolicyDescription";
 

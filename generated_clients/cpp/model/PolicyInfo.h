@@ -13,10 +13,10 @@ namespace proctor {
 struct PolicyInfo {
     static constexpr char const* schema_name = "PolicyInfo";
 
-    std::string name{};
-    std::optional<std::string> version{};
-    std::optional<std::string> submitter{};
-    std::optional<std::string> homepage{};
+    std::string name{}; // What the policy is called in results.
+    std::optional<std::string> version{}; // Which state of it, for example a checkpoint.
+    std::optional<std::string> submitter{}; // Who submits it.
+    std::optional<std::string> homepage{}; // Where to read about it.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("name", self.name);

@@ -15,8 +15,8 @@ namespace proctor {
 struct Predict {
     static constexpr char const* schema_name = "Predict";
 
-    std::string session_id{};
-    std::int64_t seq{};
+    std::string session_id{}; // Session of `attach_worker`.
+    std::int64_t seq{}; // Number of the turn, 1 for the first one; a repeat has the same number.
     std::vector<Action> actions{};
     std::optional<Observe> observe{};
 

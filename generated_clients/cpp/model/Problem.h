@@ -17,9 +17,9 @@ namespace proctor {
 struct Problem {
     static constexpr char const* schema_name = "Problem";
 
-    std::string type{};
-    std::string title{};
-    std::int32_t status{};
+    std::string type{}; // `urn:proctor:problem:` and the code.
+    std::string title{}; // What the code means.
+    std::int32_t status{}; // Status of the response.
     std::string detail{}; // What happened and what to do about it.
     std::string code{}; // One of x-problems, or one of a later version.
     bool retryable{}; // Whether the same request can succeed later.
@@ -27,7 +27,7 @@ struct Problem {
     std::optional<std::vector<ProblemItem>> errors{};
     std::optional<std::string> requirement{}; // Id of the rule that was enforced.
     std::optional<RunState> state{};
-    std::optional<std::int64_t> expected_seq{};
+    std::optional<std::int64_t> expected_seq{}; // Of `seq_out_of_order`: the next seq.
     std::optional<std::string> ended_by{}; // What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
     std::optional<std::string> entry_id{}; // Of `result_published`: the entry of that result.
 

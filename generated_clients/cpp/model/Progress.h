@@ -13,10 +13,10 @@ namespace proctor {
 struct Progress {
     static constexpr char const* schema_name = "Progress";
 
-    std::int32_t episodes_total{};
+    std::int32_t episodes_total{}; // How many episodes the run has.
     std::int32_t episodes_scored{}; // Abandoned ones included.
-    std::int32_t episodes_in_progress{};
-    std::int32_t episodes_pending{};
+    std::int32_t episodes_in_progress{}; // How many are played now.
+    std::int32_t episodes_pending{}; // How many wait to be played.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("episodes_total", self.episodes_total);

@@ -14,8 +14,8 @@ namespace proctor {
 struct ProtocolRange {
     static constexpr char const* schema_name = "ProtocolRange";
 
-    std::string min{};
-    std::string max{};
+    std::string min{}; // Lowest version that is spoken.
+    std::string max{}; // Highest version that is spoken.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("min", self.min);

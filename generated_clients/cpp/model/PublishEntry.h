@@ -13,13 +13,13 @@ namespace proctor {
 struct PublishEntry {
     static constexpr char const* schema_name = "PublishEntry";
 
-    std::string model_name{};
+    std::string model_name{}; // What the entry is called.
     bool is_public{}; // Whether others see the entry, and whether it has a rank.
     std::optional<std::string> model_type{}; // What kind of model it is, for example `VLA` or `diffusion policy`.
     std::optional<std::string> organisation{};
-    std::optional<std::string> homepage{};
-    std::optional<std::string> code_url{};
-    std::optional<std::string> notes{};
+    std::optional<std::string> homepage{}; // Where to read about the model.
+    std::optional<std::string> code_url{}; // Where its code is.
+    std::optional<std::string> notes{}; // Anything else, for readers.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("model_name", self.model_name);

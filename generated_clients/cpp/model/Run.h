@@ -20,27 +20,27 @@ namespace proctor {
 struct Run {
     static constexpr char const* schema_name = "Run";
 
-    std::string run_id{};
+    std::string run_id{}; // Names the run in every path.
     RunState state{};
     std::optional<std::string> reason{}; // Why the run is in this state, for people; never null when failed.
     std::optional<bool> retryable{}; // Whether a failed run may be resumed; null in other states.
     std::string benchmark_id{};
-    std::string benchmark_version{};
+    std::string benchmark_version{}; // Version of the benchmark when the run was submitted.
     std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     RunPolicy policy{};
     std::optional<std::string> mode{}; // A `RunMode`, or one of a later version; `pull` when absent.
     std::optional<PolicyServerView> policy_server{};
     std::optional<bool> any_policy{}; // Whether workers may play for another policy than `policy`; for the profile `attribution`.
     std::optional<SelectionView> select{};
-    std::int32_t max_workers{};
-    double idle_timeout_s{};
+    std::int32_t max_workers{}; // Most live workers that it may have.
+    double idle_timeout_s{}; // Lease of its sessions.
     ImageChoice images{};
     std::string endpoint{}; // Base URL of the data plane for this run; the path of an operation is appended to it.
     std::optional<std::int32_t> queue_position{}; // 1 is next; null unless queued.
-    std::int32_t live_workers{};
+    std::int32_t live_workers{}; // How many workers have a live session.
     Progress progress{};
-    std::string created_at{};
-    std::string updated_at{};
+    std::string created_at{}; // When it was submitted.
+    std::string updated_at{}; // When it changed for the last time.
     std::optional<std::int32_t> runs_played_before{}; // In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.
     std::optional<std::int32_t> attempts_by_submitter{}; // How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
 

@@ -24,12 +24,12 @@ struct Score {
     std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     std::optional<SelectionView> select{};
     RunState state{};
-    bool complete{};
+    bool complete{}; // Every episode has a result.
     std::optional<double> score{}; // Null until complete.
-    double score_low{};
-    double score_high{};
+    double score_low{}; // The score if every missing episode got 0.
+    double score_high{}; // The score if every missing episode got 1.
     OutcomeCounts counts{};
-    std::optional<double> success_rate{};
+    std::optional<double> success_rate{}; // Successes among the scored episodes.
     Interval success_interval{};
     std::optional<double> mean{}; // Mean over the scored episodes.
     Interval mean_interval{};

@@ -19,7 +19,7 @@ namespace proctor {
 struct SubmitRun {
     static constexpr char const* schema_name = "SubmitRun";
 
-    std::string benchmark_id{};
+    std::string benchmark_id{}; // One of `list_benchmarks`.
     PolicyInfo policy{};
     std::optional<std::int32_t> max_workers{}; // Most live workers wanted; the server's limit when absent.
     std::optional<double> idle_timeout_s{}; // Lease of a session; the server's maximum when absent. For the profile `sessions`.

@@ -13,10 +13,10 @@ namespace proctor {
 struct Timing {
     static constexpr char const* schema_name = "Timing";
 
-    double total_s{};
-    double queue_s{};
-    double simulate_s{};
-    double render_s{};
+    double total_s{}; // The whole turn on the server.
+    double queue_s{}; // Waiting for the simulator.
+    double simulate_s{}; // Executing actions.
+    double render_s{}; // Rendering images.
     double encode_s{}; // Encoding of images.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {

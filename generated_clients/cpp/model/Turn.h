@@ -20,12 +20,12 @@ namespace proctor {
 struct Turn {
     static constexpr char const* schema_name = "Turn";
 
-    std::string session_id{};
-    std::int64_t seq{};
+    std::string session_id{}; // Names the session in every later request.
+    std::int64_t seq{}; // Number of the turn.
     std::optional<EpisodeView> episode{};
     std::optional<Observation> observation{};
     std::optional<std::vector<Observation>> observations{}; // With `observe` all, one per executed action.
-    std::int32_t executed_steps{};
+    std::int32_t executed_steps{}; // How many actions of the chunk were executed.
     bool stopped_early{}; // The episode ended before the chunk did.
     std::vector<double> rewards{}; // One per executed action.
     bool terminated{}; // The task ended by itself in this turn.

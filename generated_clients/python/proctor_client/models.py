@@ -107,6 +107,7 @@ class BenchmarkSummary(Message):
 
 class BoardEntry(Message):
     entry_id: StrictStr
+    """Names the entry in every path."""
     run_id: StrictStr
     submitter: StrictStr
     """Name of the account that submitted the run."""
@@ -131,6 +132,7 @@ class BoardEntry(Message):
     """How many runs of the benchmark the account has submitted until now, published or not."""
     score: EntryScore
     published_at: datetime
+    """When the entry was made."""
     changed_at: datetime
     """When the description, the state or the flag changed for the last time."""
 
@@ -261,12 +263,14 @@ class EntryScore(Message):
 class Episode(Message):
     episode_id: StrictStr
     index: Annotated[int, Field(strict=True, ge=0)]
+    """Position in the manifest."""
     task: StrictStr
     split: StrictStr
     status: EpisodeStatus
     attempt: Annotated[int, Field(strict=True, ge=1)]
     """The current or next attempt."""
     faults: Annotated[int, Field(strict=True, ge=0)]
+    """How often the simulator broke."""
     policy_fault: StrictStr | None = None
     """In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode."""
     result: EpisodeResult | None = None
@@ -282,17 +286,24 @@ class EpisodeList(Message):
 class EpisodeResult(Message):
     episode_id: StrictStr
     index: Annotated[int, Field(strict=True, ge=0)]
+    """Position in the manifest."""
     task: StrictStr
     split: StrictStr
     seed: Annotated[int, Field(strict=True, ge=0, le=9007199254740991)] | None = None
     """Absent where `sealed_splits` of the benchmark names the split."""
     attempt: Annotated[int, Field(strict=True, ge=1)]
+    """The attempt that was scored."""
     faults: Annotated[int, Field(strict=True, ge=0)]
+    """How often the simulator broke."""
     outcome: Outcome
     score: Annotated[float, Field(strict=True, ge=0, le=1)]
+    """From 0 to 1."""
     steps: Annotated[int, Field(strict=True, ge=0)]
+    """Actions executed in the attempt."""
     terminated: StrictBool
+    """The task ended by itself."""
     truncated: StrictBool
+    """The step limit ended the episode."""
     think_s: Annotated[float, Field(strict=True, ge=0)]
     """Time between turns that the policy took."""
     finished_at: datetime
@@ -332,22 +343,30 @@ class EpisodeView(Message):
     """The episode that the observation belongs to."""
 
     episode_id: StrictStr
+    """Names the episode within the run."""
     index: Annotated[int, Field(strict=True, ge=0)]
     """Position in the manifest."""
     task: StrictStr
+    """What kind of episode it is."""
     instruction: StrictStr
+    """What the policy is to do, in words."""
     attempt: Annotated[int, Field(strict=True, ge=1)]
+    """Number of this playing of it, from 1."""
     step: Annotated[int, Field(strict=True, ge=0)]
+    """Actions executed in this attempt."""
     max_steps: Annotated[int, Field(strict=True, ge=1)]
+    """Steps after which it is truncated."""
 
 
 class Fault(Message):
     """The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one."""
 
     episode_id: StrictStr
+    """Which episode began again."""
     faults: Annotated[int, Field(strict=True, ge=1)]
     """Faults of this episode so far."""
     detail: StrictStr
+    """What happened, for people."""
 
 
 class FlagEntry(Message):
@@ -365,6 +384,7 @@ class GroupScore(Message):
 
 class Heartbeat(Message):
     session_id: Annotated[str, Field(strict=True, min_length=1, max_length=128)]
+    """Session of `attach_worker`."""
 
 
 class HistoryLeaf(Message):
@@ -437,7 +457,9 @@ class KeyList(Message):
 
 class Lease(Message):
     expires_at: datetime
+    """When the session ends, unless a request extends it."""
     idle_timeout_s: StrictFloat
+    """Length of the lease."""
 
 
 class Limits(Message):
@@ -448,7 +470,9 @@ class Limits(Message):
     max_chunk: Annotated[int, Field(strict=True, ge=4)]
     """Most actions in one predict; a benchmark may allow fewer."""
     idle_timeout_s_min: StrictFloat
+    """Shortest lease of a session that a run may have."""
     idle_timeout_s_max: StrictFloat
+    """Longest lease of a session that a run may have."""
     wait_s_max: StrictInt
     """Longest wait that a long-poll is granted."""
     max_header_bytes: Annotated[int, Field(strict=True, ge=8192)] | None = None
@@ -509,10 +533,13 @@ class Outcome(StrEnum):
 
 class OutcomeCounts(Message):
     total: StrictInt
+    """All episodes."""
     success: StrictInt
     failure: StrictInt
     abandoned: StrictInt
+    """Scored 0, because the last attempt was closed."""
     unscored: StrictInt
+    """Without a result so far."""
 
 
 class Player(Message):
@@ -535,7 +562,7 @@ class PlayerView(Message):
 
 
 class PolicyDescription(Message):
-    """What a policy server says of itself; see policy.yaml."""
+    """What a policy server says of itself."""
 
     name: Annotated[str, Field(strict=True, min_length=1, max_length=200)]
     version: Annotated[str, Field(strict=True, max_length=200)] | None = None
@@ -547,14 +574,18 @@ class PolicyDescription(Message):
 
 class PolicyInfo(Message):
     name: Annotated[str, Field(strict=True, min_length=1, max_length=200)]
+    """What the policy is called in results."""
     version: Annotated[str, Field(strict=True, max_length=200)] | None = None
+    """Which state of it, for example a checkpoint."""
     submitter: Annotated[str, Field(strict=True, max_length=200)] | None = None
+    """Who submits it."""
     homepage: (
         Annotated[
             str, Field(strict=True, max_length=500, pattern=r"^https?:\/\/[!-~]+$")
         ]
         | None
     ) = None
+    """Where to read about it."""
 
 
 class PolicyProtocol(StrEnum):
@@ -623,7 +654,9 @@ class PolicyServerView(Message):
 
 class Predict(Message):
     session_id: Annotated[str, Field(strict=True, min_length=1, max_length=128)]
+    """Session of `attach_worker`."""
     seq: Annotated[int, Field(strict=True, ge=1, le=9007199254740991)]
+    """Number of the turn, 1 for the first one; a repeat has the same number."""
     actions: Annotated[list[Action], Field(min_length=1, max_length=65536)]
     observe: Observe | None = None
 
@@ -632,8 +665,11 @@ class Problem(Message):
     """RFC 9457, with what a client needs to decide on a retry."""
 
     type: StrictStr
+    """`urn:proctor:problem:` and the code."""
     title: StrictStr
+    """What the code means."""
     status: Annotated[int, Field(strict=True, ge=400, le=599)]
+    """Status of the response."""
     detail: StrictStr
     """What happened and what to do about it."""
     code: StrictStr
@@ -648,6 +684,7 @@ class Problem(Message):
     """Id of the rule that was enforced."""
     state: RunState | None = None
     expected_seq: Annotated[int, Field(strict=True, ge=1)] | None = None
+    """Of `seq_out_of_order`: the next seq."""
     ended_by: (
         Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
     ) = None
@@ -660,19 +697,25 @@ class ProblemItem(Message):
     pointer: StrictStr
     """JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record."""
     detail: StrictStr
+    """What is wrong there."""
 
 
 class Progress(Message):
     episodes_total: StrictInt
+    """How many episodes the run has."""
     episodes_scored: StrictInt
     """Abandoned ones included."""
     episodes_in_progress: StrictInt
+    """How many are played now."""
     episodes_pending: StrictInt
+    """How many wait to be played."""
 
 
 class ProtocolRange(Message):
     min: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")]
+    """Lowest version that is spoken."""
     max: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")]
+    """Highest version that is spoken."""
 
 
 class PublicKey(Message):
@@ -691,6 +734,7 @@ class PublishEntry(Message):
     """What an entry says of itself; a member that is absent is not shown."""
 
     model_name: Annotated[str, Field(strict=True, min_length=1, max_length=200)]
+    """What the entry is called."""
     is_public: StrictBool
     """Whether others see the entry, and whether it has a rank."""
     model_type: (
@@ -706,13 +750,16 @@ class PublishEntry(Message):
         ]
         | None
     ) = None
+    """Where to read about the model."""
     code_url: (
         Annotated[
             str, Field(strict=True, max_length=500, pattern=r"^https?:\/\/[!-~]+$")
         ]
         | None
     ) = None
+    """Where its code is."""
     notes: Annotated[str, Field(strict=True, max_length=2000)] | None = None
+    """Anything else, for readers."""
 
 
 class RankInterval(Message):
@@ -836,6 +883,7 @@ class ResetPolicy(Message):
 
 class Run(Message):
     run_id: StrictStr
+    """Names the run in every path."""
     state: RunState
     reason: StrictStr | None
     """Why the run is in this state, for people; never null when failed."""
@@ -843,6 +891,7 @@ class Run(Message):
     """Whether a failed run may be resumed; null in other states."""
     benchmark_id: StrictStr
     benchmark_version: StrictStr
+    """Version of the benchmark when the run was submitted."""
     manifest_sha256: Annotated[str, Field(strict=True, pattern=r"^[0-9a-f]{64}$")]
     """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     policy: RunPolicy
@@ -855,16 +904,21 @@ class Run(Message):
     """Whether workers may play for another policy than `policy`; for the profile `attribution`."""
     select: SelectionView | None = None
     max_workers: StrictInt
+    """Most live workers that it may have."""
     idle_timeout_s: StrictFloat
+    """Lease of its sessions."""
     images: ImageChoice
     endpoint: StrictStr
     """Base URL of the data plane for this run; the path of an operation is appended to it."""
     queue_position: StrictInt | None
     """1 is next; null unless queued."""
     live_workers: Annotated[int, Field(strict=True, ge=0)]
+    """How many workers have a live session."""
     progress: Progress
     created_at: datetime
+    """When it was submitted."""
     updated_at: datetime
+    """When it changed for the last time."""
     runs_played_before: Annotated[int, Field(strict=True, ge=0)] | None = None
     """In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`."""
     attempts_by_submitter: Annotated[int, Field(strict=True, ge=1)] | None = None
@@ -914,12 +968,16 @@ class Score(Message):
     select: SelectionView | None = None
     state: RunState
     complete: StrictBool
+    """Every episode has a result."""
     score: StrictFloat | None
     """Null until complete."""
     score_low: StrictFloat
+    """The score if every missing episode got 0."""
     score_high: StrictFloat
+    """The score if every missing episode got 1."""
     counts: OutcomeCounts
     success_rate: StrictFloat | None
+    """Successes among the scored episodes."""
     success_interval: Interval
     mean: StrictFloat | None
     """Mean over the scored episodes."""
@@ -939,6 +997,7 @@ class Service(Message):
     """What a server says of itself before anyone authenticates."""
 
     name: StrictStr
+    """Name of the server software."""
     version: StrictStr
     """Version of the server software."""
     protocol: ProtocolRange
@@ -983,6 +1042,7 @@ class StopRun(Message):
 
 class SubmitRun(Message):
     benchmark_id: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
+    """One of `list_benchmarks`."""
     policy: PolicyInfo
     max_workers: Annotated[int, Field(strict=True, ge=1, le=1024)] | None = None
     """Most live workers wanted; the server's limit when absent."""
@@ -1026,9 +1086,13 @@ class Timing(Message):
     """Server time of this turn, in seconds."""
 
     total_s: Annotated[float, Field(strict=True, ge=0)]
+    """The whole turn on the server."""
     queue_s: Annotated[float, Field(strict=True, ge=0)]
+    """Waiting for the simulator."""
     simulate_s: Annotated[float, Field(strict=True, ge=0)]
+    """Executing actions."""
     render_s: Annotated[float, Field(strict=True, ge=0)]
+    """Rendering images."""
     encode_s: Annotated[float, Field(strict=True, ge=0)]
     """Encoding of images."""
 
@@ -1037,12 +1101,15 @@ class Turn(Message):
     """The answer to attach (seq 0) and to predict."""
 
     session_id: StrictStr
+    """Names the session in every later request."""
     seq: Annotated[int, Field(strict=True, ge=0)]
+    """Number of the turn."""
     episode: EpisodeView | None = None
     observation: Observation | None = None
     observations: Annotated[list[Observation], Field(max_length=65536)] | None = None
     """With `observe` all, one per executed action."""
     executed_steps: Annotated[int, Field(strict=True, ge=0)]
+    """How many actions of the chunk were executed."""
     stopped_early: StrictBool
     """The episode ended before the chunk did."""
     rewards: Annotated[list[StrictFloat], Field(max_length=65536)]

@@ -84,6 +84,7 @@ export interface BenchmarkSummary {
 }
 
 export interface BoardEntry {
+    /** Names the entry in every path. */
     entry_id: string;
     run_id: string;
     /** Name of the account that submitted the run. */
@@ -108,6 +109,7 @@ export interface BoardEntry {
     /** How many runs of the benchmark the account has submitted until now, published or not. */
     attempts: number;
     score: EntryScore;
+    /** When the entry was made. */
     published_at: Date;
     /** When the description, the state or the flag changed for the last time. */
     changed_at: Date;
@@ -227,12 +229,14 @@ export interface EntryScore {
 
 export interface Episode {
     episode_id: string;
+    /** Position in the manifest. */
     index: number;
     task: string;
     split: string;
     status: EpisodeStatus;
     /** The current or next attempt. */
     attempt: number;
+    /** How often the simulator broke. */
     faults: number;
     /** In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode. */
     policy_fault?: string;
@@ -246,17 +250,24 @@ export interface EpisodeList {
 
 export interface EpisodeResult {
     episode_id: string;
+    /** Position in the manifest. */
     index: number;
     task: string;
     split: string;
     /** Absent where `sealed_splits` of the benchmark names the split. */
     seed?: number;
+    /** The attempt that was scored. */
     attempt: number;
+    /** How often the simulator broke. */
     faults: number;
     outcome: Outcome;
+    /** From 0 to 1. */
     score: number;
+    /** Actions executed in the attempt. */
     steps: number;
+    /** The task ended by itself. */
     terminated: boolean;
+    /** The step limit ended the episode. */
     truncated: boolean;
     /** Time between turns that the policy took. */
     think_s: number;
@@ -283,21 +294,29 @@ export type EpisodeStatus = (typeof EpisodeStatus)[keyof typeof EpisodeStatus];
 
 /** The episode that the observation belongs to. */
 export interface EpisodeView {
+    /** Names the episode within the run. */
     episode_id: string;
     /** Position in the manifest. */
     index: number;
+    /** What kind of episode it is. */
     task: string;
+    /** What the policy is to do, in words. */
     instruction: string;
+    /** Number of this playing of it, from 1. */
     attempt: number;
+    /** Actions executed in this attempt. */
     step: number;
+    /** Steps after which it is truncated. */
     max_steps: number;
 }
 
 /** The simulator broke; the episode began again, at no cost to the policy. Nothing of the chunk counts as executed. A turn that ends an episode has its result instead, and `list_episodes` the faults of the next one. */
 export interface Fault {
+    /** Which episode began again. */
     episode_id: string;
     /** Faults of this episode so far. */
     faults: number;
+    /** What happened, for people. */
     detail: string;
 }
 
@@ -315,6 +334,7 @@ export interface GroupScore {
 }
 
 export interface Heartbeat {
+    /** Session of `attach_worker`. */
     session_id: string;
 }
 
@@ -379,7 +399,9 @@ export interface KeyList {
 }
 
 export interface Lease {
+    /** When the session ends, unless a request extends it. */
     expires_at: Date;
+    /** Length of the lease. */
     idle_timeout_s: number;
 }
 
@@ -390,7 +412,9 @@ export interface Limits {
     max_workers: number;
     /** Most actions in one predict; a benchmark may allow fewer. */
     max_chunk: number;
+    /** Shortest lease of a session that a run may have. */
     idle_timeout_s_min: number;
+    /** Longest lease of a session that a run may have. */
     idle_timeout_s_max: number;
     /** Longest wait that a long-poll is granted. */
     wait_s_max: number;
@@ -449,10 +473,13 @@ export const Outcome = {
 export type Outcome = (typeof Outcome)[keyof typeof Outcome];
 
 export interface OutcomeCounts {
+    /** All episodes. */
     total: number;
     success: number;
     failure: number;
+    /** Scored 0, because the last attempt was closed. */
     abandoned: number;
+    /** Without a result so far. */
     unscored: number;
 }
 
@@ -473,7 +500,7 @@ export interface PlayerView {
     client?: string;
 }
 
-/** What a policy server says of itself; see policy.yaml. */
+/** What a policy server says of itself. */
 export interface PolicyDescription {
     name: string;
     version?: string;
@@ -484,9 +511,13 @@ export interface PolicyDescription {
 }
 
 export interface PolicyInfo {
+    /** What the policy is called in results. */
     name: string;
+    /** Which state of it, for example a checkpoint. */
     version?: string;
+    /** Who submits it. */
     submitter?: string;
+    /** Where to read about it. */
     homepage?: string;
 }
 
@@ -538,7 +569,9 @@ export interface PolicyServerView {
 }
 
 export interface Predict {
+    /** Session of `attach_worker`. */
     session_id: string;
+    /** Number of the turn, 1 for the first one; a repeat has the same number. */
     seq: number;
     actions: Action[];
     observe?: Observe;
@@ -546,8 +579,11 @@ export interface Predict {
 
 /** RFC 9457, with what a client needs to decide on a retry. */
 export interface Problem {
+    /** `urn:proctor:problem:` and the code. */
     type: string;
+    /** What the code means. */
     title: string;
+    /** Status of the response. */
     status: number;
     /** What happened and what to do about it. */
     detail: string;
@@ -560,6 +596,7 @@ export interface Problem {
     /** Id of the rule that was enforced. */
     requirement?: string;
     state?: RunState;
+    /** Of `seq_out_of_order`: the next seq. */
     expected_seq?: number;
     /** What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended. */
     ended_by?: string;
@@ -570,19 +607,25 @@ export interface Problem {
 export interface ProblemItem {
     /** JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record. */
     pointer: string;
+    /** What is wrong there. */
     detail: string;
 }
 
 export interface Progress {
+    /** How many episodes the run has. */
     episodes_total: number;
     /** Abandoned ones included. */
     episodes_scored: number;
+    /** How many are played now. */
     episodes_in_progress: number;
+    /** How many wait to be played. */
     episodes_pending: number;
 }
 
 export interface ProtocolRange {
+    /** Lowest version that is spoken. */
     min: string;
+    /** Highest version that is spoken. */
     max: string;
 }
 
@@ -600,14 +643,18 @@ export interface PublicKey {
 
 /** What an entry says of itself; a member that is absent is not shown. */
 export interface PublishEntry {
+    /** What the entry is called. */
     model_name: string;
     /** Whether others see the entry, and whether it has a rank. */
     is_public: boolean;
     /** What kind of model it is, for example `VLA` or `diffusion policy`. */
     model_type?: string;
     organisation?: string;
+    /** Where to read about the model. */
     homepage?: string;
+    /** Where its code is. */
     code_url?: string;
+    /** Anything else, for readers. */
     notes?: string;
 }
 
@@ -718,6 +765,7 @@ export interface ResetPolicy {
 }
 
 export interface Run {
+    /** Names the run in every path. */
     run_id: string;
     state: RunState;
     /** Why the run is in this state, for people; never null when failed. */
@@ -725,6 +773,7 @@ export interface Run {
     /** Whether a failed run may be resumed; null in other states. */
     retryable: boolean | null;
     benchmark_id: string;
+    /** Version of the benchmark when the run was submitted. */
     benchmark_version: string;
     /** The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006). */
     manifest_sha256: string;
@@ -735,16 +784,21 @@ export interface Run {
     /** Whether workers may play for another policy than `policy`; for the profile `attribution`. */
     any_policy?: boolean;
     select?: SelectionView;
+    /** Most live workers that it may have. */
     max_workers: number;
+    /** Lease of its sessions. */
     idle_timeout_s: number;
     images: ImageChoice;
     /** Base URL of the data plane for this run; the path of an operation is appended to it. */
     endpoint: string;
     /** 1 is next; null unless queued. */
     queue_position: number | null;
+    /** How many workers have a live session. */
     live_workers: number;
     progress: Progress;
+    /** When it was submitted. */
     created_at: Date;
+    /** When it changed for the last time. */
     updated_at: Date;
     /** In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`. */
     runs_played_before?: number;
@@ -791,12 +845,16 @@ export interface Score {
     manifest_sha256: string;
     select?: SelectionView;
     state: RunState;
+    /** Every episode has a result. */
     complete: boolean;
     /** Null until complete. */
     score: number | null;
+    /** The score if every missing episode got 0. */
     score_low: number;
+    /** The score if every missing episode got 1. */
     score_high: number;
     counts: OutcomeCounts;
+    /** Successes among the scored episodes. */
     success_rate: number | null;
     success_interval: Interval;
     /** Mean over the scored episodes. */
@@ -814,6 +872,7 @@ export interface SelectionView {
 
 /** What a server says of itself before anyone authenticates. */
 export interface Service {
+    /** Name of the server software. */
     name: string;
     /** Version of the server software. */
     version: string;
@@ -853,6 +912,7 @@ export interface StopRun {
 }
 
 export interface SubmitRun {
+    /** One of `list_benchmarks`. */
     benchmark_id: string;
     policy: PolicyInfo;
     /** Most live workers wanted; the server's limit when absent. */
@@ -891,9 +951,13 @@ export interface TensorSpace {
 
 /** Server time of this turn, in seconds. */
 export interface Timing {
+    /** The whole turn on the server. */
     total_s: number;
+    /** Waiting for the simulator. */
     queue_s: number;
+    /** Executing actions. */
     simulate_s: number;
+    /** Rendering images. */
     render_s: number;
     /** Encoding of images. */
     encode_s: number;
@@ -901,12 +965,15 @@ export interface Timing {
 
 /** The answer to attach (seq 0) and to predict. */
 export interface Turn {
+    /** Names the session in every later request. */
     session_id: string;
+    /** Number of the turn. */
     seq: number;
     episode?: EpisodeView;
     observation?: Observation;
     /** With `observe` all, one per executed action. */
     observations?: Observation[];
+    /** How many actions of the chunk were executed. */
     executed_steps: number;
     /** The episode ended before the chunk did. */
     stopped_early: boolean;

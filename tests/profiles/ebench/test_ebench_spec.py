@@ -107,7 +107,7 @@ def test_a_route_takes_what_is_described(at: tuple[str, str]) -> None:
     ]
     assert tuple(media) == route.writes
     # The control plane reports errors in its envelope, all others in a problem.
-    assert (route.refusal_response is not None) == (described["tags"] == ["control"])
+    assert (route.refusal_response is not None) == (described["tags"] == ["Tasks"])
 
 
 def test_the_page_names_every_operation() -> None:

@@ -23,6 +23,7 @@ PAGES = [
     *(ROOT / "clients").glob("*/README.md"),
     *DOCS.rglob("*.md"),
     *(ROOT / "spec").rglob("*.md"),
+    *(ROOT / "spec").rglob("*.yaml"),
 ]
 LINK = re.compile(r"\]\(<?([^)>\s]+)>?(?: \"[^\"]*\")?\)")
 FENCE = re.compile(r"^(```|~~~).*?^\1", re.MULTILINE | re.DOTALL)

@@ -7,6 +7,7 @@ import re
 
 from conformance.specification.document import JSON, load_spec
 from tests.support.paths import SPEC
+from tools.diagrams import lifecycle_diagram
 
 # An exchange names its operation. A request may follow, then a status and an answer.
 OPERATION = re.compile(r"^`(\w+)` · `(GET|PUT|POST) ", re.MULTILINE)
@@ -33,3 +34,8 @@ def test_each_message_fits_its_schema() -> None:
             assert spec.response_faults(operation, int(status), kind, message) == []
             answers += 1
     assert answers == 6
+
+
+def test_the_picture_of_a_run_is_that_of_the_lifecycle() -> None:
+    picture = lifecycle_diagram(load_spec().lifecycle)
+    assert f"```mermaid\n{picture}\n```" in (SPEC / "overview.md").read_text()

@@ -110,12 +110,18 @@ def enum_values_are_identifiers(document: Json) -> Iterator[str]:
 
 
 def errors_are_problems(document: Json) -> Iterator[str]:
-    problem = {"$ref": "#/components/responses/Problem"}
+    problem = {"$ref": "#/components/schemas/Problem"}
     for path, method, operation in operations(document):
         responses = operation["responses"]
         success = [c for c in responses if re.fullmatch("2[0-9]{2}|304", str(c))]
         errors = {c: answer for c, answer in responses.items() if c not in success}
-        if not success or errors != {"4XX": problem, "5XX": problem}:
+        contents = [resolve(document, e).get("content", {}) for e in errors.values()]
+        types = [(kind, e["schema"]) for c in contents for kind, e in c.items()]
+        if (
+            not success
+            or sorted(errors) != ["4XX", "5XX"]
+            or types != [("application/problem+json", problem)] * 2
+        ):
             yield f"{method} {path}: {sorted(map(str, responses))}"
 
 
@@ -167,6 +173,24 @@ def integers_are_exact(document: Json) -> Iterator[str]:
                 yield at
 
 
+def descriptions_are_short_and_link(document: Json) -> Iterator[str]:
+    """Of operations and tags; test_docs_links.py follows the links."""
+    described = {o["operationId"]: o for _, _, o in operations(document)}
+    described |= {tag["name"]: tag for tag in document["tags"]}
+    for name, node in described.items():
+        text = node.get("description", "")
+        sentences = re.split(r"(?<=[.?!])\s", text)
+        if len(sentences) > 2 or not re.search(r"\]\([a-z_/]+\.md", text):
+            yield f"{name}: {text}"
+
+
+def tags_are_described(document: Json) -> Iterator[str]:
+    known = {tag["name"] for tag in document["tags"]}
+    used = {o["operationId"]: o.get("tags", []) for _, _, o in operations(document)}
+    yield from (name for name, tags in used.items() if len(tags) != 1)
+    yield from known ^ {tag for tags in used.values() for tag in tags}
+
+
 def operation_ids_are_snake_case(document: Json) -> Iterator[str]:
     for path, method, operation in operations(document):
         name = operation.get("operationId", "")
@@ -180,14 +204,18 @@ def operation_ids_are_unique(document: Json) -> Iterator[str]:
 
 
 def no_value_is_lost_to_a_comma(document: Json) -> Iterator[str]:
-    """`{description: one, two}` is YAML for a key `two` with the value null."""
+    """`{description: one, two}` is YAML for a key `two` with the value null.
+
+    Examples are JSON, whose keys have quotation marks.
+    """
 
     def walk(node: Any, at: str) -> Iterator[str]:
         if isinstance(node, dict):
             for key, value in node.items():
                 if value is None:
                     yield f"{at}/{key}"
-                yield from walk(value, f"{at}/{key}")
+                if key != "examples":
+                    yield from walk(value, f"{at}/{key}")
         elif isinstance(node, list):
             for i, value in enumerate(node):
                 yield from walk(value, f"{at}/{i}")
@@ -214,6 +242,11 @@ BREACHES = yaml.safe_load("""
 - [lists_and_maps_are_bounded, components schemas Run properties n, {type: array}]
 - [lists_and_maps_are_bounded, components schemas Blob additionalProperties, {}]
 - [integers_are_exact, components schemas Predict properties seq maximum, 1.0e+16]
+- [descriptions_are_short_and_link, paths /v1/runs get description, "A. B. [](c.md)."]
+- [descriptions_are_short_and_link, paths /v1/runs get description, No link.]
+- [descriptions_are_short_and_link, tags 0 description, No link.]
+- [tags_are_described, paths /v1/runs get tags, [Nowhere]]
+- [tags_are_described, tags 0 name, Spare]
 - [operation_ids_are_snake_case, paths /v1/runs post operationId, submitRun]
 - [operation_ids_are_unique, paths /v1/runs post operationId, list_runs]
 - [no_value_is_lost_to_a_comma, components schemas Blob lost, null]

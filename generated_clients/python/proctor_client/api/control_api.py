@@ -79,7 +79,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Comparison:
-        """Runs beside a baseline, episode by episode.
+        """Compare runs with a baseline.
 
         baseline: The run that the others are compared with.
         runs: Ids of one to sixteen runs, with commas between them; the baseline may be one of them.
@@ -108,7 +108,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> None:
-        """Remove a record that was handed in.
+        """Delete an imported record.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -134,7 +134,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> None:
-        """Delete a run that is not in play, with all that is stored of it.
+        """Delete a run.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -159,7 +159,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Service:
-        """What this server is, speaks and allows.
+        """Describe the service.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -185,7 +185,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> BoardEntry:
-        """Say of a public entry that something is wrong with it, or take that back.
+        """Flag an entry, or remove its flag.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -214,7 +214,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Benchmark:
-        """One benchmark with its spaces, conventions and rules.
+        """Get a benchmark.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -239,7 +239,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Checkpoint:
-        """The size and the root of the history, signed.
+        """Get the signed checkpoint of the history.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -264,7 +264,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> BoardEntry:
-        """One entry, withdrawn or not.
+        """Get an entry.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -290,7 +290,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> RecordImport:
-        """What is known here of a record that was handed in.
+        """Get an imported record.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -323,7 +323,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Ranking:
-        """The public entries of one manifest, ranked.
+        """Get the ranking of a benchmark.
 
         manifest_sha256: Which manifest; that of `get_benchmark` when absent.
         cursor: `next_cursor` of the page before; opaque to the caller.
@@ -360,7 +360,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Run:
-        """State, progress and the reason for both; can wait for a change.
+        """Get a run, or wait for its next change.
 
         if_none_match: The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without. For the profile `waiting`.
         prefer: `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014).
@@ -392,7 +392,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Score:
-        """The score, or its bounds while episodes are missing.
+        """Get the score of a run.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -418,7 +418,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> RecordImport:
-        """Hand in a record of any host, to be verified and replayed here.
+        """Import a record.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -444,7 +444,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> BenchmarkList:
-        """The benchmarks offered here.
+        """List the benchmarks.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -475,7 +475,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> BoardEntryList:
-        """Entries of the leaderboard, newest first.
+        """List entries of the leaderboard.
 
         benchmark_id: Only entries of this benchmark.
         cursor: `next_cursor` of the page before; opaque to the caller.
@@ -507,7 +507,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> EpisodeList:
-        """Every episode with its result so far, in manifest order.
+        """List the episodes of a run.
 
         cursor: `next_cursor` of the page before; opaque to the caller.
         limit: Most items wanted on a page; 100 when absent.
@@ -538,7 +538,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> HistoryPage:
-        """What happened to public entries, oldest first.
+        """List the history.
 
         cursor: `next_cursor` of the page before; opaque to the caller.
         limit: Most items wanted on a page; 100 when absent.
@@ -568,7 +568,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> RecordImportList:
-        """The records that the account handed in, newest first.
+        """List imported records.
 
         cursor: `next_cursor` of the page before; opaque to the caller.
         limit: Most items wanted on a page; 100 when absent.
@@ -595,7 +595,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> KeyList:
-        """The public keys with which this host signs records.
+        """List the signing keys.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -622,7 +622,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> RunList:
-        """The caller's runs, newest first.
+        """List runs.
 
         cursor: `next_cursor` of the page before; opaque to the caller.
         limit: Most items wanted on a page; 100 when absent.
@@ -651,7 +651,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> ConsistencyProof:
-        """Proof that a history of one size begins with that of another.
+        """Prove that the history only grew.
 
         old_size: Size of the older history.
         new_size: Size of the newer history.
@@ -680,7 +680,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> InclusionProof:
-        """Proof that a leaf stands in the history of a size.
+        """Prove that a leaf is in the history.
 
         leaf_index: Index of the leaf, from 0.
         tree_size: Size of the history.
@@ -709,7 +709,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> BoardEntry:
-        """Publish a completed run on the leaderboard, or change what its entry says.
+        """Publish a run on the leaderboard.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -736,7 +736,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Run:
-        """Go on with the episodes that have no score yet.
+        """Resume a run.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -763,7 +763,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Run:
-        """Stop now (abort) or after the episodes in play (drain).
+        """Stop a run.
 
         proctor_version: The protocol version the caller was written for.
         """
@@ -794,7 +794,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Run:
-        """Ask for one evaluation of one policy on one benchmark.
+        """Submit a run.
 
         idempotency_key: Makes a repeated submit return the first run instead of making another. One that breaks the pattern is refused with `invalid_request` (ERR-014). For the profile `submit_once`.
         proctor_version: The protocol version the caller was written for.
@@ -824,7 +824,7 @@ class ControlApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> BoardEntry:
-        """Take the entry of a run off the leaderboard, for good.
+        """Withdraw the entry of a run.
 
         proctor_version: The protocol version the caller was written for.
         """

@@ -46,7 +46,7 @@ class DataApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Turn:
-        """Open a session for a worker and get its turn 0.
+        """Attach a worker.
 
         worker_id: Chosen by the client; stable over re-attachments.
         proctor_version: The protocol version the caller was written for.
@@ -76,7 +76,7 @@ class DataApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> None:
-        """Close a session and free its slot at once.
+        """Detach a worker.
 
         worker_id: Chosen by the client; stable over re-attachments.
         session_id: The session to close.
@@ -107,7 +107,7 @@ class DataApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Lease:
-        """Extend the lease while the policy thinks.
+        """Keep a session alive.
 
         worker_id: Chosen by the client; stable over re-attachments.
         proctor_version: The protocol version the caller was written for.
@@ -137,7 +137,7 @@ class DataApi:
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
     ) -> Turn:
-        """A chunk of actions in, the next observation out.
+        """Play a turn.
 
         worker_id: Chosen by the client; stable over re-attachments.
         proctor_version: The protocol version the caller was written for.

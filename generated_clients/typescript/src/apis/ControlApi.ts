@@ -235,7 +235,7 @@ export interface WithdrawEntryRequest {
  * the message expected. `init` is added to what `fetch` is given: a signal, further headers.
  */
 export class ControlApi extends BaseApi {
-    /** Runs beside a baseline, episode by episode. */
+    /** Compare runs with a baseline. */
     compareRuns(request: CompareRunsRequest, init?: RequestInit): Answer<Comparison> {
         return this.call('Comparison', 'GET', '/v1/comparisons', {
             query: { baseline: request.baseline, runs: request.runs, tolerance: request.tolerance },
@@ -243,7 +243,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Remove a record that was handed in. */
+    /** Delete an imported record. */
     deleteImport(request: DeleteImportRequest, init?: RequestInit): Answer<void> {
         return this.call(null, 'DELETE', '/v1/records/{import_id}', {
             path: { import_id: request.importId },
@@ -251,7 +251,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Delete a run that is not in play, with all that is stored of it. */
+    /** Delete a run. */
     deleteRun(request: DeleteRunRequest, init?: RequestInit): Answer<void> {
         return this.call(null, 'DELETE', '/v1/runs/{run_id}', {
             path: { run_id: request.runId },
@@ -259,14 +259,14 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** What this server is, speaks and allows. */
+    /** Describe the service. */
     describeService(request: DescribeServiceRequest = {}, init?: RequestInit): Answer<Service> {
         return this.call('Service', 'GET', '/v1', {
             headers: { 'Proctor-Version': request.proctorVersion },
         }, init);
     }
 
-    /** Say of a public entry that something is wrong with it, or take that back. */
+    /** Flag an entry, or remove its flag. */
     flagEntry(request: FlagEntryRequest, init?: RequestInit): Answer<BoardEntry> {
         return this.call('BoardEntry', 'PUT', '/v1/entries/{entry_id}/flag', {
             path: { entry_id: request.entryId },
@@ -275,7 +275,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** One benchmark with its spaces, conventions and rules. */
+    /** Get a benchmark. */
     getBenchmark(request: GetBenchmarkRequest, init?: RequestInit): Answer<Benchmark> {
         return this.call('Benchmark', 'GET', '/v1/benchmarks/{benchmark_id}', {
             path: { benchmark_id: request.benchmarkId },
@@ -283,14 +283,14 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** The size and the root of the history, signed. */
+    /** Get the signed checkpoint of the history. */
     getCheckpoint(request: GetCheckpointRequest = {}, init?: RequestInit): Answer<Checkpoint> {
         return this.call('Checkpoint', 'GET', '/v1/history/checkpoint', {
             headers: { 'Proctor-Version': request.proctorVersion },
         }, init);
     }
 
-    /** One entry, withdrawn or not. */
+    /** Get an entry. */
     getEntry(request: GetEntryRequest, init?: RequestInit): Answer<BoardEntry> {
         return this.call('BoardEntry', 'GET', '/v1/entries/{entry_id}', {
             path: { entry_id: request.entryId },
@@ -298,7 +298,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** What is known here of a record that was handed in. */
+    /** Get an imported record. */
     getImport(request: GetImportRequest, init?: RequestInit): Answer<RecordImport> {
         return this.call('RecordImport', 'GET', '/v1/records/{import_id}', {
             path: { import_id: request.importId },
@@ -306,7 +306,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** The public entries of one manifest, ranked. */
+    /** Get the ranking of a benchmark. */
     getRanking(request: GetRankingRequest, init?: RequestInit): Answer<Ranking> {
         return this.call('Ranking', 'GET', '/v1/benchmarks/{benchmark_id}/ranking', {
             path: { benchmark_id: request.benchmarkId },
@@ -315,7 +315,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** State, progress and the reason for both; can wait for a change. */
+    /** Get a run, or wait for its next change. */
     getRun(request: GetRunRequest, init?: RequestInit): Answer<Run> {
         return this.call('Run', 'GET', '/v1/runs/{run_id}', {
             path: { run_id: request.runId },
@@ -323,7 +323,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** The score, or its bounds while episodes are missing. */
+    /** Get the score of a run. */
     getScore(request: GetScoreRequest, init?: RequestInit): Answer<Score> {
         return this.call('Score', 'GET', '/v1/runs/{run_id}/score', {
             path: { run_id: request.runId },
@@ -331,7 +331,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Hand in a record of any host, to be verified and replayed here. */
+    /** Import a record. */
     importRecord(request: ImportRecordRequest, init?: RequestInit): Answer<RecordImport> {
         return this.call('RecordImport', 'POST', '/v1/records', {
             headers: { 'Proctor-Version': request.proctorVersion },
@@ -340,14 +340,14 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** The benchmarks offered here. */
+    /** List the benchmarks. */
     listBenchmarks(request: ListBenchmarksRequest = {}, init?: RequestInit): Answer<BenchmarkList> {
         return this.call('BenchmarkList', 'GET', '/v1/benchmarks', {
             headers: { 'Proctor-Version': request.proctorVersion },
         }, init);
     }
 
-    /** Entries of the leaderboard, newest first. */
+    /** List entries of the leaderboard. */
     listEntries(request: ListEntriesRequest = {}, init?: RequestInit): Answer<BoardEntryList> {
         return this.call('BoardEntryList', 'GET', '/v1/entries', {
             query: { benchmark_id: request.benchmarkId, cursor: request.cursor, limit: request.limit },
@@ -355,7 +355,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Every episode with its result so far, in manifest order. */
+    /** List the episodes of a run. */
     listEpisodes(request: ListEpisodesRequest, init?: RequestInit): Answer<EpisodeList> {
         return this.call('EpisodeList', 'GET', '/v1/runs/{run_id}/episodes', {
             path: { run_id: request.runId },
@@ -364,7 +364,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** What happened to public entries, oldest first. */
+    /** List the history. */
     listHistory(request: ListHistoryRequest = {}, init?: RequestInit): Answer<HistoryPage> {
         return this.call('HistoryPage', 'GET', '/v1/history', {
             query: { cursor: request.cursor, limit: request.limit },
@@ -372,7 +372,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** The records that the account handed in, newest first. */
+    /** List imported records. */
     listImports(request: ListImportsRequest = {}, init?: RequestInit): Answer<RecordImportList> {
         return this.call('RecordImportList', 'GET', '/v1/records', {
             query: { cursor: request.cursor, limit: request.limit },
@@ -380,14 +380,14 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** The public keys with which this host signs records. */
+    /** List the signing keys. */
     listKeys(request: ListKeysRequest = {}, init?: RequestInit): Answer<KeyList> {
         return this.call('KeyList', 'GET', '/v1/keys', {
             headers: { 'Proctor-Version': request.proctorVersion },
         }, init);
     }
 
-    /** The caller\'s runs, newest first. */
+    /** List runs. */
     listRuns(request: ListRunsRequest = {}, init?: RequestInit): Answer<RunList> {
         return this.call('RunList', 'GET', '/v1/runs', {
             query: { cursor: request.cursor, limit: request.limit },
@@ -395,7 +395,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Proof that a history of one size begins with that of another. */
+    /** Prove that the history only grew. */
     proveConsistency(request: ProveConsistencyRequest, init?: RequestInit): Answer<ConsistencyProof> {
         return this.call('ConsistencyProof', 'GET', '/v1/history/consistency', {
             query: { old_size: request.oldSize, new_size: request.newSize },
@@ -403,7 +403,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Proof that a leaf stands in the history of a size. */
+    /** Prove that a leaf is in the history. */
     proveInclusion(request: ProveInclusionRequest, init?: RequestInit): Answer<InclusionProof> {
         return this.call('InclusionProof', 'GET', '/v1/history/inclusion', {
             query: { leaf_index: request.leafIndex, tree_size: request.treeSize },
@@ -411,7 +411,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Publish a completed run on the leaderboard, or change what its entry says. */
+    /** Publish a run on the leaderboard. */
     publishEntry(request: PublishEntryRequest, init?: RequestInit): Answer<BoardEntry> {
         return this.call('BoardEntry', 'PUT', '/v1/runs/{run_id}/entry', {
             path: { run_id: request.runId },
@@ -420,7 +420,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Go on with the episodes that have no score yet. */
+    /** Resume a run. */
     resumeRun(request: ResumeRunRequest, init?: RequestInit): Answer<Run> {
         return this.call('Run', 'POST', '/v1/runs/{run_id}/resume', {
             path: { run_id: request.runId },
@@ -428,7 +428,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Stop now (abort) or after the episodes in play (drain). */
+    /** Stop a run. */
     stopRun(request: StopRunRequest, init?: RequestInit): Answer<Run> {
         return this.call('Run', 'POST', '/v1/runs/{run_id}/stop', {
             path: { run_id: request.runId },
@@ -437,7 +437,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Ask for one evaluation of one policy on one benchmark. */
+    /** Submit a run. */
     submitRun(request: SubmitRunRequest, init?: RequestInit): Answer<Run> {
         return this.call('Run', 'POST', '/v1/runs', {
             headers: { 'Idempotency-Key': request.idempotencyKey, 'Proctor-Version': request.proctorVersion },
@@ -445,7 +445,7 @@ export class ControlApi extends BaseApi {
         }, init);
     }
 
-    /** Take the entry of a run off the leaderboard, for good. */
+    /** Withdraw the entry of a run. */
     withdrawEntry(request: WithdrawEntryRequest, init?: RequestInit): Answer<BoardEntry> {
         return this.call('BoardEntry', 'DELETE', '/v1/runs/{run_id}/entry', {
             path: { run_id: request.runId },

@@ -53,7 +53,7 @@ export interface PredictRequest {
  * the message expected. `init` is added to what `fetch` is given: a signal, further headers.
  */
 export class DataApi extends BaseApi {
-    /** Open a session for a worker and get its turn 0. */
+    /** Attach a worker. */
     attachWorker(request: AttachWorkerRequest, init?: RequestInit): Answer<Turn> {
         return this.call('Turn', 'PUT', '/v1/runs/{run_id}/workers/{worker_id}', {
             path: { run_id: request.runId, worker_id: request.workerId },
@@ -62,7 +62,7 @@ export class DataApi extends BaseApi {
         }, init);
     }
 
-    /** Close a session and free its slot at once. */
+    /** Detach a worker. */
     detachWorker(request: DetachWorkerRequest, init?: RequestInit): Answer<void> {
         return this.call(null, 'DELETE', '/v1/runs/{run_id}/workers/{worker_id}', {
             path: { run_id: request.runId, worker_id: request.workerId },
@@ -71,7 +71,7 @@ export class DataApi extends BaseApi {
         }, init);
     }
 
-    /** Extend the lease while the policy thinks. */
+    /** Keep a session alive. */
     heartbeat(request: HeartbeatRequest, init?: RequestInit): Answer<Lease> {
         return this.call('Lease', 'POST', '/v1/runs/{run_id}/workers/{worker_id}/heartbeat', {
             path: { run_id: request.runId, worker_id: request.workerId },
@@ -80,7 +80,7 @@ export class DataApi extends BaseApi {
         }, init);
     }
 
-    /** A chunk of actions in, the next observation out. */
+    /** Play a turn. */
     predict(request: PredictRequest, init?: RequestInit): Answer<Turn> {
         return this.call('Turn', 'POST', '/v1/runs/{run_id}/workers/{worker_id}/predict', {
             path: { run_id: request.runId, worker_id: request.workerId },
