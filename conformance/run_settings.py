@@ -14,7 +14,7 @@ from typing import Any
 from conformance.specification.ledger import (
     CLUSTER,
     NEVER_ANNOUNCED,
-    POLICY,
+    OF_OTHER_PROGRAMS,
     PROFILES,
     Requirement,
     load_ledger,
@@ -56,6 +56,8 @@ class Settings:
     tolerance_s: float = 0.25
     service: dict[str, Any] = field(default_factory=dict)
     benchmark: dict[str, Any] = field(default_factory=dict)
+    # A simulator under test: its command, its limits of time, what it says of itself.
+    simulator: dict[str, Any] = field(default_factory=dict)
 
     @functools.cached_property
     def selected_rules(self) -> list[Requirement]:
@@ -87,8 +89,8 @@ class Settings:
     @property
     def is_partial(self) -> bool:
         """Whether only a selection of the rules is checked."""
-        is_policy = self.profiles == [POLICY]
-        is_narrow = not is_policy and bool(set(PROFILES) - set(self.profiles))
+        is_other = self.profiles in [[name] for name in OF_OTHER_PROGRAMS]
+        is_narrow = not is_other and bool(set(PROFILES) - set(self.profiles))
         is_stage = self.stage not in (None, LAST)
         return bool(self.only or self.quick or is_narrow or is_stage)
 

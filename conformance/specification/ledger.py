@@ -20,7 +20,10 @@ PROFILES = (
     *("board", "public_board", "crash", "cluster"),
     *("ebench", "flageval"),
 )
-POLICY = "policy"  # of policy servers, which are checked by a command of their own
+POLICY = "policy"
+SIMULATOR = "simulator"
+# Profiles of other programs than servers, each checked by a command of its own.
+OF_OTHER_PROGRAMS = (POLICY, SIMULATOR)
 NEVER_ANNOUNCED = ("core", "crash")  # checked on every server
 CLUSTER = "cluster"  # checked on every service with several base URLs
 

@@ -20,7 +20,7 @@ from pathlib import Path
 # defines the words of rules and states none.
 _DOCUMENTS = (
     *("http", "benchmarks", "runs", "play"),
-    *("calibration", "conventions", "scoring", "policy"),
+    *("calibration", "conventions", "scoring", "policy", "simulator"),
 )
 _PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
 _RULE = re.compile(r"^- \[([A-Z]{2,6}-\d{3})(, verifier)?\] (.+)$")

@@ -29,7 +29,7 @@ from reference_sim.interface import TaskUnplayable
 ADAPTER = "external"
 _MAX_ATTEMPTS = _MAX_FAULTS = 3
 _NO_IMAGE_SIZE = [{"width": 64, "height": 64}]  # every run records a choice
-# What the description may say, and the file of the host may say otherwise.
+# Members of the description, which a host's file may replace.
 _COMPLETED = (
     *("benchmark_id", "version", "title", "description", "splits", "max_steps"),
     *("control_rate_hz", "success_rule", "image_sizes", "image_codecs"),

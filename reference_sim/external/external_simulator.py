@@ -1,6 +1,6 @@
 """Plays a program that speaks the simulator protocol as a `Simulator`.
 
-What a program sends is checked here and never corrected: a reply that breaks a rule of
+Replies are checked here and never corrected: a reply that breaks a rule of
 spec/simulator.md is a fault of the simulator.
 """
 
@@ -16,14 +16,14 @@ from numpy.typing import NDArray
 from reference_sim.external.program import START_TIMEOUT_S, Program, ProgramFault
 from reference_sim.external.simulator_messages import (
     OBSERVATION_EXTRA_BYTES,
-    Digest,
+    DigestCall,
     Digested,
     EpisodeBegun,
-    Observe,
+    ObserveCall,
     Observed,
     Pixels,
-    Reset,
-    Step,
+    ResetCall,
+    StepCall,
     StepDone,
     TensorValue,
 )
@@ -83,14 +83,14 @@ class ExternalSimulator:
         self._images = _names_of(space.get("images", {}), task)
         self._tensors = _names_of(space.get("tensors", {}), task)
         self._steps, self._return = 0, 0.0
-        begun = self._program.request(Reset(task, seed, split), EpisodeBegun)
+        begun = self._program.request(ResetCall(task, seed, split), EpisodeBegun)
         self._state = self._checked(begun.state)
         self.stages = tuple(begun.stages)
         return begun.instruction
 
     def step(self, action: Action) -> StepOutcome:
         """Raises ProgramFault for numbers that no episode may have (SIM-016)."""
-        done = self._program.request(Step(action), StepDone)
+        done = self._program.request(StepCall(action), StepDone)
         self._state = self._checked(done.state)
         self._steps += 1
         self._return += done.reward
@@ -132,7 +132,7 @@ class ExternalSimulator:
             for tensor in declared.values()
         )
         seen = self._program.request(
-            Observe(self._images, self._tensors, self._width, self._height),
+            ObserveCall(self._images, self._tensors, self._width, self._height),
             Observed,
             reply_bytes_max=most + OBSERVATION_EXTRA_BYTES,
         )
@@ -181,7 +181,7 @@ class ExternalSimulator:
     def state_bytes(self) -> bytes:
         """The program's digest, or what stands for it: the state and the rewards."""
         if self._benchmark.get("digest"):
-            return self._program.request(Digest(), Digested).digest  # SIM-020
+            return self._program.request(DigestCall(), Digested).digest  # SIM-020
         numbers = [number for _, v in sorted(self._state.items()) for number in v]
         return np.asarray([*numbers, self._steps, self._return]).tobytes()
 

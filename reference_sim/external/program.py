@@ -26,11 +26,11 @@ from reference_sim.external.simulator_messages import (
     LENGTH,
     PROTOCOL,
     REPLY_BYTES_MAX,
-    Close,
+    CloseCall,
     Closed,
-    Describe,
+    DescribeCall,
     Described,
-    Fault,
+    FaultReply,
     ReplyT,
     Request,
     frame,
@@ -74,7 +74,7 @@ class Program:
         self._start(command, folder)
         try:
             self.description = self.request(
-                Describe(), Described, timeout_s=start_timeout_s, on_wait=on_wait
+                DescribeCall(), Described, timeout_s=start_timeout_s, on_wait=on_wait
             )
             if self.description.protocol != PROTOCOL:  # SIM-007
                 protocol = self.description.protocol
@@ -125,15 +125,15 @@ class Program:
         """Send a request and wait for its reply."""
         limit_s = timeout_s or self._call_timeout_s or float("inf")
         self._deadline, self._on_wait = time.monotonic() + limit_s, on_wait
-        self._limit_text = f"{type(request).__name__.lower()} within {limit_s:g} s"
+        call = type(request).__name__.removesuffix("Call").lower()
+        self._limit_text = f"{call} within {limit_s:g} s"
         self._send(frame(request))
         body = self._receive(reply_bytes_max)
         try:
             reply = read_reply(body, wanted)
         except msgspec.DecodeError as error:
-            call = type(request).__name__.lower()
             self._raise(f"sent a reply to {call} that is not valid: {error}")
-        if isinstance(reply, Fault):
+        if isinstance(reply, FaultReply):
             if reply.unplayable:
                 raise TaskUnplayable(reply.fault)
             self._raise(f"reports a fault: {reply.fault}")
@@ -206,7 +206,7 @@ class Program:
     def close(self) -> None:
         """Ask the program to end, then end it."""
         with contextlib.suppress(ProgramFault, TaskUnplayable):
-            self.request(Close(), Closed, timeout_s=CLOSE_TIMEOUT_S)
+            self.request(CloseCall(), Closed, timeout_s=CLOSE_TIMEOUT_S)
         self.end()
 
     def end(self) -> None:

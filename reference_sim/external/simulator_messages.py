@@ -14,36 +14,40 @@ REPLY_BYTES_MAX = 16 << 20
 OBSERVATION_EXTRA_BYTES = 1 << 20
 
 
-class _Request(msgspec.Struct, tag_field="call", tag=str.lower):
-    """A request; its call is its class's name."""
+def _call_of(class_name: str) -> str:
+    return class_name.removesuffix("Call").lower()
 
 
-class Describe(_Request):
+class _Request(msgspec.Struct, tag_field="call", tag=_call_of):
+    """A request; its call is its class's name without `Call`."""
+
+
+class DescribeCall(_Request):
     protocols: Sequence[int] = (PROTOCOL,)
 
 
-class Reset(_Request):
+class ResetCall(_Request):
     task: str
     seed: int
     split: str
 
 
-class Step(_Request):
+class StepCall(_Request):
     action: Mapping[str, Sequence[float]]
 
 
-class Observe(_Request):
+class ObserveCall(_Request):
     images: Sequence[str]
     tensors: Sequence[str]
     width: int
     height: int
 
 
-class Digest(_Request):
+class DigestCall(_Request):
     pass
 
 
-class Close(_Request):
+class CloseCall(_Request):
     pass
 
 
@@ -90,20 +94,20 @@ class Closed(msgspec.Struct):
     pass
 
 
-class Fault(msgspec.Struct):
+class FaultReply(msgspec.Struct):
     fault: str
     unplayable: bool = False
 
 
 ReplyT = TypeVar("ReplyT", bound=msgspec.Struct)
-Request = Describe | Reset | Step | Observe | Digest | Close
+Request = DescribeCall | ResetCall | StepCall | ObserveCall | DigestCall | CloseCall
 
 _encoder = msgspec.msgpack.Encoder()
 _DECODERS: dict[type[msgspec.Struct], msgspec.msgpack.Decoder[Any]] = {
     kind: msgspec.msgpack.Decoder(kind)
     for kind in (Described, EpisodeBegun, StepDone, Observed, Digested, Closed)
 }
-_fault_decoder = msgspec.msgpack.Decoder(Fault)
+_fault_decoder = msgspec.msgpack.Decoder(FaultReply)
 
 
 def frame(request: Request) -> bytearray:
@@ -114,7 +118,7 @@ def frame(request: Request) -> bytearray:
     return buffer
 
 
-def read_reply(body: bytes | memoryview, wanted: type[ReplyT]) -> ReplyT | Fault:
+def read_reply(body: bytes | memoryview, wanted: type[ReplyT]) -> ReplyT | FaultReply:
     """Raises msgspec.DecodeError, also for a reply that lacks a member."""
     try:
         reply: ReplyT = _DECODERS[wanted].decode(body)

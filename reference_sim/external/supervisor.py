@@ -78,7 +78,7 @@ class ErrorOutput:
             self._left_out = 0
 
     def _print(self, text: str) -> None:
-        with contextlib.suppress(OSError):  # there may be no log any more
+        with contextlib.suppress(OSError):  # the log may have ended
             os.write(2, f"{self._prefix}{text}\n".encode())
 
 
@@ -177,7 +177,7 @@ class Supervisor:
         return data
 
     def _drain(self) -> None:
-        """What the program wrote last often says why it ended."""
+        """Read its last lines, which often say why the program ended."""
         for _ in range(_BYTES_PER_S // _READ_BYTES):
             if not self._read_errors():
                 return

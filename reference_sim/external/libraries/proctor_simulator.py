@@ -95,7 +95,11 @@ def serve(simulator: Simulator) -> NoReturn:
         head = requests.read(_LENGTH.size)
         if len(head) < _LENGTH.size:
             break
-        request = unpack(requests.read(_LENGTH.unpack(head)[0]))
+        (length,) = _LENGTH.unpack(head)
+        body = requests.read(length)
+        if len(body) < length:
+            break
+        request = unpack(body)
         _write(replies, session.answer(request))
         if request.get("call") == "close":
             break
