@@ -63,7 +63,7 @@ def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> 
 
 
 def test_the_sample_verdict_has_the_number_of_rules() -> None:
-    """The rules that the kit judges servers by: those of other programs are left out."""
+    """The rules that the kit judges servers by, without those of other programs."""
     (sample,) = re.findall(r"^\d+ MUST: .*$", README, re.MULTILINE)
     total, *outcomes = (int(number) for number in re.findall(r"\d+", sample))
     assert total == sum(
