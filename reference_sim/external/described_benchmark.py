@@ -14,7 +14,12 @@ from pydantic import ValidationError
 
 from reference_sim.definition import BenchmarkDefinition, Json
 from reference_sim.external.external_simulator import DTYPES, ExternalSimulator
-from reference_sim.external.program import START_TIMEOUT_S, Program, ProgramFault
+from reference_sim.external.program import (
+    START_TIMEOUT_S,
+    Program,
+    ProgramFault,
+    program_name,
+)
 from reference_sim.external.simulator_messages import PROTOCOL
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import (
@@ -191,10 +196,8 @@ def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark
     if benchmark.benchmark_id == UNNAMED:
         stated = stated - {"benchmark_id"}
     said |= benchmark.model_dump(include=set(stated))
-    words = benchmark.simulator or [""]
-    # `python my_world.py`: the program is the file, not its interpreter.
-    named = [word for word in words if (folder / word).is_file()] or words[:1]
-    said.setdefault("benchmark_id", legal_id(Path(named[-1]).stem))
+    name = program_name(benchmark.simulator or [""], str(folder))
+    said.setdefault("benchmark_id", legal_id(Path(name).stem))
     try:
         return Benchmark.model_validate(said)
     except ValidationError as error:

@@ -48,6 +48,13 @@ _INBOX_BYTES = 1 << 16
 _SUPERVISOR = str(Path(__file__).with_name("supervisor.py"))
 
 
+def program_name(command: Sequence[str], folder: str) -> str:
+    """The name of the program's file; for `python my_world.py` it is the second one."""
+    name = Path(command[0]).name
+    files = [word for word in command[1:] if Path(folder, word).is_file()]
+    return Path(files[0]).name if name.startswith("python") and files else name
+
+
 class ProgramFault(Exception):
     """The program had a fault, broke its protocol or ended; the text says what."""
 
@@ -68,7 +75,7 @@ class Program:
         call_timeout_s: float | None = CALL_TIMEOUT_S,
         on_wait: Callable[[], None] = lambda: None,
     ) -> None:
-        self.name = Path(command[0]).name
+        self.name = program_name(command, folder)
         self._call_timeout_s = call_timeout_s
         self._inbox = bytearray(_INBOX_BYTES)
         self._start(command, folder)
