@@ -24,6 +24,11 @@ def main_policy() -> int:
     return _start("conformance.policy.__main__")
 
 
+def main_simulator() -> int:
+    """Judge a simulator; 2 when the kit cannot start."""
+    return _start("conformance.simulator.__main__")
+
+
 def _start(module: str) -> int:
     prepare_output()
     try:

@@ -15,7 +15,7 @@ from conformance.specification.ledger import (
     CLUSTER,
     LEVELS,
     NEVER_ANNOUNCED,
-    POLICY,
+    OF_OTHER_PROGRAMS,
     PROFILES,
     Requirement,
     load_ledger,
@@ -58,6 +58,8 @@ class Settings:
     tolerance_s: float = 0.25
     service: dict[str, Any] = field(default_factory=dict)
     benchmark: dict[str, Any] = field(default_factory=dict)
+    # A simulator under test: its command, its limits of time, what it says of itself.
+    simulator: dict[str, Any] = field(default_factory=dict)
 
     @functools.cached_property
     def selected_rules(self) -> list[Requirement]:
@@ -90,14 +92,14 @@ class Settings:
     def is_partial(self) -> bool:
         """Whether only a selection of the rules is checked."""
         whole = LEVELS[self.level] if self.level else PROFILES
-        is_narrow = not self.is_of_policy and bool({*whole} - {*self.profiles})
+        is_narrow = self.is_of_server and bool({*whole} - {*self.profiles})
         is_stage = self.stage not in (None, LAST)
         return bool(self.only or self.quick or is_narrow or is_stage)
 
     @property
-    def is_of_policy(self) -> bool:
-        """Whether a policy server is judged."""
-        return self.profiles == [POLICY]
+    def is_of_server(self) -> bool:
+        """Whether a server is judged, and no program of another kind."""
+        return self.profiles not in [[name] for name in OF_OTHER_PROGRAMS]
 
     @property
     def is_time_up(self) -> bool:

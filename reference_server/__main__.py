@@ -73,7 +73,7 @@ def _start() -> int:
         _print_line(f"bad settings: {error}")
         return 2
     try:
-        benchmark_registry.add(settings.benchmarks, _print_line)
+        benchmark_registry.add(settings.benchmark_references, _print_line)
     except BadBenchmark as error:
         _print_line(str(error))
         return 2

@@ -164,8 +164,17 @@ def unavailable_reason(benchmark_id: str) -> str | None:
     return _definition(benchmark_id).unavailable()
 
 
-def make(world: SimulatorConfig) -> Simulator:
-    """Make the simulator, in the process that runs it."""
+def make(
+    world: SimulatorConfig, on_wait: Callable[[], None] = lambda: None
+) -> Simulator:
+    """Make the simulator, in the process that runs it.
+
+    on_wait: called about every second while a simulator takes long to start.
+    """
+    if world.settings.get("adapter") == "external":
+        from reference_sim.external import external_simulator
+
+        return external_simulator.make(world.settings, on_wait)
     if world.settings.get("adapter") == "gymnasium":
         from reference_sim.gymnasium import simulator
 

@@ -27,7 +27,7 @@ from itertools import groupby
 from pathlib import Path
 
 from conformance.specification.document import load_spec
-from conformance.specification.ledger import POLICY, Requirement, load_ledger
+from conformance.specification.ledger import POLICY, SIMULATOR, Requirement, load_ledger
 from conformance.specification.rule_documents import read_rules
 from reference_server.rules.lifecycle import TRANSITIONS
 from tests.mutants import load as load_mutants
@@ -58,6 +58,7 @@ NO_DECIDING_LINE: Mapping[str, str] = {
 }
 NO_DECIDING_LINE_BY_PROFILE: Mapping[str, str] = {
     POLICY: "obeyed by policy servers; the evaluation server does not decide it",
+    SIMULATOR: "obeyed by simulators; the evaluation server does not decide it",
 }
 # Rules that the kit judges and that no mutant breaks, and why.
 NO_MUTANT: Mapping[str, str] = {
@@ -99,8 +100,8 @@ class Trace:
     @property
     def no_mutant(self) -> str | None:
         """Why no mutant breaks it, if that is known."""
-        if self.rule.profile == POLICY:
-            return "obeyed by policy servers; mutants are of the evaluation server"
+        if self.rule.profile in NO_DECIDING_LINE_BY_PROFILE:
+            return "obeyed by other programs; mutants are of the evaluation server"
         return NO_MUTANT.get(self.rule.id)
 
     @property

@@ -17,7 +17,7 @@ from conformance.runner.pytest_plugin import (
     requirement_of,
 )
 from conformance.specification.document import load_spec
-from conformance.specification.ledger import POLICY, PROFILES
+from conformance.specification.ledger import OF_OTHER_PROGRAMS, PROFILES
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -102,7 +102,7 @@ def execute(
 
 def list_checks(chosen: Settings | None = None) -> list[list[str]]:
     """Give id, name and docstring of the checks (of all), without a server."""
-    profiles = [*PROFILES, POLICY]
+    profiles = [*PROFILES, *OF_OTHER_PROGRAMS]
     everything = Settings(profiles=profiles)
     everything.assume_all_offered()
     collector = _CheckCollector()

@@ -28,7 +28,10 @@ PROFILES = (
 )
 # The profiles of each level; a server that announces none of SERVICE is one of Core.
 LEVELS = {CORE: (CORE,), "service": (CORE, *SERVICE)}
-POLICY = "policy"  # of policy servers, which are checked by a command of their own
+POLICY = "policy"
+SIMULATOR = "simulator"
+# Profiles of other programs than servers, each checked by a command of its own.
+OF_OTHER_PROGRAMS = (POLICY, SIMULATOR)
 NEVER_ANNOUNCED = (CORE, "crash")  # checked on every server
 CLUSTER = "cluster"  # checked on every service with several base URLs
 

@@ -22,7 +22,7 @@ from pathlib import Path
 # and levels say what rules mean and state none.
 _DOCUMENTS = (
     *("http", "benchmarks", "runs", "play"),
-    *("calibration", "conventions", "scoring", "policy", "levels"),
+    *("calibration", "conventions", "scoring", "policy", "simulator", "levels"),
 )
 _PROFILE = re.compile(r"^Profile: `(\w+)`\.$")
 _HEADING = re.compile(r"^##+ ")

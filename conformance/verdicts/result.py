@@ -107,8 +107,8 @@ class Result:
         return {profile: _of_all(count) for profile, count in counts.items()}
 
     def levels(self) -> list[LevelVerdict]:
-        """Judge each level; none where a policy server or nothing was judged."""
-        if not self.settings.service or self.settings.is_of_policy:
+        """Judge each level; none where no server was judged."""
+        if not (self.settings.service and self.settings.is_of_server):
             return []
         is_decided = self.problem is None
         return [

@@ -57,7 +57,7 @@ def make_router(
     if settings.films == "on" and settings.recordings != "off":
         seeds = settings.opened_seeds
         films = FilmSettings(
-            settings.benchmarks,
+            settings.benchmark_references,
             "" if "," in seeds else seeds,
             lambda: str(settings.seed_secret_path or "") * settings.is_for_one_person,
         )

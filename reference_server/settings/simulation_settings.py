@@ -16,6 +16,11 @@ class SimulationSettings(BaseModel):
         "file, a folder of TOML files, FILE.py:CLASS, a question file FILE.jsonl, or "
         "metaworld_mt50.",
     )
+    simulator: str = Field(
+        "",
+        description="A program that speaks the simulator protocol, with its arguments: "
+        "one more benchmark. A TOML file can say more about it.",
+    )
     simulators: str = Field(
         "local",
         pattern=r"^(local|ray|ray://[^\s/:]+:\d{1,5})$",
@@ -47,11 +52,24 @@ class SimulationSettings(BaseModel):
         description="Maximum time of a simulator for one turn; then it is killed.",
     )
 
+    @field_validator("simulator")
+    @classmethod
+    def _check_simulator(cls, command: str) -> str:
+        if "," in command:
+            raise ValueError("a command with a comma belongs in a TOML file")
+        return command
+
     @field_validator("ray_resources")
     @classmethod
     def _check_resources(cls, text: str) -> str:
         parse_resources(text)  # raises ValueError
         return text
+
+    @property
+    def benchmark_references(self) -> str:
+        """`benchmarks`, and the one of `simulator`."""
+        program = self.simulator and f"simulator:{self.simulator}"
+        return ",".join(filter(None, (self.benchmarks, program)))
 
     @property
     def spares(self) -> int:

@@ -7,6 +7,7 @@ omits is completed by `check`, from the environment.
 from __future__ import annotations
 
 import re
+import shlex
 import tomllib
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -31,6 +32,13 @@ BUNDLED_BENCHMARKS = {
 }
 _ID_LENGTH_MAX = 64
 _DEFAULT_EPISODES = 10
+# Keys that a program answers for itself, and keys that only a program has.
+_OF_ENVIRONMENTS = {"modules", "kwargs", "tasks", "success", "ends_on_success"} | {
+    *("score", "rebuild_every_episode", "camera", "action", "state")
+}
+_OF_SIMULATORS = {"files", "start_timeout_s"}
+SIMULATOR = "simulator:"  # before the command line of a program
+UNNAMED = "simulator"  # the id of a program's benchmark until the program names it
 
 BenchmarkId = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
 Name = Annotated[str, Field(min_length=1, max_length=200)]
@@ -193,6 +201,9 @@ class Benchmark(_Strict):
     description: str = ""
     environment: Name | None = None
     made_by: Reference | None = None
+    simulator: Annotated[list[str], Field(min_length=1)] | None = None
+    files: list[str] = []
+    start_timeout_s: Annotated[float, Field(gt=0, le=3600)] | None = None
     modules: list[str] = []
     files: list[str] = []
     kwargs: dict[str, Any] = {}
@@ -217,10 +228,16 @@ class Benchmark(_Strict):
 
     @model_validator(mode="after")
     def _is_consistent(self) -> Self:
-        if (self.environment is None) == (self.made_by is None):
+        makers = (self.environment, self.made_by, self.simulator)
+        if makers.count(None) != len(makers) - 1:
             raise ValueError(
-                'give either environment = "ID" or made_by = "FILE.py:NAME"'
+                'give one of environment = "ID", made_by = "FILE.py:NAME" and '
+                'simulator = ["PROGRAM", …]'
             )
+        others = _OF_SIMULATORS if self.simulator is None else _OF_ENVIRONMENTS
+        if misplaced := sorted(others & self.model_fields_set):
+            source = "an environment" if self.simulator is None else "a simulator"
+            raise ValueError(f"{', '.join(misplaced)}: not a key of {source}")
         names = [task.name for task in self.tasks]
         if len(set(names)) < len(names):
             raise ValueError("two tasks have the same name")
@@ -228,7 +245,7 @@ class Benchmark(_Strict):
             raise ValueError("two splits have the same name")
         for split in self.splits:
             for name in split.tasks or ():
-                if name not in names:
+                if name not in names and self.simulator is None:
                     raise ValueError(
                         f"split {split.name}: {unknown('task', name, names)}"
                     )
@@ -244,7 +261,7 @@ class Benchmark(_Strict):
 
     @property
     def source(self) -> str:
-        return self.environment or self.made_by or ""
+        return self.environment or self.made_by or shlex.join(self.simulator or ())
 
     def episodes(self, tasks: Sequence[str]) -> list[dict[str, Any]]:
         """Split by split, task by task, so that worlds are seldom rebuilt."""
@@ -266,6 +283,9 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
     place, _, name = reference.rpartition(":")
     if reference in BUNDLED_BENCHMARKS:
         yield _read_file(BUNDLED_BENCHMARKS[reference])
+    elif reference.startswith(SIMULATOR):
+        command = shlex.split(reference[len(SIMULATOR) :])
+        yield Benchmark(benchmark_id=UNNAMED, simulator=command), Path.cwd()
     elif reference.startswith("gymnasium:") and name:
         yield _registered(reference.partition(":")[2]), Path.cwd()
     elif place.endswith(".py") and name.isidentifier():
@@ -301,7 +321,7 @@ def _registered(name: str) -> Benchmark:
             modules=[module] if module else [],
         )
     except ValidationError as error:
-        raise BadBenchmark(f"gymnasium:{name}: {_faults_of(error)}") from error
+        raise BadBenchmark(f"gymnasium:{name}: {faults_of(error)}") from error
 
 
 def _read_file(path: Path) -> tuple[Benchmark, Path]:
@@ -315,10 +335,10 @@ def _read_file(path: Path) -> tuple[Benchmark, Path]:
     try:
         return Benchmark.model_validate(content), path.parent
     except ValidationError as error:
-        raise BadBenchmark(f"{path}: {_faults_of(error)}") from error
+        raise BadBenchmark(f"{path}: {faults_of(error)}") from error
 
 
-def _faults_of(error: ValidationError) -> str:
+def faults_of(error: ValidationError) -> str:
     """Every fault with its path, as `tasks[1].name: Field required`."""
     faults = []
     for fault in error.errors(include_url=False):

@@ -21,6 +21,7 @@ from queue import Empty, SimpleQueue
 from typing import IO, Any
 
 from reference_sim.definition import BenchmarkDefinition, Json
+from reference_sim.external import described_benchmark
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import (
     BUNDLED_BENCHMARKS,
@@ -47,6 +48,9 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
     say: called with progress messages. Raises BadBenchmark.
     """
     for benchmark, folder in read(reference):
+        if benchmark.simulator is not None:
+            yield described_benchmark.definition(benchmark, folder, say)
+            continue
         report = examine(benchmark, folder, say)
         if report["faults"]:
             others = len(report["faults"]) - 1

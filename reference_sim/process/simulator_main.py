@@ -266,7 +266,10 @@ class _EpisodeHost:
                 self._simulator.close()
             self._simulator = self._world = self._episode = None
             os.environ.update(command.environment)
-            self._simulator, self._world = benchmark_registry.make(world), world
+            self._simulator = benchmark_registry.make(
+                world, lambda: _send(self._connection, Busy())
+            )
+            self._world = world
         return Built()
 
     def _begin(self, command: Begin) -> EpisodeStart:

@@ -23,6 +23,7 @@ from conformance.cli.kit_command import BadArguments
 from conformance.cli.main import main
 from conformance.policy.__main__ import main as main_policy
 from conformance.run_settings import Settings
+from conformance.simulator.__main__ import main as main_simulator
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.expect import VIOLATION_FOUND
@@ -64,7 +65,7 @@ def test_an_empty_dry_run_is_no_success(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("columns", [40, 80])
-@pytest.mark.parametrize("program", [main, main_policy])
+@pytest.mark.parametrize("program", [main, main_policy, main_simulator])
 def test_the_help_fits_the_terminal(
     program: Callable[[Sequence[str]], int],
     columns: int,

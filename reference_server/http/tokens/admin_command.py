@@ -95,7 +95,7 @@ def _record_files() -> AdminFiles:
         settings.records_path,
         settings.records_keep_days,
         settings.seed_secret_path,
-        settings.benchmarks,
+        settings.benchmark_references,
     )
 
 

@@ -74,6 +74,8 @@ MAY_SAY = {
     ("tools/experts.py", "scene"): "the same",
     ("reference_sim/*", "stage stages"): "a goal of a task has stages",
     ("tests/sim/*", "stage stages"): "the same",
+    ("tests/support/sim/breakable_simulator.py", "stages"): "the same",
+    ("spec/simulator.md", "stages"): "the same",
     ("reference_record/*", "stage stages"): "recordings name them, pages show them",
     ("tests/record/*", "stage stages"): "the same",
     ("docs/evaluate/pages.md", "stages"): "the same",
@@ -113,6 +115,7 @@ SAME_CLASS = {
     "of the kit's model, which may not know the server",
     "Answer Episode Observation Operation PolicySession Result Session": "nouns "
     "of the protocol, on each side of the wire and in recordings",
+    "Simulator": "of a simulator process, and in the file that programs copy",
     "Settings": "of the kit and of the server",
     "Task": "a task of the protocol: of a file, and of MuJoCo",
     # Different subjects; to be renamed.
@@ -126,6 +129,7 @@ SIBLINGS_MAX = 12
 # Folders that have more, and why.
 MORE_SIBLINGS = {
     ".": "each is described in README.md",
+    "conformance": "a folder for each part, and for each kind of program it judges",
     "conformance/checks/profiles": "a file of checks for each profile",
     "reference_record": "the parts of a record, and the command lines of all programs",
     "reference_sim": "what a simulator is, its process, and what is made of records",

@@ -17,7 +17,7 @@ from typing import Any
 
 import jsonschema_rs
 
-from tests.support.forking.forked_kits import POLICY_KIT, kit_command
+from tests.support.forking.forked_kits import POLICY_KIT, SIMULATOR_KIT, kit_command
 from tests.support.paths import ROOT
 
 REPORT_SCHEMA = jsonschema_rs.validator_for(
@@ -74,7 +74,7 @@ def run_kit(
     environment: variables of the kit beside those of the tests.
     """
     done = subprocess.run(
-        [*(command or kit_command()), *options, "--report", folder],
+        [*(command or kit_command()), "--report", folder, *options],
         cwd=ROOT,
         env=os.environ | {"COLUMNS": "80"} | environment,
         capture_output=True,
@@ -90,3 +90,11 @@ def run_policy_kit(folder: Path, *options: str | Path, **environment: str) -> Ki
     """Run the kit of policy servers to its end."""
     command = kit_command(POLICY_KIT)
     return run_kit(folder, *options, command=command, **environment)
+
+
+def run_simulator_kit(
+    folder: Path, *options: str | Path, command: Sequence[str]
+) -> KitRun:
+    """Run the kit of simulators to its end."""
+    kit = kit_command(SIMULATOR_KIT)
+    return run_kit(folder, *options, *command, command=kit)

@@ -1,0 +1,390 @@
+"""Simulators, as an evaluation server starts and asks them (SIM)."""
+
+import itertools
+import math
+import time
+from typing import Any
+
+from conformance.client.check_context import CheckContext
+from conformance.runner.requirement import requirement
+from conformance.simulator.description_faults import description_faults
+from conformance.simulator.process_under_test import LENGTH
+from conformance.simulator.simulator_client import (
+    DTYPE_BYTES,
+    PROTOCOL,
+    STEPS,
+    Episode,
+    SimulatorClient,
+    action_of,
+    names_of,
+    reply_faults,
+    simulator,
+    tasks_of,
+    tensor_bytes,
+)
+from conformance.verdicts import expect
+from conformance.verdicts.expect import NotApplicable
+
+_SILENCE_S = 0.2
+_CLOSE_S, _END_OF_INPUT_S = 5.0, 2.0
+_SIZES_MAX = 3
+_NOWHERE = "of_a_later_version"
+
+
+def _benchmark(context: CheckContext) -> dict[str, Any]:
+    benchmark: dict[str, Any] = context.shared.settings.simulator["benchmark"]
+    return benchmark
+
+
+def _require_deterministic(context: CheckContext) -> None:
+    if not _benchmark(context).get("deterministic", True):
+        raise NotApplicable("the simulator declares that it is not deterministic")
+
+
+def _require_equal(observed: Episode, expected: Episode, what: str) -> None:
+    """Expect two episodes to have equal replies; the first difference is shown."""
+    for step, (one, another) in enumerate(zip(observed, expected, strict=False)):
+        changed = [n for n in {**one, **another} if one.get(n) != another.get(n)]
+        text = f"{', '.join(changed)} differ at step {step}"
+        expect.true(not changed, f"equal replies {what}", text)
+    expect.equal(len(observed), len(expected), f"the steps {what}")
+
+
+def _call_everything(client: SimulatorClient, task: str, seed: int) -> None:
+    client.play(task, seed, observed=True)
+
+
+@requirement("SIM-001")
+def test_sim_001_output_has_frames_alone(context: CheckContext) -> None:
+    """Every call is made, with a pause behind each. Expect no byte but the replies."""
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            _call_everything(client, task, context.shared.settings.seed)
+        client.call("close")
+        rest = client.process.read_rest(_CLOSE_S)
+        expect.true(not rest, "no byte that is not part of a reply", rest[:80])
+
+
+@requirement("SIM-002")
+def test_sim_002_each_request_has_one_reply(context: CheckContext) -> None:
+    """An episode, then two requests at once. Expect two replies, in their order."""
+    with simulator(context) as client:
+        client.play(tasks_of(context)[0], 0)
+        rest = client.process.read_rest(_SILENCE_S)
+        expect.true(not rest, "one reply to each request", f"{rest[:80]!r} behind it")
+        client.send("describe", protocols=[PROTOCOL])
+        client.send("reset", task=tasks_of(context)[0], seed=0, split="test")
+        expect.true("benchmark" in client.receive("describe"), "the description first")
+        expect.true("instruction" in client.receive("reset"), "the episode then")
+        rest = client.process.read_rest(_SILENCE_S)
+        expect.true(not rest, "two replies to two requests", f"{rest[:80]!r} behind")
+
+
+@requirement("SIM-003")
+def test_sim_003_replies_are_in_time(context: CheckContext) -> None:
+    """Every call is made. Expect each reply within its limit."""
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            _call_everything(client, task, context.shared.settings.seed)
+
+
+@requirement("SIM-004")
+def test_sim_004_replies_have_their_members(context: CheckContext) -> None:
+    """Every call is made. Expect the members of each reply, with their types."""
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            for reply in client.play(task, 0, observed=True):
+                call = "step" if "success" in reply else "reset"
+                faults = list(reply_faults(call, reply))
+                expect.true(not faults, f"the members of a reply to {call}", faults)
+        if _benchmark(context).get("digest"):
+            client.call("digest")
+        client.call("close")
+
+
+@requirement("SIM-005")
+def test_sim_005_unknown_call_is_a_fault(context: CheckContext) -> None:
+    """An unknown call, then a known one. Expect a fault, then a reply."""
+    with simulator(context) as client:
+        reply = client.ask(_NOWHERE)
+        expect.true(isinstance(reply.get("fault"), str), "a fault with a text", reply)
+        client.reset(tasks_of(context)[0], 0)
+
+
+@requirement("SIM-006")
+def test_sim_006_unknown_members_are_ignored(context: CheckContext) -> None:
+    """Every request has a member more. Expect the same replies as without."""
+    task, more = tasks_of(context)[0], {_NOWHERE: [1, {"a": None}]}
+    with simulator(context) as client:
+        reply = client.ask("describe", protocols=[PROTOCOL], **more)
+        expect.true("fault" not in reply, "a description", reply)
+        split = (_benchmark(context).get("splits") or [{"name": "test"}])[0]["name"]
+        reply = client.ask("reset", task=task, seed=0, split=split, **more)
+        expect.true("fault" not in reply, "an episode", reply)
+        first = client.step(task, 0)
+        client.reset(task, 0)
+        action = action_of(_benchmark(context), task, 0)
+        reply = client.ask("step", action=action, **more)
+        expect.true("fault" not in reply, "a step", reply)
+        if _benchmark(context).get("deterministic", True):
+            expect.equal(reply, first, "the step")
+
+
+@requirement("SIM-007")
+def test_sim_007_protocol_is_one_of_those_offered(context: CheckContext) -> None:
+    """`describe` offers one protocol, and two. Expect the one that this document is."""
+    with simulator(context) as client:
+        for offered in ([PROTOCOL], [PROTOCOL, 99]):
+            reply = client.call("describe", protocols=offered)
+            expect.equal(reply["protocol"], PROTOCOL, "protocol")
+
+
+@requirement("SIM-008")
+def test_sim_008_description_is_whole(context: CheckContext) -> None:
+    """Expect the required members, and spaces that fit their schemas."""
+    faults = description_faults(_benchmark(context))
+    expect.true(not faults, "a description with all that is required", faults[:3])
+
+
+@requirement("SIM-009")
+def test_sim_009_description_is_always_the_same(context: CheckContext) -> None:
+    """Two processes are asked twice each. Expect four equal descriptions."""
+    first = _benchmark(context)
+    for _ in range(2):
+        with simulator(context) as client:
+            expect.equal(client.describe(), first, "the description")
+
+
+@requirement("SIM-010")
+def test_sim_010_reset_begins_an_episode_at_any_time(context: CheckContext) -> None:
+    """`reset` follows a reset, a step and another task. Expect each to begin anew."""
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            begun = client.reset(task, 1)
+            expect.equal(client.reset(task, 1).keys(), begun.keys(), "the reply")
+            client.play(task, 1, steps=STEPS // 4)
+            again = client.reset(task, 1)
+            if _benchmark(context).get("deterministic", True):
+                expect.equal(again, begun, "the beginning after a step")
+
+
+@requirement("SIM-011")
+def test_sim_011_equal_seeds_are_equal_episodes(context: CheckContext) -> None:
+    """Each task with a seed, then with others, then with that seed again.
+
+    Expect the first and the last episode to have equal replies.
+    """
+    _require_deterministic(context)
+    seed, tasks = context.shared.settings.seed, tasks_of(context)
+    with simulator(context) as client:
+        first = {task: client.play(task, seed) for task in tasks}
+        for task in tasks:
+            client.play(task, seed + 1, steps=STEPS // 2)
+        for task in tasks:
+            _require_equal(client.play(task, seed), first[task], "for equal seeds")
+
+
+@requirement("SIM-012")
+def test_sim_012_processes_are_equal(context: CheckContext) -> None:
+    """Two processes play the same, and draw it. Expect equal replies."""
+    _require_deterministic(context)
+    seed, episodes = context.shared.settings.seed, []
+    for _ in range(2):
+        with simulator(context) as client:
+            task = tasks_of(context)[-1]
+            episodes.append(client.play(task, seed, observed=True))
+    _require_equal(episodes[1], episodes[0], "in two processes")
+
+
+@requirement("SIM-013")
+def test_sim_013_unknown_task_is_unplayable(context: CheckContext) -> None:
+    """An unknown task, then another. Expect an unplayable fault, then a reply."""
+    with simulator(context) as client:
+        reply = client.ask("reset", task=_NOWHERE, seed=0, split="test")
+        is_fault = isinstance(reply.get("fault"), str)
+        is_whole = is_fault and reply.get("unplayable") is True
+        expect.true(is_whole, "a fault that is unplayable", reply)
+        client.reset(tasks_of(context)[0], 0)
+
+
+@requirement("SIM-014")
+def test_sim_014_nothing_is_played_before_a_reset(context: CheckContext) -> None:
+    """`step`, `observe` and `digest` come first. Expect faults, then an episode."""
+    task = tasks_of(context)[0]
+    sizes = {"images": [], "tensors": [], "width": 64, "height": 64}
+    action = action_of(_benchmark(context), task, 0)
+    for call, members in (
+        ("step", {"action": action}),
+        ("observe", sizes),
+        ("digest", {}),
+    ):
+        with simulator(context) as client:
+            reply = client.ask(call, **members)
+            expect.true("fault" in reply, f"a fault of {call}", reply)
+            client.reset(task, 0)
+            client.step(task, 0)
+
+
+@requirement("SIM-015")
+def test_sim_015_states_fit_the_space(context: CheckContext) -> None:
+    """Every task is played. Expect declared entries and sizes, and finite numbers."""
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            spaces = _benchmark(context)["observation_space"].get("state", {})
+            sizes = {
+                name: spaces[name]["size"]
+                for name in names_of(_benchmark(context), "state", task)
+            }
+            for reply in client.play(task, context.shared.settings.seed):
+                state = reply["state"]
+                seen = {name: len(numbers) for name, numbers in state.items()}
+                expect.equal(seen, sizes, "the sizes of the state")
+                numbers = [number for vector in state.values() for number in vector]
+                expect.true(all(map(math.isfinite, numbers)), "finite numbers", state)
+
+
+@requirement("SIM-016")
+def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
+    """Every task is played. Expect finite rewards, and scores from 0 to 1."""
+    is_graded = _benchmark(context).get("graded", False)
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            for step in client.play(task, context.shared.settings.seed)[1:]:
+                expect.true(
+                    math.isfinite(step.get("reward", 0)), "a finite reward", step
+                )
+                score = step.get("score", None if is_graded else 0)
+                is_right = score is not None and 0 <= score <= 1
+                expect.true(is_right or not is_graded, "a score from 0 to 1", score)
+
+
+@requirement("SIM-017")
+def test_sim_017_images_are_as_requested(context: CheckContext) -> None:
+    """Images are requested in each size, then one by one, then none.
+
+    Expect those and no others, in their size, with their channels and bytes.
+    """
+    benchmark = _benchmark(context)
+    spaces = benchmark["observation_space"].get("images", {})
+    if not spaces:
+        raise NotApplicable("the simulator has no images")
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            names = names_of(benchmark, "images", task)
+            client.reset(task, 0)
+            for size in benchmark["image_sizes"][:_SIZES_MAX]:
+                for wanted in (names, *([name] for name in names), []):
+                    seen = client.call("observe", images=wanted, tensors=[], **size)
+                    images = seen.get("images", {})
+                    expect.equal(sorted(images), sorted(wanted), "the images")
+                    for name, image in images.items():
+                        shape = [
+                            size["height"],
+                            size["width"],
+                            spaces[name]["channels"],
+                        ]
+                        expect.equal(image["shape"], shape, f"the shape of {name}")
+                        expect.equal(len(image["data"]), math.prod(shape), "its bytes")
+
+
+@requirement("SIM-018")
+def test_sim_018_tensors_are_as_declared(context: CheckContext) -> None:
+    """Tensors are requested, then none. Expect those, as declared, and no others."""
+    spaces = _benchmark(context)["observation_space"].get("tensors", {})
+    if not spaces:
+        raise NotApplicable("the simulator has no tensors")
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            client.reset(task, 0)
+            for wanted in (names_of(_benchmark(context), "tensors", task), []):
+                size = {"width": 64, "height": 64}
+                seen = client.call("observe", images=[], tensors=wanted, **size)
+                tensors = seen.get("tensors", {})
+                expect.equal(sorted(tensors), sorted(wanted), "the tensors")
+                for name, tensor in tensors.items():
+                    space = spaces[name]
+                    expect.true(space["dtype"] in DTYPE_BYTES, "a dtype", space)
+                    expect.equal(tensor["dtype"], space["dtype"], f"dtype of {name}")
+                    expect.equal(tensor["shape"], space["shape"], f"shape of {name}")
+                    expect.equal(len(tensor["data"]), tensor_bytes(space), "its bytes")
+
+
+@requirement("SIM-019")
+def test_sim_019_to_observe_changes_nothing(context: CheckContext) -> None:
+    """An episode is observed twice at each step, and played again without.
+
+    Expect equal observations, and equal states in both.
+    """
+    task, seed = tasks_of(context)[0], context.shared.settings.seed
+    with simulator(context) as client:
+        watched = [client.reset(task, seed)]
+        for index in range(STEPS):
+            first = client.observe(task)
+            expect.equal(client.observe(task), first, "the observation again")
+            if watched[-1].get("terminated"):
+                break
+            watched.append(client.step(task, index))
+        if _benchmark(context).get("deterministic", True):
+            plain = client.play(task, seed)
+            _require_equal(watched, plain, "with observations as without")
+
+
+@requirement("SIM-020")
+def test_sim_020_digests_follow_the_state(context: CheckContext) -> None:
+    """An episode is played twice. Expect equal digests, and others for other states."""
+    if not _benchmark(context).get("digest"):
+        raise NotApplicable("the simulator declares no digests")
+    task, seed = tasks_of(context)[0], context.shared.settings.seed
+    with simulator(context) as client:
+        first = client.play(task, seed, digested=True)
+        if _benchmark(context).get("deterministic", True):
+            again = client.play(task, seed, digested=True)
+            digests = [reply["digest"] for reply in first]
+            expect.equal([r["digest"] for r in again], digests, "the digests again")
+        for before, after in itertools.pairwise(first):
+            if before["state"] != after["state"]:
+                is_other = before["digest"] != after["digest"]
+                expect.true(is_other, "another digest after the state has changed")
+
+
+@requirement("SIM-021")
+def test_sim_021_close_ends_the_program(context: CheckContext) -> None:
+    """`close` before an episode and within one. Expect a reply, and exit code 0."""
+    for plays in (False, True):
+        with simulator(context) as client:
+            if plays:
+                client.play(tasks_of(context)[0], 0, steps=1)
+            begun_at = time.monotonic()
+            client.call("close")
+            code = client.process.wait(2 * _CLOSE_S)
+            took_s = time.monotonic() - begun_at
+            expect.in_time(took_s, _CLOSE_S, "the end after `close`")
+            expect.equal(code, 0, "exit code")
+
+
+@requirement("SIM-022")
+def test_sim_022_end_of_input_ends_the_program(context: CheckContext) -> None:
+    """Standard input ends before an episode, within one, and within a request.
+
+    Expect the program to end.
+    """
+    for begin in (b"", b"\x00", LENGTH.pack(100) + b"\x81"):
+        with simulator(context) as client:
+            client.play(tasks_of(context)[0], 0, steps=1)
+            client.process.send(begin)
+            client.process.close_input()
+            begun_at = time.monotonic()
+            client.process.wait(2 * _END_OF_INPUT_S)
+            took_s = time.monotonic() - begun_at
+            expect.in_time(took_s, _END_OF_INPUT_S, "the end of the program")
+
+
+@requirement("SIM-023")
+def test_sim_023_no_process_is_left(context: CheckContext) -> None:
+    """An episode, then `close`. Expect no process that the program started."""
+    with simulator(context) as client:
+        client.play(tasks_of(context)[0], 0)
+        client.call("close")
+        client.process.wait(2 * _CLOSE_S)
+        left = client.process.others()
+        expect.true(not left, "no process of the program", f"{len(left)} processes")

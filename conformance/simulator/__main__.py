@@ -1,0 +1,149 @@
+"""`python -m conformance.simulator CMD…`: check a simulator against spec/simulator.md.
+
+The ledger, verdicts, reports and exit codes are those of `python -m conformance`; the
+kit starts the program itself, as often as its checks need.
+"""
+
+import random
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+import click
+
+from conformance.cli.console import Terminal
+from conformance.cli.kit_command import (
+    BadArguments,
+    KitCommand,
+    KitOptions,
+    option,
+    parse_options,
+)
+from conformance.cli.kit_run import run_kit
+from conformance.client.check_context import CheckContext
+from conformance.client.request_context import SharedContext
+from conformance.run_settings import Settings
+from conformance.runner.preflight import CannotJudge
+from conformance.simulator.description_faults import description_faults
+from conformance.simulator.simulator_client import SimulatorClient
+from conformance.specification.document import spec_name
+from conformance.specification.ledger import SIMULATOR, load_ledger
+from conformance.verdicts.expect import SetUpFailed
+from conformance.verdicts.result import Result, conclude
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
+    terminal = Terminal()
+    try:
+        options = parse_options(
+            build_command(), sys.argv[1:] if arguments is None else arguments
+        )
+        settings = _settings(options)
+    except BadArguments as error:
+        sys.stderr.write(f"proctor-conformance-simulator: {error} (see --help)\n")
+        return 2
+    result = Result(settings)
+
+    def judge() -> None:
+        terminal.say(f"simulators, specification {spec_name()}")
+        _judge(result, terminal)
+
+    return run_kit(result, terminal, judge)
+
+
+def build_command() -> KitCommand:
+    """Describe every option, and the command that follows them."""
+    options = [
+        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option(
+            "--start-timeout",
+            "time to start, in seconds (default: 120)",
+            type=float,
+            default=120.0,
+            metavar="S",
+        ),
+        option(
+            "--timeout",
+            "time for each other reply, in seconds (default: 60)",
+            type=float,
+            default=60.0,
+            metavar="S",
+        ),
+        option("--seed", "first seed of episodes", type=int),
+        option("--report", "directory of the reports", default="report", metavar="DIR"),
+    ]
+    command = KitCommand(
+        "proctor-conformance-simulator",
+        {"Simulator": options},
+        help="Start CMD, with its arguments, and check it against the simulator "
+        "protocol.",
+        epilog="Exit codes: 0 conformant, 1 a MUST is violated, 2 not decided (it "
+        "cannot be started, kit error).",
+    )
+    command.context_settings["ignore_unknown_options"] = True
+    command.allow_interspersed_args = False  # options behind CMD are its own
+    command.params.append(click.Argument(["command"], nargs=-1, metavar="CMD..."))
+    return command
+
+
+def _settings(options: KitOptions) -> Settings:
+    if not options.command:
+        raise BadArguments("the command that starts the simulator is missing")
+    only = [part.strip() for part in (options.only or "").split(",") if part.strip()]
+    rules = [row.id for row in load_ledger().values() if row.profile == SIMULATOR]
+    for wanted in only:
+        if not any(rule.startswith(wanted) for rule in rules):
+            raise BadArguments(f"--only {wanted}: no rule id starts with {wanted}")
+    return Settings(
+        only=only,
+        profiles=[SIMULATOR],
+        report=options.report,
+        seed=random.randrange(10**6) if options.seed is None else options.seed,
+        simulator={
+            "command": list(options.command),
+            "start_timeout_s": options.start_timeout,
+            "timeout_s": options.timeout,
+            "benchmark": {},
+            "faults": [],
+        },
+    )
+
+
+def _judge(result: Result, terminal: Terminal) -> None:
+    settings = result.settings
+    benchmark = _read_description(settings)
+    faults = description_faults(benchmark)
+    settings.simulator |= {"benchmark": benchmark, "faults": faults}
+    settings.service = {
+        "name": " ".join(settings.simulator["command"]),
+        "version": str(benchmark.get("version", "1")),
+        "profiles": [SIMULATOR],
+    }
+    terminal.say(settings.service["name"])
+    # Imported late: it loads pytest, which no earlier exit needs.
+    from conformance.runner.execution import execute
+
+    collector = execute(settings, 1, terminal.progress)
+    result.problem = collector.problem
+    conclude(result, collector.verdicts, collector.tally, set())
+
+
+def _read_description(settings: Settings) -> dict[str, Any]:
+    """Start the program once. Raises CannotJudge."""
+    shared = SharedContext.of(settings)
+    try:
+        client = SimulatorClient(CheckContext(shared, "preflight"))
+        try:
+            benchmark = client.describe()
+        finally:
+            client.process.end()
+    except SetUpFailed as failed:
+        raise CannotJudge(f"no description: {failed.reason}") from failed
+    finally:
+        shared.close()
+    return benchmark
+
+
+if __name__ == "__main__":
+    sys.exit(main())

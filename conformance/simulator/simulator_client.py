@@ -1,0 +1,274 @@
+"""The simulator under test, as checks use it: calls, episodes and their comparison.
+
+A reply that breaks another rule than the one under test is a set-up that failed, and
+names the rule that it breaks.
+"""
+
+import contextlib
+import math
+import random
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Never
+
+import msgspec
+
+from conformance.client.check_context import CheckContext
+from conformance.simulator.process_under_test import (
+    LENGTH,
+    Ended,
+    NoFrame,
+    ProcessUnderTest,
+    TooSlow,
+)
+from conformance.verdicts.expect import (
+    SetUpFailed,
+    TooLate,
+    Violation,
+    format_value,
+)
+
+PROTOCOL = 1
+REPLY_BYTES_MAX = 16 << 20
+EXTRA_BYTES = 1 << 20
+STEPS = 12
+TASKS_MAX = 3
+DTYPE_BYTES = {"bool": 1} | {
+    f"{kind}{bits}": bits // 8
+    for kind, sizes in (
+        ("int", (8, 16, 32, 64)),
+        ("uint", (8, 16, 32, 64)),
+        ("float", (16, 32, 64)),
+    )
+    for bits in sizes
+}
+_NUMBER = (int, float)
+_REQUIRED: Mapping[str, Mapping[str, Any]] = {
+    "describe": {"protocol": int, "benchmark": dict},
+    "reset": {"instruction": str, "state": dict},
+    "step": {"state": dict, "success": bool},
+    "observe": {},
+    "digest": {"digest": bytes},
+    "close": {},
+}
+_OPTIONAL: Mapping[str, Any] = {
+    "terminated": bool,
+    "reward": _NUMBER,
+    "stages": list,
+} | {
+    "score": (*_NUMBER, type(None)),
+    "images": dict,
+    "tensors": dict,
+}
+
+Json = dict[str, Any]
+# The replies of an episode: of reset, of each step, and of what was asked in between.
+Episode = list[Json]
+
+
+class SimulatorClient:
+    """One process of the simulator. `context` names the rule under test."""
+
+    def __init__(self, context: CheckContext) -> None:
+        self._context = context
+        self._limits = context.shared.settings.simulator
+        command = self._limits["command"]
+        try:
+            self.process = ProcessUnderTest(command)
+        except OSError as error:
+            text = f"{command[0]} cannot be started: {error.strerror}"
+            raise SetUpFailed(text) from error
+        self._has_described = False
+
+    def send(self, call: str, **members: Any) -> None:
+        """Send a request."""
+        body = msgspec.msgpack.encode({"call": call, **members})
+        with contextlib.suppress(Ended):  # what it wrote before says more
+            self.process.send(LENGTH.pack(len(body)) + body)
+
+    def receive(self, call: str, bytes_max: int = REPLY_BYTES_MAX) -> Json:
+        """The next reply: a map, whatever its members are."""
+        name = "timeout_s" if self._has_described else "start_timeout_s"
+        timeout_s = float(self._limits[name])
+        try:
+            body = self.process.read_frame(timeout_s, bytes_max)
+            reply = msgspec.msgpack.decode(body)
+        except TooSlow as late:
+            self._too_late(f"a reply to {call}", timeout_s, self._describe(late))
+        except Ended as ended:
+            self.broken("SIM-002", f"a reply to {call}", self._describe(ended))
+        except (NoFrame, msgspec.DecodeError) as wrong:
+            self.broken("SIM-001", f"a frame with a reply to {call}", str(wrong))
+        if not isinstance(reply, dict):
+            self.broken("SIM-001", "a map", format_value(reply))
+        self._has_described = True
+        return reply
+
+    def ask(self, call: str, **members: Any) -> Json:
+        """Send a request, and give its reply, which may be a fault."""
+        self.send(call, **members)
+        return self.receive(call, self._bytes_max(call, members))
+
+    def call(self, call: str, **members: Any) -> Json:
+        """Give a reply that is not a fault and has its members."""
+        reply = self.ask(call, **members)
+        if "fault" in reply:
+            text = f"{call} is answered by the fault {format_value(reply['fault'])}"
+            raise SetUpFailed(text)
+        for fault in reply_faults(call, reply):
+            self.broken("SIM-004", f"the members of a reply to {call}", fault)
+        return reply
+
+    def _bytes_max(self, call: str, members: Mapping[str, Any]) -> int:
+        if call != "observe" or not self._has_described:
+            return REPLY_BYTES_MAX
+        space = self._limits["benchmark"]["observation_space"]
+        pixels = sum(
+            members["height"] * members["width"] * space["images"][name]["channels"]
+            for name in members.get("images", ())
+        )
+        sizes = [tensor_bytes(space["tensors"][name]) for name in members["tensors"]]
+        return int(pixels + sum(sizes) + EXTRA_BYTES)
+
+    def broken(self, rule: str, expected: str, observed: str) -> Never:
+        """Raise: the simulator breaks this rule, whichever one is under test."""
+        if rule == self._context.name:
+            raise Violation(expected, observed)
+        text = f"expected {expected}; observed {observed}"
+        raise SetUpFailed(text, breaks=rule)
+
+    def _too_late(self, what: str, limit_s: float, observed: str) -> Never:
+        text = f"{what} within {limit_s:g} s"
+        if self._context.name == "SIM-003":
+            raise TooLate(text, math.inf, limit_s, observed)
+        raise SetUpFailed(f"expected {text}; observed {observed}", breaks="SIM-003")
+
+    def _describe(self, what: NoFrame) -> str:
+        line = self.process.last_error_line
+        code = self.process.wait(0.2) if isinstance(what, Ended) else None
+        ended = "" if code is None else f"; exit code {code}"
+        return f"{what}{ended}" + (f"; its last error line: {line}" if line else "")
+
+    # --- episodes ---
+
+    def describe(self) -> Json:
+        """The benchmark, which later calls need."""
+        reply = self.call("describe", protocols=[PROTOCOL])
+        benchmark: Json = reply["benchmark"]
+        return benchmark
+
+    def reset(self, task: str, seed: int) -> Json:
+        """Begin an episode of the first split."""
+        splits = self._limits["benchmark"].get("splits") or [{"name": "test"}]
+        return self.call("reset", task=task, seed=seed, split=splits[0]["name"])
+
+    def observe(self, task: str, size: Mapping[str, int] | None = None) -> Json:
+        """All images and tensors of a task."""
+        benchmark = self._limits["benchmark"]
+        sizes = benchmark.get("image_sizes") or [{"width": 64, "height": 64}]
+        size = size or sizes[0]
+        return self.call(
+            "observe",
+            images=names_of(benchmark, "images", task),
+            tensors=names_of(benchmark, "tensors", task),
+            width=size["width"],
+            height=size["height"],
+        )
+
+    def play(
+        self,
+        task: str,
+        seed: int,
+        *,
+        steps: int = STEPS,
+        observed: bool = False,
+        digested: bool = False,
+    ) -> Episode:
+        """The replies of the first steps of an episode; the actions are the same."""
+        replies = [self.reset(task, seed)]
+        for index in range(steps + 1):
+            if digested:
+                replies[-1]["digest"] = self.call("digest")["digest"]
+            if observed:
+                replies[-1]["observation"] = self.observe(task)
+            if index == steps or replies[-1].get("terminated"):
+                break
+            replies.append(self.step(task, index))
+        return replies
+
+    def step(self, task: str, index: int) -> Json:
+        """Execute the action of this number."""
+        return self.call(
+            "step", action=action_of(self._limits["benchmark"], task, index)
+        )
+
+
+@contextlib.contextmanager
+def simulator(context: CheckContext) -> Iterator[SimulatorClient]:
+    """A process that has described itself; it is ended after the check."""
+    client = SimulatorClient(context)
+    try:
+        for fault in context.shared.settings.simulator["faults"]:
+            client.broken("SIM-008", "a description with all that is required", fault)
+        described = client.describe()
+        if described != context.shared.settings.simulator["benchmark"]:
+            text = "the description of the first process"
+            client.broken("SIM-009", text, "another one")
+        yield client
+    finally:
+        client.process.end()
+
+
+def tasks_of(context: CheckContext) -> Sequence[str]:
+    """The tasks that checks play."""
+    tasks: Sequence[str] = context.shared.settings.simulator["benchmark"]["tasks"]
+    return tasks[:TASKS_MAX]
+
+
+def names_of(benchmark: Mapping[str, Any], group: str, task: str) -> list[str]:
+    """The names of images, tensors or state that a task has."""
+    spaces = benchmark["observation_space"].get(group, {})
+    return [n for n, space in spaces.items() if task in space.get("tasks", (task,))]
+
+
+def tensor_bytes(space: Mapping[str, Any]) -> int:
+    """The length of a tensor's data."""
+    return int(math.prod(space["shape"])) * DTYPE_BYTES[space["dtype"]]
+
+
+def action_of(benchmark: Mapping[str, Any], task: str, index: int) -> Json:
+    """A random action within its bounds, or within 1 of 0; the same for each index."""
+    rng = random.Random(index)
+    action = {}
+    for name, space in benchmark["action_space"].items():
+        if task in space.get("tasks", (task,)):
+            low = space.get("minimum", [-1.0] * space["size"])
+            high = space.get("maximum", [1.0] * space["size"])
+            pairs = zip(low, high, strict=True)
+            action[name] = [float(rng.uniform(*pair)) for pair in pairs]
+    return action
+
+
+def reply_faults(call: str, reply: Mapping[str, Any]) -> Iterator[str]:
+    """How a reply lacks members, or has others of a wrong type."""
+    required = _REQUIRED[call]
+    for name, kind in {**_OPTIONAL, **required}.items():
+        if name not in reply:
+            if name in required:
+                yield f"no member {name}"
+        elif not _is_a(reply[name], kind):
+            yield f"{name} is {format_value(reply[name])}"
+    state = reply.get("state", {})
+    for name, numbers in state.items() if isinstance(state, dict) else ():
+        if not isinstance(numbers, list) or not all(_is_a(n, _NUMBER) for n in numbers):
+            yield f"state {name} is {format_value(numbers)}"
+    for group, member, kind in (("images", "shape", list), ("tensors", "dtype", str)):
+        for name, value in (reply.get(group) or {}).items():
+            if not isinstance(value, dict) or not (
+                _is_a(value.get(member), kind) and isinstance(value.get("data"), bytes)
+            ):
+                yield f"{group} {name} lacks its {member} or its data as `bin`"
+
+
+def _is_a(value: Any, kind: Any) -> bool:
+    is_other_truth = isinstance(value, bool) and kind is not bool
+    return isinstance(value, kind) and not is_other_truth

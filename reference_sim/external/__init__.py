@@ -1,0 +1,7 @@
+"""Any program that can reset and step a world, as a benchmark; see spec/simulator.md.
+
+`simulator_messages` has the messages, `supervisor` is the process that starts the
+program and ends everything that it started, `program` exchanges frames with it,
+`external_simulator` plays it, and `described_benchmark` makes a benchmark of what it
+says about itself. `libraries` is for authors of programs: nothing here imports it.
+"""

@@ -1,0 +1,303 @@
+"""The benchmark that a program describes, completed by its entry in a TOML file."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import msgspec
+from msgspec import Meta
+from pydantic import ValidationError
+
+from reference_sim.definition import BenchmarkDefinition, Json
+from reference_sim.external.external_simulator import DTYPES, ExternalSimulator
+from reference_sim.external.program import (
+    START_TIMEOUT_S,
+    Program,
+    ProgramFault,
+    program_name,
+)
+from reference_sim.external.simulator_messages import PROTOCOL
+from reference_sim.gymnasium import BadBenchmark
+from reference_sim.gymnasium.benchmark_file import (
+    SEED_MAX,
+    UNNAMED,
+    Benchmark,
+    faults_of,
+    legal_id,
+)
+from reference_sim.interface import TaskUnplayable
+
+ADAPTER = "external"
+_MAX_ATTEMPTS = _MAX_FAULTS = 3
+_NO_IMAGE_SIZE = [{"width": 64, "height": 64}]  # every run records a choice
+# Members of the description, which a host's file may replace.
+_COMPLETED = (
+    *("benchmark_id", "version", "title", "description", "splits", "max_steps"),
+    *("control_rate_hz", "success_rule", "image_sizes", "image_codecs"),
+)
+
+Count = Annotated[int, Meta(ge=1)]
+Names = Annotated[list[str], Meta(min_length=1)]
+
+
+class _Vector(msgspec.Struct):
+    size: Count
+    unit: str
+    rotation: str
+    frame: str
+    relative: bool
+    out_of_range: Literal["refuse", "clip", "unbounded"]
+    minimum: list[float] | None = None
+    maximum: list[float] | None = None
+    tasks: Names | None = None
+
+    def __post_init__(self) -> None:
+        for bounds in (self.minimum, self.maximum):
+            if bounds is not None and len(bounds) != self.size:
+                raise ValueError(f"{len(bounds)} bounds for size {self.size}")
+        if self.out_of_range != "unbounded" and None in (self.minimum, self.maximum):
+            raise ValueError(f"out_of_range {self.out_of_range} needs both bounds")
+
+
+class _Image(msgspec.Struct):
+    channels: Annotated[int, Meta(ge=1, le=4)]
+    description: str
+    tasks: Names | None = None
+
+
+class _Tensor(msgspec.Struct):
+    dtype: str
+    shape: list[Annotated[int, Meta(ge=0)]]
+    description: str
+    tasks: Names | None = None
+
+    def __post_init__(self) -> None:
+        if self.dtype not in DTYPES:
+            raise ValueError(f"dtype {self.dtype} is not one of {', '.join(DTYPES)}")
+
+
+class _Observations(msgspec.Struct):
+    state: dict[str, _Vector] = {}
+    images: dict[str, _Image] = {}
+    tensors: dict[str, _Tensor] = {}
+
+
+class _Engine(msgspec.Struct):
+    name: str
+    version: str
+
+
+class _Described(msgspec.Struct):
+    """The members that a description must have (SIM-008)."""
+
+    simulator: _Engine
+    tasks: Names
+    action_space: Annotated[dict[str, _Vector], Meta(min_length=1)]
+    observation_space: _Observations
+    max_steps: Count
+    graded: bool = False
+    deterministic: bool = True
+    digest: bool = False
+
+
+def definition(
+    benchmark: Benchmark, folder: Path, say: Callable[[str], None]
+) -> tuple[str, BenchmarkDefinition]:
+    """The id and the definition of an entry; starts the program to ask and try it.
+
+    say: called with progress messages. Raises BadBenchmark.
+    """
+    command = benchmark.simulator
+    assert command is not None
+    start_timeout_s = benchmark.start_timeout_s or START_TIMEOUT_S
+    plan: Json = {
+        "command": _with_path(command, folder),
+        "folder": str(folder),
+        "start_timeout_s": start_timeout_s,
+    }
+    waited = _Progress(say, command)
+    try:
+        program = Program(
+            plan["command"],
+            plan["folder"],
+            start_timeout_s=start_timeout_s,
+            on_wait=waited,
+        )
+        described = program.description.benchmark
+        program.end()
+        plan["benchmark"] = described
+        declared = msgspec.convert(described, _Described)
+        complete = _completed(benchmark, described, folder)
+        manifest = _manifest(complete, declared, described, folder, command)
+        _try(plan, manifest, waited)
+    except (ProgramFault, TaskUnplayable, msgspec.ValidationError) as error:
+        where = (
+            "its description: " if isinstance(error, msgspec.ValidationError) else ""
+        )
+        raise BadBenchmark(f"simulator {benchmark.source}: {where}{error}") from error
+    return complete.benchmark_id, _definition_of(plan, manifest, declared, complete)
+
+
+def _definition_of(
+    plan: Json, manifest: Json, declared: _Described, complete: Benchmark
+) -> BenchmarkDefinition:
+    def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
+        return {**manifest, "max_chunk": max_chunk}
+
+    def settings(images: Mapping[str, Any]) -> Json:
+        scored = [] if declared.graded else manifest["tasks"]
+        return {
+            **images,
+            "adapter": ADAPTER,  # a simulator process has its own registry
+            "plan": plan,
+            "success_scored_tasks": scored,
+        }
+
+    def make(chosen: Mapping[str, Any]) -> ExternalSimulator:
+        size = (chosen["width"], chosen["height"])
+        return ExternalSimulator(chosen["plan"], size)
+
+    return BenchmarkDefinition(
+        describe,
+        settings,
+        make,
+        seed_max=SEED_MAX,
+        ray_resources=complete.ray_resources or {},
+    )
+
+
+def _with_path(command: Sequence[str], folder: Path) -> list[str]:
+    """The command, with a program beside its file named by its whole path."""
+    program = folder / command[0]
+    is_path = "/" in command[0] or program.is_file()
+    return [str(program) if is_path else command[0], *command[1:]]
+
+
+class _Progress:
+    """Says every ten seconds that a program is waited for."""
+
+    def __init__(self, say: Callable[[str], None], command: Sequence[str]) -> None:
+        self._say, self._command, self._times = say, command, 0
+
+    def __call__(self) -> None:
+        self._times += 1
+        if self._times % 10 == 3:
+            self._say(f"simulator {self._command[0]}: starting, {self._times} s so far")
+
+
+def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark:
+    """The entry, with what the program says where the entry says nothing."""
+    said = {name: described[name] for name in _COMPLETED if name in described}
+    stated = benchmark.model_fields_set
+    if benchmark.benchmark_id == UNNAMED:
+        stated = stated - {"benchmark_id"}
+    said |= benchmark.model_dump(include=set(stated))
+    name = program_name(benchmark.simulator or [""], str(folder))
+    said.setdefault("benchmark_id", legal_id(Path(name).stem))
+    try:
+        return Benchmark.model_validate(said)
+    except ValidationError as error:
+        raise ProgramFault(f"its description: {faults_of(error)}") from error
+
+
+def _manifest(
+    complete: Benchmark,
+    declared: _Described,
+    described: Json,
+    folder: Path,
+    command: Sequence[str],
+) -> Json:
+    """The manifest of Definition.describe, without max_chunk."""
+    for split in complete.splits:
+        if unknown := set(split.tasks or ()) - set(declared.tasks):
+            raise ProgramFault(f"split {split.name}: no task {', '.join(unknown)}")
+    episodes = complete.episodes(declared.tasks)
+    sealed = [split.name for split in complete.splits if split.is_sealed]
+    space = described["observation_space"]
+    sizes = [size.model_dump() for size in complete.image_sizes]
+    if declared.observation_space.images and not sizes:
+        raise ProgramFault("its description has images and no image_sizes")
+    return {
+        "benchmark_id": complete.benchmark_id,
+        "version": complete.version,
+        "title": complete.title or complete.benchmark_id,
+        "description": complete.description or f"The simulator {complete.source}.",
+        "episodes_total": len(episodes),
+        "episodes": episodes,
+        "tasks": declared.tasks,
+        "splits": [split.name for split in complete.splits],
+        **({"sealed_splits": sealed} if sealed else {}),
+        "control_rate_hz": complete.control_rate_hz or 1.0,
+        "max_steps": complete.max_steps or declared.max_steps,
+        "max_attempts": _MAX_ATTEMPTS,
+        "max_faults": complete.max_faults or _MAX_FAULTS,
+        "success_rule": complete.success_rule or "any_step",
+        "action_space": described["action_space"],
+        "observation_space": {
+            group: space.get(group, {}) for group in ("state", "images", "tensors")
+        },
+        "image_sizes": sizes or _NO_IMAGE_SIZE,
+        "image_codecs": list(complete.image_codecs) if sizes else ["raw"],
+        "simulator": {
+            **described["simulator"],
+            "protocol": PROTOCOL,
+            "command": list(command),
+            "graded": declared.graded,
+            "deterministic": declared.deterministic,
+            "files_sha256": _digests([*command, *complete.files], folder),
+        },
+    }
+
+
+def _digests(names: Iterable[str], folder: Path) -> dict[str, str]:
+    """Name → SHA-256 of each word of the command, and each declared path, that exists.
+
+    A folder stands for the files in it.
+    """
+    digests = {}
+    for name in names:
+        path = folder / name
+        files = sorted(path.rglob("*")) if path.is_dir() else [path]
+        for file in files:
+            if file.is_file():
+                with file.open("rb") as opened:
+                    digest = hashlib.file_digest(opened, "sha256")
+                key = name if file == path else str(Path(name, file.relative_to(path)))
+                digests[key] = digest.hexdigest()
+    return digests
+
+
+def _try(plan: Json, manifest: Json, on_wait: Callable[[], None]) -> None:
+    """One step of the first task, so that a host sees a fault before a user does."""
+    size = manifest["image_sizes"][0]
+    simulator = ExternalSimulator(
+        plan, (size["width"], size["height"]), call_timeout_s=60.0, on_wait=on_wait
+    )
+    first = manifest["tasks"][0]
+    try:
+        simulator.reset(first, 0, manifest["splits"][0])
+        simulator.observe()
+        simulator.step(
+            {
+                name: _middle(space)
+                for name, space in manifest["action_space"].items()
+                if first in space.get("tasks", (first,))
+            }
+        )
+        simulator.observe()
+        simulator.state_bytes()
+    finally:
+        simulator.close()
+
+
+def _middle(space: Mapping[str, Any]) -> list[float]:
+    if "minimum" not in space or "maximum" not in space:
+        return [0.0] * int(space["size"])
+    pairs = zip(space["minimum"], space["maximum"], strict=True)
+    return [
+        low / 2 + high / 2 if math.isfinite(high - low) else 0.0 for low, high in pairs
+    ]

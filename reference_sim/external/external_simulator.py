@@ -1,0 +1,201 @@
+"""Plays a program that speaks the simulator protocol as a `Simulator`.
+
+Replies are checked here and never corrected: a reply that breaks a rule of
+spec/simulator.md is a fault of the simulator.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_sim.external.program import START_TIMEOUT_S, Program, ProgramFault
+from reference_sim.external.simulator_messages import (
+    OBSERVATION_EXTRA_BYTES,
+    DigestCall,
+    Digested,
+    EpisodeBegun,
+    ObserveCall,
+    Observed,
+    Pixels,
+    ResetCall,
+    StepCall,
+    StepDone,
+    TensorValue,
+)
+from reference_sim.interface import Action, Observation, StepOutcome
+
+DTYPES = {
+    name: np.dtype(name).newbyteorder("<")
+    for name in (
+        *("bool", "int8", "int16", "int32", "int64"),
+        *("uint8", "uint16", "uint32", "uint64"),
+        *("float16", "float32", "float64"),
+    )
+}
+
+
+class ExternalSimulator:
+    """`Simulator` of one program, which is started with it.
+
+    plan: `command`, `folder` and `start_timeout_s`; `benchmark`, what the program said
+    of itself when the server started. size: width and height of images.
+    call_timeout_s, on_wait: see Program.
+    """
+
+    def __init__(
+        self,
+        plan: Mapping[str, Any],
+        size: tuple[int, int],
+        *,
+        call_timeout_s: float | None = None,
+        on_wait: Callable[[], None] = lambda: None,
+    ) -> None:
+        self._benchmark = plan["benchmark"]
+        self._width, self._height = size
+        self._program = Program(
+            plan["command"],
+            plan["folder"],
+            start_timeout_s=plan.get("start_timeout_s") or START_TIMEOUT_S,
+            call_timeout_s=call_timeout_s,
+            on_wait=on_wait,
+        )
+        if self._program.description.benchmark != self._benchmark:  # SIM-009
+            self._program.end()
+            raise ProgramFault(
+                f"{self._program.name} describes another benchmark than when the "
+                "server started: start the server again"
+            )
+        self.stages: tuple[str, ...] = ()
+
+    def reset(self, task: str, seed: int, split: str = "") -> str:
+        """Raises TaskUnplayable if the program says so (SIM-013)."""
+        space = self._benchmark["observation_space"]
+        self._sizes = {
+            name: vector["size"]
+            for name, vector in space["state"].items()
+            if task in vector.get("tasks", (task,))
+        }
+        self._images = _names_of(space.get("images", {}), task)
+        self._tensors = _names_of(space.get("tensors", {}), task)
+        self._steps, self._return = 0, 0.0
+        begun = self._program.request(ResetCall(task, seed, split), EpisodeBegun)
+        self._state = self._checked(begun.state)
+        self.stages = tuple(begun.stages)
+        return begun.instruction
+
+    def step(self, action: Action) -> StepOutcome:
+        """Raises ProgramFault for numbers that no episode may have (SIM-016)."""
+        done = self._program.request(StepCall(action), StepDone)
+        self._state = self._checked(done.state)
+        self._steps += 1
+        self._return += done.reward
+        score = done.score if self._benchmark.get("graded") else float(done.success)
+        if score is None:
+            raise ProgramFault(f"{self._program.name} sent a step without its score")
+        return StepOutcome(done.success, score, done.terminated, done.reward)
+
+    def _checked(self, state: Mapping[str, list[float]]) -> Mapping[str, list[float]]:
+        """The state, if it has its declared entries and sizes (SIM-015)."""
+        sizes = {name: len(vector) for name, vector in state.items()}
+        if sizes != self._sizes:
+            raise ProgramFault(
+                f"{self._program.name} sent a state of {sizes} and declared "
+                f"{self._sizes}"
+            )
+        for name, vector in state.items():
+            if not all(map(math.isfinite, vector)):
+                raise ProgramFault(
+                    f"{self._program.name} sent a state {name!r} that is not finite"
+                )
+        return state
+
+    def observe(self) -> Observation:
+        """The state of the last reply; images and tensors are asked for here."""
+        state = {
+            name: np.asarray(vector, np.float64) for name, vector in self._state.items()
+        }
+        if not self._images and not self._tensors:
+            return Observation(state)
+        spaces = self._benchmark["observation_space"]
+        shapes = {
+            name: (self._height, self._width, int(spaces["images"][name]["channels"]))
+            for name in self._images
+        }
+        declared = {name: spaces["tensors"][name] for name in self._tensors}
+        most = sum(map(math.prod, shapes.values())) + sum(
+            math.prod(tensor["shape"]) * DTYPES[tensor["dtype"]].itemsize
+            for tensor in declared.values()
+        )
+        seen = self._program.request(
+            ObserveCall(self._images, self._tensors, self._width, self._height),
+            Observed,
+            reply_bytes_max=most + OBSERVATION_EXTRA_BYTES,
+        )
+        self._require_names("images", seen.images, shapes)
+        self._require_names("tensors", seen.tensors, declared)
+        return Observation(
+            state,
+            {n: self._image(n, seen.images[n], shapes[n]) for n in shapes},
+            {n: self._tensor(n, seen.tensors[n], declared[n]) for n in declared},
+        )
+
+    def _require_names(
+        self, kind: str, sent: Mapping[str, Any], wanted: Mapping[str, Any]
+    ) -> None:
+        if sent.keys() != wanted.keys():
+            raise ProgramFault(
+                f"{self._program.name} sent the {kind} {sorted(sent)}, and "
+                f"{sorted(wanted)} were requested"
+            )
+
+    def _image(
+        self, name: str, pixels: Pixels, shape: tuple[int, int, int]
+    ) -> NDArray[np.uint8]:
+        """The pixels where they were received (SIM-017)."""
+        if pixels.shape != shape or pixels.data.nbytes != math.prod(shape):
+            raise ProgramFault(
+                f"{self._program.name} sent the image {name!r} as {pixels.shape} in "
+                f"{pixels.data.nbytes} bytes, and {shape} was requested"
+            )
+        return np.frombuffer(pixels.data, np.uint8).reshape(shape)
+
+    def _tensor(
+        self, name: str, tensor: TensorValue, declared: Mapping[str, Any]
+    ) -> NDArray[np.generic]:
+        """The tensor where it was received (SIM-018)."""
+        shape, dtype = declared["shape"], declared["dtype"]
+        size = math.prod(shape) * DTYPES[dtype].itemsize
+        if (tensor.shape, tensor.dtype) != (shape, dtype) or tensor.data.nbytes != size:
+            raise ProgramFault(
+                f"{self._program.name} sent the tensor {name!r} as {tensor.dtype} "
+                f"{tensor.shape} in {tensor.data.nbytes} bytes, and declared "
+                f"{dtype} {shape}"
+            )
+        return np.frombuffer(tensor.data, DTYPES[dtype]).reshape(shape)
+
+    def state_bytes(self) -> bytes:
+        """The program's digest, or what stands for it: the state and the rewards."""
+        if self._benchmark.get("digest"):
+            return self._program.request(DigestCall(), Digested).digest  # SIM-020
+        numbers = [number for _, v in sorted(self._state.items()) for number in v]
+        return np.asarray([*numbers, self._steps, self._return]).tobytes()
+
+    def close(self) -> None:
+        self._program.close()
+
+
+def _names_of(spaces: Mapping[str, Any], task: str) -> list[str]:
+    return [n for n, space in spaces.items() if task in space.get("tasks", (task,))]
+
+
+def make(
+    settings: Mapping[str, Any], on_wait: Callable[[], None] = lambda: None
+) -> ExternalSimulator:
+    """The simulator of these settings; see described_benchmark."""
+    size = (settings["width"], settings["height"])
+    return ExternalSimulator(settings["plan"], size, on_wait=on_wait)

@@ -1,0 +1,416 @@
+// Serves a simulator to an evaluation server over the simulator protocol.
+//
+// One header for C++17 and POSIX, with nothing but the standard library: copy it beside
+// your program. A world derives from Simulator and calls serve:
+//
+//     int main() { World world; return proctor_simulator::serve(world); }
+//
+// Standard output belongs to the protocol: while `serve` runs, what is printed goes to
+// standard error. The protocol stands in spec/simulator.md.
+
+#ifndef PROCTOR_SIMULATOR_HPP
+#define PROCTOR_SIMULATOR_HPP
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace proctor_simulator {
+
+constexpr int kProtocol = 1;
+
+struct Member;
+struct Value;
+using Map = std::vector<Member>;
+using List = std::vector<Value>;
+using Numbers = std::vector<double>;
+using NumbersByName = std::map<std::string, Numbers>;
+
+// A value of MessagePack, as JSON has them; written as 1, 0.5, "text", List{…}, Map{{"a", 1}}.
+struct Value {
+  std::variant<std::nullptr_t, bool, std::int64_t, double, std::string, List, Map> content;
+  Value(std::nullptr_t = nullptr) : content(nullptr) {}
+  Value(bool value) : content(value) {}
+  Value(int value) : content(std::int64_t{value}) {}
+  Value(std::int64_t value) : content(value) {}
+  Value(double value) : content(value) {}
+  Value(const char* value) : content(std::string(value)) {}
+  Value(std::string value) : content(std::move(value)) {}
+  Value(List value) : content(std::move(value)) {}
+  Value(Map value) : content(std::move(value)) {}
+  inline Value(const Numbers& numbers);
+  inline const Value& operator[](const std::string& name) const;
+  template <typename T>
+  const T& as() const {
+    return std::get<T>(content);
+  }
+  double number() const {
+    if (const auto* whole = std::get_if<std::int64_t>(&content)) return double(*whole);
+    return std::get<double>(content);
+  }
+};
+
+struct Member {
+  std::string name;
+  Value value;
+};
+
+inline Value::Value(const Numbers& numbers) : content(List(numbers.begin(), numbers.end())) {}
+
+// The member of a map; null if there is none.
+inline const Value& Value::operator[](const std::string& name) const {
+  static const Value nothing;
+  if (const auto* map = std::get_if<Map>(&content))
+    for (const auto& member : *map)
+      if (member.name == name) return member.value;
+  return nothing;
+}
+
+// Throw it in `reset` for a task that can never be played.
+struct Unplayable : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Beginning {
+  std::string instruction;
+  NumbersByName state;
+  std::vector<std::string> stages = {};
+};
+
+struct StepResult {
+  NumbersByName state;
+  bool success = false;
+  bool terminated = false;
+  double reward = 0.0;
+  double score = 0.0;  // read where the benchmark is graded
+};
+
+// A world; the first three functions must be written.
+class Simulator {
+ public:
+  virtual ~Simulator() = default;
+  // The map `benchmark` of spec/simulator.md.
+  virtual Value benchmark() = 0;
+  virtual Beginning reset(const std::string& task, std::uint64_t seed,
+                          const std::string& split) = 0;
+  virtual StepResult step(const NumbersByName& action) = 0;
+  // Write height × width × channels bytes, RGB, top row first.
+  virtual void draw(const std::string& /*camera*/, int /*width*/, int /*height*/,
+                    std::uint8_t* /*pixels*/) {
+    throw std::logic_error("draw is not written");
+  }
+  // Bytes that are equal when the rest of the episode is decided equally.
+  virtual std::string digest() { throw std::logic_error("digest is not written"); }
+};
+
+// A VectorSpace: without rotation and frame, absolute. With bounds, numbers beyond
+// them are executed as the nearest allowed ones.
+inline Map vector(int size, std::string unit = "1", Numbers minimum = {}, Numbers maximum = {},
+                  std::string frame = "none") {
+  Map space{{"size", size}, {"unit", std::move(unit)}, {"rotation", "none"},
+            {"frame", std::move(frame)}, {"relative", false}};
+  space.push_back({"out_of_range", minimum.empty() ? "unbounded" : "clip"});
+  if (!minimum.empty()) {
+    space.push_back({"minimum", minimum});
+    space.push_back({"maximum", maximum});
+  }
+  return space;
+}
+
+namespace detail {
+
+class Writer {
+ public:
+  std::vector<std::uint8_t> bytes = std::vector<std::uint8_t>(4);  // its length stands first
+
+  void map(std::size_t size) { head(0x80, 16, 0xde, size, 1); }
+  void list(std::size_t size) { head(0x90, 16, 0xdc, size, 1); }
+  void binary(std::size_t size) { head(0, 0, 0xc4, size, 0); }
+  void text(const std::string& text) {
+    head(0xa0, 32, 0xd9, text.size(), 0);
+    bytes.insert(bytes.end(), text.begin(), text.end());
+  }
+  void truth(bool value) { bytes.push_back(value ? 0xc3 : 0xc2); }
+  void number(double value) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    bytes.push_back(0xcb);
+    big_endian(bits, 8);
+  }
+  void integer(std::int64_t value) {
+    bytes.push_back(0xd3);
+    big_endian(static_cast<std::uint64_t>(value), 8);
+  }
+  void numbers(const NumbersByName& named) {
+    map(named.size());
+    for (const auto& [name, vector] : named) {
+      text(name);
+      list(vector.size());
+      for (double value : vector) number(value);
+    }
+  }
+  void value(const Value& value) {
+    std::visit([this](const auto& content) { write(content); }, value.content);
+  }
+  // Room for `size` bytes, to be filled before the next call.
+  std::uint8_t* room(std::size_t size) {
+    binary(size);
+    bytes.resize(bytes.size() + size);
+    return bytes.data() + bytes.size() - size;
+  }
+
+ private:
+  void write(std::nullptr_t) { bytes.push_back(0xc0); }
+  void write(bool value) { truth(value); }
+  void write(std::int64_t value) { integer(value); }
+  void write(double value) { number(value); }
+  void write(const std::string& value) { text(value); }
+  void write(const List& values) {
+    list(values.size());
+    for (const auto& member : values) value(member);
+  }
+  void write(const Map& members) {
+    map(members.size());
+    for (const auto& member : members) {
+      text(member.name);
+      value(member.value);
+    }
+  }
+  // first: the type with the shortest length, which is 2^least bytes long.
+  void head(int fixed, std::size_t below, int first, std::size_t size, int least) {
+    if (size < below) return bytes.push_back(static_cast<std::uint8_t>(fixed | int(size)));
+    int width = least;
+    while (width < 2 && size >> (8 << width)) ++width;
+    bytes.push_back(static_cast<std::uint8_t>(first + width - least));
+    big_endian(size, 1 << width);
+  }
+  void big_endian(std::uint64_t value, int size) {
+    for (int shift = 8 * (size - 1); shift >= 0; shift -= 8)
+      bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+  }
+};
+
+class Reader {
+ public:
+  Reader(const std::uint8_t* begin, std::size_t size) : at_(begin), end_(begin + size) {}
+
+  Value value() {
+    const int kind = byte();
+    if (kind < 0x80) return kind;
+    if (kind >= 0xe0) return kind - 256;
+    if (kind < 0x90) return map(kind & 15);
+    if (kind < 0xa0) return list(kind & 15);
+    if (kind < 0xc0) return text(kind & 31);
+    switch (kind) {
+      case 0xc0: return nullptr;
+      case 0xc2: return false;
+      case 0xc3: return true;
+      case 0xc4: case 0xc5: case 0xc6: return text(big_endian(1 << (kind - 0xc4)));
+      case 0xca: { auto bits = std::uint32_t(big_endian(4)); float f; std::memcpy(&f, &bits, 4); return double(f); }
+      case 0xcb: { auto bits = big_endian(8); double d; std::memcpy(&d, &bits, 8); return d; }
+      case 0xcc: case 0xcd: case 0xce: case 0xcf:
+        return std::int64_t(big_endian(1 << (kind - 0xcc)));
+      case 0xd0: return int(std::int8_t(big_endian(1)));
+      case 0xd1: return int(std::int16_t(big_endian(2)));
+      case 0xd2: return int(std::int32_t(big_endian(4)));
+      case 0xd3: return std::int64_t(big_endian(8));
+      case 0xd9: case 0xda: case 0xdb: return text(big_endian(1 << (kind - 0xd9)));
+      case 0xdc: case 0xdd: return list(big_endian(2 << (kind - 0xdc)));
+      case 0xde: case 0xdf: return map(big_endian(2 << (kind - 0xde)));
+      default: throw std::runtime_error("MessagePack of an unknown kind");
+    }
+  }
+
+ private:
+  std::uint8_t byte() {
+    if (at_ == end_) throw std::runtime_error("a request ends early");
+    return *at_++;
+  }
+  std::uint64_t big_endian(int size) {
+    std::uint64_t value = 0;
+    while (size-- > 0) value = value << 8 | byte();
+    return value;
+  }
+  std::string text(std::uint64_t size) {
+    if (size > std::uint64_t(end_ - at_)) throw std::runtime_error("a request ends early");
+    std::string read(reinterpret_cast<const char*>(at_), size);
+    at_ += size;
+    return read;
+  }
+  Value list(std::uint64_t size) {
+    List values;
+    while (size-- > 0) values.push_back(value());
+    return values;
+  }
+  Value map(std::uint64_t size) {
+    Map members;
+    while (size-- > 0) {
+      std::string name = value().as<std::string>();
+      members.push_back({std::move(name), value()});
+    }
+    return members;
+  }
+  const std::uint8_t* at_;
+  const std::uint8_t* end_;
+};
+
+inline bool read_all(int descriptor, std::uint8_t* place, std::size_t size) {
+  while (size > 0) {
+    const ssize_t got = ::read(descriptor, place, size);
+    if (got <= 0) return false;
+    place += got;
+    size -= std::size_t(got);
+  }
+  return true;
+}
+
+class Session {
+ public:
+  explicit Session(Simulator& simulator) : simulator_(simulator), benchmark_(simulator.benchmark()) {}
+
+  Writer answer(const Value& request) {
+    const auto* call = std::get_if<std::string>(&request["call"].content);
+    try {
+      Writer reply;
+      if (call == nullptr || !answer_call(*call, request, reply))
+        return fault("unknown call", false);
+      return reply;
+    } catch (const Unplayable& unplayable) {
+      return fault(unplayable.what(), true);
+    } catch (const std::exception& error) {
+      return fault(error.what(), false);
+    }
+  }
+
+ private:
+  bool answer_call(const std::string& call, const Value& request, Writer& reply) {
+    if (call == "describe") return describe(request, reply);
+    if (call == "reset") return reset(request, reply);
+    if (call == "close") return reply.map(0), true;
+    if (call != "step" && call != "observe" && call != "digest") return false;
+    if (!is_reset_) throw std::logic_error(call + " before the first reset");
+    if (call == "step") return step(request, reply);
+    if (call == "observe") return observe(request, reply);
+    const std::string digest = simulator_.digest();
+    reply.map(1);
+    reply.text("digest");
+    std::memcpy(reply.room(digest.size()), digest.data(), digest.size());
+    return true;
+  }
+  bool describe(const Value& request, Writer& reply) {
+    for (const auto& protocol : request["protocols"].as<List>())
+      if (protocol.number() == kProtocol) {
+        reply.value(Map{{"protocol", kProtocol}, {"benchmark", benchmark_}});
+        return true;
+      }
+    throw std::runtime_error("this library speaks protocol 1");
+  }
+  bool reset(const Value& request, Writer& reply) {
+    const std::string& task = request["task"].as<std::string>();
+    bool is_offered = false;
+    for (const auto& name : benchmark_["tasks"].as<List>())
+      is_offered = is_offered || name.as<std::string>() == task;
+    if (!is_offered) throw Unplayable("there is no task " + task);
+    const auto seed = std::uint64_t(request["seed"].number());
+    const Beginning begun = simulator_.reset(task, seed, request["split"].as<std::string>());
+    is_reset_ = true;
+    reply.map(3);
+    reply.text("instruction");
+    reply.text(begun.instruction);
+    reply.text("state");
+    reply.numbers(begun.state);
+    reply.text("stages");
+    reply.value(List(begun.stages.begin(), begun.stages.end()));
+    return true;
+  }
+  bool step(const Value& request, Writer& reply) {
+    NumbersByName action;
+    for (const auto& [name, numbers] : request["action"].as<Map>())
+      for (const auto& value : numbers.as<List>()) action[name].push_back(value.number());
+    const StepResult result = simulator_.step(action);
+    reply.map(5);
+    reply.text("state");
+    reply.numbers(result.state);
+    reply.text("success");
+    reply.truth(result.success);
+    reply.text("terminated");
+    reply.truth(result.terminated);
+    reply.text("reward");
+    reply.number(result.reward);
+    reply.text("score");
+    reply.number(result.score);
+    return true;
+  }
+  bool observe(const Value& request, Writer& reply) {
+    const auto* names = std::get_if<List>(&request["images"].content);
+    reply.map(1);
+    reply.text("images");
+    reply.map(names ? names->size() : 0);
+    if (!names) return true;
+    const int width = int(request["width"].number()), height = int(request["height"].number());
+    for (const auto& camera : *names) {
+      const std::string& name = camera.as<std::string>();
+      const Value& space = benchmark_["observation_space"]["images"][name];
+      const int channels = int(space["channels"].number());
+      reply.text(name);
+      reply.map(2);
+      reply.text("shape");
+      reply.value(List{height, width, channels});
+      reply.text("data");
+      simulator_.draw(name, width, height, reply.room(std::size_t(height) * width * channels));
+    }
+    return true;
+  }
+  static Writer fault(const std::string& what, bool is_unplayable) {
+    Writer reply;
+    reply.value(Map{{"fault", what}, {"unplayable", is_unplayable}});
+    return reply;
+  }
+  Simulator& simulator_;
+  const Value benchmark_;
+  bool is_reset_ = false;
+};
+
+}  // namespace detail
+
+// Answer requests until the server closes. Returns the exit code of the program.
+inline int serve(Simulator& simulator) {
+  const int requests = ::dup(0), replies = ::dup(1);
+  ::dup2(::open("/dev/null", O_RDONLY), 0);
+  ::dup2(2, 1);  // prints of other libraries must not break a frame
+  detail::Session session(simulator);
+  std::vector<std::uint8_t> received(4);
+  for (bool is_closed = false; !is_closed;) {
+    received.resize(4);
+    if (!detail::read_all(requests, received.data(), 4)) return 0;
+    std::size_t size = 0;
+    for (const auto byte : received) size = size << 8 | byte;
+    received.resize(size);
+    if (!detail::read_all(requests, received.data(), size)) return 0;
+    const Value request = detail::Reader(received.data(), size).value();
+    auto bytes = session.answer(request).bytes;
+    const std::size_t length = bytes.size() - 4;
+    for (int i = 0; i < 4; ++i) bytes[i] = std::uint8_t(length >> (24 - 8 * i));
+    for (std::size_t sent = 0; sent < bytes.size();) {
+      const ssize_t n = ::write(replies, bytes.data() + sent, bytes.size() - sent);
+      if (n <= 0) return 1;
+      sent += std::size_t(n);
+    }
+    const auto* call = std::get_if<std::string>(&request["call"].content);
+    is_closed = call != nullptr && *call == "close";
+  }
+  return 0;
+}
+
+}  // namespace proctor_simulator
+
+#endif

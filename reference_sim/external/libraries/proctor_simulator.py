@@ -1,0 +1,322 @@
+"""Serves a simulator to an evaluation server over the simulator protocol.
+
+One file without dependencies, for Python 3.8 and newer: copy it beside your program.
+
+    import proctor_simulator
+
+    class World(proctor_simulator.Simulator):
+        benchmark = {...}  # spec/simulator.md, "The benchmark"; vector() helps
+
+        def reset(self, task, seed, split):
+            return {"instruction": "Reach the target.", "state": {"position": [0, 0]}}
+
+        def step(self, action):
+            return {"state": {"position": [0, 0]}, "success": False}
+
+        def draw(self, camera, width, height):  # only with cameras
+            return pixels  # uint8 (height, width, channels): an array, or bytes
+
+    if __name__ == "__main__":
+        proctor_simulator.serve(World())
+
+Numbers and arrays may be NumPy's or others with `tolist`. Standard output belongs to
+the protocol: while `serve` runs, what is printed goes to standard error.
+"""
+
+from __future__ import annotations
+
+import os
+import struct
+import sys
+import traceback
+from typing import Any, Dict, List, NoReturn, Tuple, Union
+
+PROTOCOL = 1
+_LENGTH = struct.Struct(">I")
+Buffer = Union[bytes, bytearray, memoryview]
+
+
+class Unplayable(Exception):
+    """Raise it in `reset` for a task that can never be played."""
+
+
+class Simulator:
+    """The base class of a world; `reset` and `step` must be written."""
+
+    benchmark: Dict[str, Any] = {}  # noqa: RUF012 - each class has its own
+
+    def reset(self, task: str, seed: int, split: str) -> Dict[str, Any]:
+        """Begin an episode: {"instruction": text, "state": {name: numbers}}."""
+        raise NotImplementedError
+
+    def step(self, action: Dict[str, List[float]]) -> Dict[str, Any]:
+        """Execute {name: numbers}: {"state": …, "success": bool} and, if there is need,
+        "terminated": bool, "reward": number, "score": 0 to 1."""
+        raise NotImplementedError
+
+    def draw(self, camera: str, width: int, height: int) -> Any:
+        """Pixels of a camera: uint8 (height, width, channels), RGB, top row first."""
+        raise NotImplementedError
+
+    def tensor(self, name: str) -> Any:
+        """The bytes of a tensor, or an array with little-endian numbers."""
+        raise NotImplementedError
+
+    def digest(self) -> bytes:
+        """Bytes that are equal when the rest of the episode is decided equally."""
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """Free what the end of the program does not free."""
+
+
+def vector(
+    size: int, unit: str = "1", minimum: Any = None, maximum: Any = None, **more: Any
+) -> Dict[str, Any]:
+    """A VectorSpace: by default without rotation and frame, absolute; with bounds,
+    numbers beyond them are executed as the nearest allowed ones."""
+    space: Dict[str, Any] = {"size": size, "unit": unit}
+    space.update(rotation="none", frame="none")
+    space.update(relative=False, out_of_range="unbounded")
+    if minimum is not None:
+        space.update(minimum=minimum, maximum=maximum, out_of_range="clip")
+    space.update(more)
+    return space
+
+
+def serve(simulator: Simulator) -> NoReturn:
+    """Answer requests until the server closes; then end the program."""
+    requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
+    os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
+    os.dup2(2, 1)  # prints of other packages, in C as well, must not break a frame
+    sys.stdout = sys.stderr
+    session = _Session(simulator)
+    while True:
+        head = requests.read(_LENGTH.size)
+        if len(head) < _LENGTH.size:
+            break
+        (length,) = _LENGTH.unpack(head)
+        body = requests.read(length)
+        if len(body) < length:
+            break
+        request = unpack(body)
+        _write(replies, session.answer(request))
+        if request.get("call") == "close":
+            break
+    simulator.close()
+    sys.exit(0)
+
+
+class _Session:
+    """Answers one request after the other."""
+
+    def __init__(self, simulator: Simulator) -> None:
+        self._simulator = simulator
+        self._is_reset = False
+
+    def answer(self, request: Dict[str, Any]) -> Dict[str, Any]:
+        call = request.get("call")
+        calls = {
+            "describe": self._describe,
+            "reset": self._reset,
+            "step": self._step,
+            "observe": self._observe,
+            "digest": self._digest,
+            "close": self._close,
+        }
+        try:
+            if call not in calls:
+                return {"fault": f"unknown call {call!r}"}
+            if call in ("step", "observe", "digest") and not self._is_reset:
+                return {"fault": f"{call} before the first reset"}
+            return calls[call](request)
+        except Unplayable as unplayable:
+            return {"fault": str(unplayable), "unplayable": True}
+        except Exception as error:  # noqa: BLE001 - a world may raise anything
+            traceback.print_exc()
+            return {"fault": f"{type(error).__name__}: {error}"}
+
+    def _describe(self, request: Dict[str, Any]) -> Dict[str, Any]:
+        if PROTOCOL not in request["protocols"]:
+            return {"fault": f"this library speaks protocol {PROTOCOL}"}
+        return {"protocol": PROTOCOL, "benchmark": self._simulator.benchmark}
+
+    def _reset(self, request: Dict[str, Any]) -> Dict[str, Any]:
+        task = request["task"]
+        if task not in self._simulator.benchmark["tasks"]:
+            raise Unplayable(f"there is no task {task!r}")
+        begun = self._simulator.reset(task, request["seed"], request["split"])
+        self._is_reset = True
+        return begun
+
+    def _step(self, request: Dict[str, Any]) -> Dict[str, Any]:
+        done = dict(self._simulator.step(request["action"]))
+        done["success"] = bool(done["success"])
+        done["terminated"] = bool(done.get("terminated", False))
+        return done
+
+    def _observe(self, request: Dict[str, Any]) -> Dict[str, Any]:
+        images: Dict[str, Any] = {}
+        tensors: Dict[str, Any] = {}
+        spaces = self._simulator.benchmark["observation_space"]
+        for name in request.get("images", ()):
+            height, width = request["height"], request["width"]
+            pixels = self._simulator.draw(name, width, height)
+            shape = [height, width, spaces["images"][name]["channels"]]
+            shape = list(getattr(pixels, "shape", shape))
+            images[name] = {"shape": shape, "data": _buffer(pixels)}
+        for name in request.get("tensors", ()):
+            space = spaces["tensors"][name]
+            tensors[name] = {"dtype": space["dtype"], "shape": space["shape"]}
+            tensors[name]["data"] = _buffer(self._simulator.tensor(name))
+        return {"images": images, "tensors": tensors}
+
+    def _digest(self, _request: Dict[str, Any]) -> Dict[str, Any]:
+        return {"digest": bytes(self._simulator.digest())}
+
+    def _close(self, _request: Dict[str, Any]) -> Dict[str, Any]:
+        return {}
+
+
+def _buffer(array: Any) -> Buffer:
+    """The bytes of an array, without a copy where they are in one piece."""
+    view = memoryview(array)
+    return view.cast("B") if view.c_contiguous and view.nbytes else view.tobytes()
+
+
+def _write(descriptor: int, message: Dict[str, Any]) -> None:
+    parts = pack(message)
+    _write_all(descriptor, _LENGTH.pack(sum(len(part) for part in parts)))
+    for part in parts:
+        _write_all(descriptor, part)
+
+
+def _write_all(descriptor: int, data: Buffer) -> None:
+    left = memoryview(data)
+    while left:
+        left = left[os.write(descriptor, left) :]
+
+
+# MessagePack
+
+
+def pack(value: Any) -> List[Any]:
+    """The value as MessagePack, in pieces: long buffers are not copied."""
+    pieces: List[Any] = [bytearray()]
+    _pack(value, pieces)
+    return pieces
+
+
+def _pack(value: Any, pieces: List[Any]) -> None:  # noqa: C901, PLR0912 - by type
+    out = pieces[-1]
+    if value is None or isinstance(value, bool):
+        out += b"\xc0" if value is None else (b"\xc3" if value else b"\xc2")
+    elif isinstance(value, float):
+        out += struct.pack(">Bd", 0xCB, value)
+    elif isinstance(value, int):
+        out += _packed_int(value)
+    elif isinstance(value, str):
+        data = value.encode("utf-8")
+        out += _head(len(data), 0xA0, 32, 0xD9) + data
+    elif isinstance(value, (bytes, bytearray, memoryview)):
+        out += _head(len(value), 0, 0, 0xC4)
+        if len(value) < 4096:
+            out += value
+        else:
+            pieces += [value, bytearray()]
+    elif isinstance(value, dict):
+        out += _head(len(value), 0x80, 16, 0xDD)
+        for key, member in value.items():
+            _pack(str(key), pieces)
+            _pack(member, pieces)
+    elif isinstance(value, (list, tuple)):
+        out += _head(len(value), 0x90, 16, 0xDB)
+        for member in value:
+            _pack(member, pieces)
+    elif hasattr(value, "tolist"):
+        _pack(value.tolist(), pieces)
+    else:
+        _pack(float(value), pieces)
+
+
+def _packed_int(value: int) -> bytes:
+    if -32 <= value < 128:
+        return struct.pack("b", value)
+    return (
+        struct.pack(">Bq", 0xD3, value)
+        if value < 0
+        else struct.pack(">BQ", 0xCF, value)
+    )
+
+
+def _head(length: int, short: int, short_below: int, first: int) -> bytes:
+    """The type and length of text, bytes, a list or a map.
+
+    Lists and maps have no form with one byte, so theirs begins at `first` + 1.
+    """
+    if length < short_below:
+        return struct.pack("B", short | length)
+    if length < 256 and first not in (0xDB, 0xDD):
+        return struct.pack("BB", first, length)
+    if length < 65536:
+        return struct.pack(">BH", first + 1, length)
+    return struct.pack(">BI", first + 2, length)
+
+
+def unpack(data: bytes) -> Any:
+    """The value of a whole MessagePack message."""
+    return _unpack(memoryview(data), 0)[0]
+
+
+_NUMBERS = {0xCA: ">f", 0xCB: ">d", 0xCC: ">B", 0xCD: ">H", 0xCE: ">I", 0xCF: ">Q"}
+_NUMBERS.update({0xD0: ">b", 0xD1: ">h", 0xD2: ">i", 0xD3: ">q"})
+_LENGTHS = {0: ">B", 1: ">H", 2: ">I"}
+
+
+def _unpack(data: memoryview, at: int) -> Tuple[Any, int]:  # noqa: PLR0911 - by kind
+    """The value that begins at a place, and the place behind it."""
+    kind = data[at]
+    at += 1
+    if kind < 0x80:
+        return kind, at
+    if kind >= 0xE0:
+        return kind - 256, at
+    if kind < 0xC0:
+        if kind >= 0xA0:
+            return _text(data, at, kind & 31)
+        return (_map if kind < 0x90 else _list)(data, at, kind & 15)
+    if kind in (0xC0, 0xC2, 0xC3):
+        return {0xC0: None, 0xC2: False, 0xC3: True}[kind], at
+    if kind in _NUMBERS:
+        number = struct.Struct(_NUMBERS[kind])
+        return number.unpack_from(data, at)[0], at + number.size
+    for first, read in ((0xC4, _bytes), (0xD9, _text), (0xDB, _list), (0xDD, _map)):
+        size = kind - first
+        if size in _LENGTHS and not (size == 0 and first in (0xDB, 0xDD)):
+            length = struct.Struct(_LENGTHS[size])
+            return read(data, at + length.size, length.unpack_from(data, at)[0])
+    raise ValueError(f"MessagePack of an unknown kind: 0x{kind:02x}")
+
+
+def _text(data: memoryview, at: int, length: int) -> Tuple[str, int]:
+    return str(data[at : at + length], "utf-8"), at + length
+
+
+def _bytes(data: memoryview, at: int, length: int) -> Tuple[bytes, int]:
+    return bytes(data[at : at + length]), at + length
+
+
+def _list(data: memoryview, at: int, length: int) -> Tuple[List[Any], int]:
+    members = []
+    for _ in range(length):
+        member, at = _unpack(data, at)
+        members.append(member)
+    return members, at
+
+
+def _map(data: memoryview, at: int, length: int) -> Tuple[Dict[str, Any], int]:
+    pairs: Dict[str, Any] = {}
+    for _ in range(length):
+        key, at = _unpack(data, at)
+        pairs[key], at = _unpack(data, at)
+    return pairs, at

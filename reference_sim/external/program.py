@@ -1,0 +1,225 @@
+"""A program that speaks the simulator protocol, and the exchange of frames with it.
+
+The program is a child of `supervisor.py`, which ends it when this process ends. Pixels
+are received into the memory that is shared with the server, so that they are copied
+no more often than those of a simulator in this process.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import json
+import os
+import select
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Never
+
+import msgspec
+
+from reference_sim.external.simulator_messages import (
+    LENGTH,
+    PROTOCOL,
+    REPLY_BYTES_MAX,
+    CloseCall,
+    Closed,
+    DescribeCall,
+    Described,
+    FaultReply,
+    ReplyT,
+    Request,
+    frame,
+    read_reply,
+)
+from reference_sim.interface import TaskUnplayable
+from reference_sim.shared_frame_buffer import FRAME_BUFFER
+
+START_TIMEOUT_S = 120.0
+CALL_TIMEOUT_S = 60.0
+CLOSE_TIMEOUT_S = 5.0
+_WAIT_INTERVAL_S = 1.0
+_PIPE_BYTES = 1 << 20
+_INBOX_BYTES = 1 << 16
+_SUPERVISOR = str(Path(__file__).with_name("supervisor.py"))
+
+
+def program_name(command: Sequence[str], folder: str) -> str:
+    """The name of the program's file; for `python my_world.py` it is the second one."""
+    name = Path(command[0]).name
+    files = [word for word in command[1:] if Path(folder, word).is_file()]
+    return Path(files[0]).name if name.startswith("python") and files else name
+
+
+class ProgramFault(Exception):
+    """The program had a fault, broke its protocol or ended; the text says what."""
+
+
+class Program:
+    """One running program. Every method raises ProgramFault and TaskUnplayable.
+
+    on_wait: called about every second while the program starts.
+    call_timeout_s: time for each request; None if another process watches the time.
+    """
+
+    def __init__(
+        self,
+        command: Sequence[str],
+        folder: str,
+        *,
+        start_timeout_s: float = START_TIMEOUT_S,
+        call_timeout_s: float | None = CALL_TIMEOUT_S,
+        on_wait: Callable[[], None] = lambda: None,
+    ) -> None:
+        self.name = program_name(command, folder)
+        self._call_timeout_s = call_timeout_s
+        self._inbox = bytearray(_INBOX_BYTES)
+        self._start(command, folder)
+        try:
+            self.description = self.request(
+                DescribeCall(), Described, timeout_s=start_timeout_s, on_wait=on_wait
+            )
+            if self.description.protocol != PROTOCOL:  # SIM-007
+                protocol = self.description.protocol
+                self._raise(f"speaks protocol {protocol}, and {PROTOCOL} was offered")
+        except BaseException:
+            self.end()
+            raise
+
+    def _start(self, command: Sequence[str], folder: str) -> None:
+        their_input, self._requests = os.pipe()
+        self._replies, their_output = os.pipe()
+        if hasattr(fcntl, "F_SETPIPE_SZ"):
+            with contextlib.suppress(OSError):  # a user's pipes have a limit together
+                fcntl.fcntl(self._replies, fcntl.F_SETPIPE_SZ, _PIPE_BYTES)
+        plan = {
+            "command": list(command),
+            "folder": folder,
+            "name": self.name,
+            "descriptors": [their_input, their_output],
+        }
+        try:
+            self._supervisor = subprocess.Popen(
+                [sys.executable, "-I", "-S", _SUPERVISOR, json.dumps(plan)],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                pass_fds=(their_input, their_output),
+                start_new_session=True,  # a Ctrl-C is the server's to handle
+            )
+        except OSError as error:
+            os.close(self._requests)
+            os.close(self._replies)
+            raise ProgramFault(f"{self.name} cannot be started: {error}") from error
+        finally:
+            os.close(their_input)
+            os.close(their_output)
+        self._poll = select.poll()
+        self._poll.register(self._replies, select.POLLIN)
+
+    def request(
+        self,
+        request: Request,
+        wanted: type[ReplyT],
+        *,
+        reply_bytes_max: int = REPLY_BYTES_MAX,
+        timeout_s: float | None = None,
+        on_wait: Callable[[], None] = lambda: None,
+    ) -> ReplyT:
+        """Send a request and wait for its reply."""
+        limit_s = timeout_s or self._call_timeout_s or float("inf")
+        self._deadline, self._on_wait = time.monotonic() + limit_s, on_wait
+        call = type(request).__name__.removesuffix("Call").lower()
+        self._limit_text = f"{call} within {limit_s:g} s"
+        self._send(frame(request))
+        body = self._receive(reply_bytes_max)
+        try:
+            reply = read_reply(body, wanted)
+        except msgspec.DecodeError as error:
+            self._raise(f"sent a reply to {call} that is not valid: {error}")
+        if isinstance(reply, FaultReply):
+            if reply.unplayable:
+                raise TaskUnplayable(reply.fault)
+            self._raise(f"reports a fault: {reply.fault}")
+        return reply
+
+    def _send(self, message: bytearray) -> None:
+        unsent = memoryview(message)
+        while unsent:
+            try:
+                unsent = unsent[os.write(self._requests, unsent) :]
+            except OSError:
+                self._raise_ended()
+
+    def _receive(self, limit: int) -> bytes | memoryview:
+        inbox, filled = self._inbox, 0
+        while filled < LENGTH.size:
+            filled += self._read_into(memoryview(inbox)[filled:])
+        (length,) = LENGTH.unpack_from(inbox)
+        if length > limit:
+            self._raise(
+                f"announced a reply of {length} bytes, and {limit} is the most here; "
+                "a program that prints on its standard output breaks its frames, too"
+            )
+        end = LENGTH.size + length
+        if filled > end:
+            self._raise("sent more than one reply to a request")
+        if end <= len(inbox):
+            while filled < end:
+                filled += self._read_into(memoryview(inbox)[filled:end])
+            return bytes(inbox[LENGTH.size : end])
+        # Pictures: the reply is received where the server reads their pixels.
+        large = FRAME_BUFFER.allocate(1, length, 1).reshape(-1).data
+        filled -= LENGTH.size
+        large[:filled] = inbox[LENGTH.size : LENGTH.size + filled]
+        while filled < length:
+            filled += self._read_into(large[filled:])
+        return large
+
+    def _read_into(self, place: memoryview) -> int:
+        while not self._poll.poll(_WAIT_INTERVAL_S * 1000):
+            self._on_wait()
+            if time.monotonic() > self._deadline:
+                self._raise(f"did not reply to {self._limit_text}")
+        received = os.readv(self._replies, [place])
+        if received == 0:
+            self._raise_ended()
+        return received
+
+    def _raise(self, what: str) -> Never:
+        raise ProgramFault(f"{self.name} {what}")
+
+    def _raise_ended(self) -> Never:
+        """Raise what the supervisor reports about the end of the program."""
+        report: dict[str, Any] = {}
+        assert self._supervisor.stdout is not None
+        if select.select([self._supervisor.stdout], [], [], CLOSE_TIMEOUT_S)[0]:
+            with contextlib.suppress(ValueError):
+                report = json.loads(self._supervisor.stdout.readline())
+        if reason := report.get("could_not_start"):
+            self._raise(f"cannot be started: {reason}")
+        status = report.get("status")
+        if status is None:
+            self._raise("closed its standard input or output")
+        how = f"with exit code {status}"
+        if status < 0:
+            how = f"by {signal.Signals(-status).name}"
+        last = report.get("last_line")
+        self._raise(f"ended {how}" + (f"; its last line: {last}" if last else ""))
+
+    def close(self) -> None:
+        """Ask the program to end, then end it."""
+        with contextlib.suppress(ProgramFault, TaskUnplayable):
+            self.request(CloseCall(), Closed, timeout_s=CLOSE_TIMEOUT_S)
+        self.end()
+
+    def end(self) -> None:
+        """End the program and everything that it started."""
+        with contextlib.suppress(OSError):
+            os.close(self._requests)
+            os.close(self._replies)
+        with self._supervisor:  # closes its input, and waits until nothing is left
+            pass

@@ -1,0 +1,165 @@
+"""Programs that misbehave: their episode has a fault, and nothing is left of them."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import tempfile
+import uuid
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reference_sim.benchmark_registry import SimulatorConfig
+from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
+from tests.support.processes import descendants
+from tests.support.sim import breakable_simulator
+from tests.support.sim.shared_processes import shared_pool
+from tests.support.waiting import wait_in_loop
+
+pytestmark = [
+    pytest.mark.skipif(sys.platform != "linux", reason="needs /proc"),
+    pytest.mark.slow("starts programs that are ended by force"),
+]
+ACTION = {"add": [0.05]}
+
+
+@dataclass(frozen=True)
+class Mark:
+    """Marks a program and all that it starts by a variable of its environment."""
+
+    value: str
+
+    def config(self, *arguments: str) -> SimulatorConfig:
+        program = [sys.executable, "-S", breakable_simulator.__file__, *arguments]
+        command = ["env", f"SIMULATOR_TEST={self.value}", *program]
+        plan: dict[str, Any] = {"command": command, "folder": str(Path.cwd())}
+        plan["benchmark"] = breakable_simulator.WORLD.benchmark
+        settings: dict[str, Any] = {"codec": "raw", "width": 8, "height": 6}
+        settings |= {"adapter": "external", "plan": plan, "success_scored_tasks": []}
+        return SimulatorConfig("breakable", settings)
+
+    def processes(self) -> set[int]:
+        found = set()
+        for path in Path("/proc").glob("[0-9]*/environ"):
+            with contextlib.suppress(OSError):
+                if f"SIMULATOR_TEST={self.value}".encode() in path.read_bytes():
+                    found.add(int(path.parent.name))
+        return found
+
+
+@asynccontextmanager
+async def lent(
+    fault: str, turn_timeout_s: float = 60.0, *, has_own_log: bool = False
+) -> AsyncIterator[tuple[SimulatorHandle, Mark, SimulatorPool]]:
+    """A simulator; expects that nothing of its program is left.
+
+    has_own_log: its processes are not those that tests share, whose log goes elsewhere.
+    """
+    mark = Mark(str(uuid.uuid4()))
+    kind = SimulatorPool if has_own_log else shared_pool
+    pool = kind(spares=0, turn_timeout_s=turn_timeout_s)
+    await pool.start()
+    try:
+        handle = await pool.acquire(mark.config(fault))
+        supervisors = descendants(handle.pid or 0)
+        assert mark.processes()
+        yield handle, mark, pool
+    finally:
+        await pool.close()
+    await wait_in_loop(lambda: not mark.processes(), 20.0)
+    await wait_in_loop(lambda: not directories_of(supervisors), 20.0)
+
+
+def directories_of(supervisors: set[int]) -> list[Path]:
+    folder = Path(tempfile.gettempdir())
+    patterns = [f"proctor-simulator-{pid}-*" for pid in supervisors]
+    return [path for pattern in patterns for path in folder.glob(pattern)]
+
+
+async def begin(handle: SimulatorHandle) -> None:
+    await handle.begin("count", 1, max_steps=20, success_rule="any_step")
+
+
+async def play(handle: SimulatorHandle) -> None:
+    await begin(handle)
+    await handle.play([ACTION] * 5, observe_all=True)
+
+
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        ("SIM-001", "announced a reply of 1819238756 bytes, and 16777216 is the most"),
+        (
+            "SIM-002",
+            "ended with exit code 7; its last line: no more memory",
+        ),
+        ("SIM-003", "made no step for 1 s and was killed"),
+        ("SIM-015", r"sent a state of \{'sum': 2, 'left': 1\} and declared"),
+        ("SIM-016", "score 1.05 is outside 0"),
+        ("SIM-018", "sent the tensor 'sums' as float64"),
+        ("floods_forever", "made no step for 1 s and was killed"),
+        ("sends_2_gb", "announced a reply of 2147483648 bytes, and 1048632 is the"),
+        ("lies_about_sizes", r"as \(480, 640, 1\) in 48 bytes"),
+        (
+            "garbage",
+            "sent a reply to step that is not valid: MessagePack data is",
+        ),
+        ("replies_twice", "sent more than one reply to a request"),
+        ("not_finite", "sent a state 'sum' that is not finite"),
+        ("killed", "ended by SIGKILL"),
+        ("forks", "ended with exit code 1"),
+    ],
+)
+async def test_a_program_that_misbehaves_costs_its_episode_a_fault(
+    fault: str, said: str
+) -> None:
+    """Another program of the pool plays on."""
+    timeout_s = 1.0 if "no step" in said else 60.0
+    async with lent(fault, timeout_s) as (handle, mark, pool):
+        other = await pool.acquire(mark.config())
+        await begin(other)
+        with pytest.raises(SimulatorFault, match=said):
+            await play(handle)
+        played = await other.play([ACTION] * 3, observe_all=True)
+        assert played.steps == 3
+        assert not played.ended
+        await other.release()
+
+
+async def test_a_flood_of_errors_costs_time_alone(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    """2 MB of lines at each step: the log has some of them, and says how many not."""
+    async with lent("floods", has_own_log=True) as (handle, _, _):
+        await begin(handle)
+        assert (await handle.play([ACTION], observe_all=False)).steps == 1
+    log = capfd.readouterr().err
+    assert len(log) < 100_000
+    assert "simulator env: EEEE" in log
+    assert "more lines are left out)" in log
+
+
+async def test_a_program_has_a_directory_of_its_own_and_no_secrets(
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    async with lent("writes_files", has_own_log=True) as (handle, _, _):
+        await begin(handle)
+        await handle.play([ACTION], observe_all=False)
+    log = capfd.readouterr().err
+    assert "SECRETS=[]" in log
+    directory = Path(log.partition("TMPDIR=")[2].partition("\n")[0])
+    assert directory.name.startswith("proctor-simulator-")
+    await wait_in_loop(lambda: not directory.exists(), 20.0)
+
+
+async def test_the_end_of_a_simulator_process_ends_its_program() -> None:
+    """The process is killed while its program hangs."""
+    async with lent("SIM-003") as (handle, mark, _):
+        await begin(handle)
+        handle.discard()
+        await wait_in_loop(lambda: not mark.processes(), 20.0)
