@@ -202,7 +202,6 @@ class Benchmark(_Strict):
     environment: Name | None = None
     made_by: Reference | None = None
     simulator: Annotated[list[str], Field(min_length=1)] | None = None
-    files: list[str] = []
     start_timeout_s: Annotated[float, Field(gt=0, le=3600)] | None = None
     modules: list[str] = []
     files: list[str] = []
