@@ -11,13 +11,9 @@ const space = (size, out_of_range, low, high, unit = '1') => ({
   maximum: high === undefined ? undefined : Array(size).fill(high),
 });
 const ACTIONS = {
-  score: space(1, 'refuse', 0, 1),
-  success: space(1, 'refuse', 0, 1),
-  end: space(1, 'refuse', 0, 1),
-  delay_s: space(1, 'refuse', 0, 5, 's'),
-  fault: space(1, 'refuse', 0, 2),
-  vector: space(8, 'unbounded'),
-  clipped: space(2, 'clip', -1, 1),
+  score: space(1, 'refuse', 0, 1), success: space(1, 'refuse', 0, 1), end: space(1, 'refuse', 0, 1),
+  delay_s: space(1, 'refuse', 0, 5, 's'), fault: space(1, 'refuse', 0, 2),
+  vector: space(8, 'unbounded'), clipped: space(2, 'clip', -1, 1),
 };
 const STATE = { count: space(1, 'unbounded'), vector: space(8, 'unbounded'), clipped: space(2, 'unbounded') };
 const ABOUT = {

@@ -42,24 +42,19 @@ const IS = {
   array: Array.isArray,
   object: (value) => value !== null && typeof value === 'object' && !Array.isArray(value),
 };
-// What `min` and `max` count: characters, elements, fields, or the number itself.
-const SIZE = {
-  string: (value) => [...value].length,
-  number: (value) => value,
-  integer: (value) => value,
-  array: (value) => value.length,
-  object: (value) => Object.keys(value).length,
-};
+/** What `min` and `max` count: characters, elements, fields, or the number itself. */
+function sizeOf({ type }, value) {
+  if (type === 'string') return [...value].length;
+  return type === 'array' ? value.length : type === 'object' ? Object.keys(value).length : value;
+}
 
 /** A JSON pointer to a field or an element of what `pointer` points at. */
-export const below = (pointer, name) => (
-  `${pointer}/${String(name).replaceAll('~', '~0').replaceAll('/', '~1')}`
-);
+export const below = (pointer, name) => `${pointer}/${`${name}`.replaceAll('~', '~0').replaceAll('/', '~1')}`;
 
 /** Refuse a body that breaks its schema, at its first fault. */
 export function check(shape, value, pointer = '') {
   if (!IS[shape.type](value)) throw invalid(pointer, `must be of type ${shape.type}`);
-  const size = SIZE[shape.type](value);
+  const size = sizeOf(shape, value);
   if (size < shape.min || size > shape.max) {
     throw invalid(pointer, `must lie between ${shape.min ?? 0} and ${shape.max}`);
   }
