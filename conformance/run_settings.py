@@ -13,10 +13,12 @@ from typing import Any
 
 from conformance.specification.ledger import (
     CLUSTER,
+    CORE,
+    CRASH,
     LEVELS,
-    NEVER_ANNOUNCED,
     OF_OTHER_PROGRAMS,
     PROFILES,
+    SERVICE,
     Requirement,
     load_ledger,
 )
@@ -79,14 +81,17 @@ class Settings:
 
     def assume_all_offered(self) -> None:
         """List the checks of every selected profile; there is no server."""
-        self.service = {"profiles": self.profiles}
+        self.service = {"profiles": [*SERVICE, *self.profiles]}
         self.other_urls = ["http://another-base-url.invalid"]
 
     def is_offered(self, profile: str) -> bool:
         """Whether the server announces a profile, or is judged by it unannounced."""
+        announced = self.service.get("profiles", [])
         if profile == CLUSTER:
             return bool(self.other_urls)
-        return profile in NEVER_ANNOUNCED or profile in self.service.get("profiles", [])
+        if profile == CRASH:
+            return {*SERVICE} <= {*announced}
+        return profile == CORE or profile in announced
 
     @property
     def is_partial(self) -> bool:

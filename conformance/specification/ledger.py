@@ -32,7 +32,7 @@ POLICY = "policy"
 SIMULATOR = "simulator"
 # Profiles of other programs than servers, each checked by a command of its own.
 OF_OTHER_PROGRAMS = (POLICY, SIMULATOR)
-NEVER_ANNOUNCED = (CORE, "crash")  # checked on every server
+CRASH = "crash"  # checked on every server of the level Service
 CLUSTER = "cluster"  # checked on every service with several base URLs
 
 

@@ -1,134 +1,75 @@
-// From a request to an answer: path, version, token, scope, encodings, size, schema, and then the operation.
+// From a request to a response: path, method, version, token, body, schema, operation.
 import { createHash } from 'node:crypto';
 import { parse, write } from './json.js';
-import { Problem, invalid } from './problems.js';
+import { Problem } from './problems.js';
 import { LIMITS, check } from './shapes.js';
 
 const VERSION = '1.0';
-const hash = (secret) => createHash('sha256').update(secret).digest('hex');
+const hash = (token) => createHash('sha256').update(token).digest('hex');
 
-/** `account:scopes:token`, comma-separated; scopes are `read`, `run` or `read+run`. Only hashes are kept. */
+/** Read `account:scopes:token`, comma-separated. Only hashes are kept; Core has no scopes. */
 export function readTokens(text) {
-  const callers = new Map();
-  for (const entry of text.split(',').map((part) => part.trim()).filter(Boolean)) {
-    const [account, scopes, ...secret] = entry.split(':');
-    callers.set(hash(secret.join(':')), { account, scopes: scopes.split('+') });
-  }
-  return callers;
+  const entries = text.split(',').map((entry) => entry.trim().split(':'));
+  return new Map(entries.map(([account, , ...token]) => [hash(token.join(':')), account]));
 }
 
-/** The route of a path and what stands in its variable segments; a worker id is judged by its operation. */
-function match(routes, path) {
-  const segments = path.split('/');
-  for (const route of routes) {
-    const names = route.path.split('/');
-    const fits = names.length === segments.length
-      && names.every((name, i) => (name.startsWith(':') ? segments[i] !== '' : name === segments[i]));
-    if (!fits) continue;
-    const variables = names.map((name, i) => [name.slice(1), segments[i]]).filter((_, i) => names[i].startsWith(':'));
-    return { route, params: Object.fromEntries(variables) };
-  }
-  throw new Problem('not_found');
+function match(routes, method, path) {
+  const matching = routes.filter(({ pattern }) => pattern.test(path));
+  if (matching.length === 0) throw new Problem('not_found');
+  const route = matching.find((candidate) => candidate.method === method);
+  const Allow = matching.map((candidate) => candidate.method).join(', ');
+  if (!route) throw new Problem('method_not_allowed', {}, { Allow });
+  return { route, params: { ...route.pattern.exec(path).groups } };
 }
 
-function checkVersion(wanted) {
-  if (wanted !== undefined && wanted !== VERSION) throw new Problem('unsupported_version', { detail: `Only ${VERSION} is spoken` });
-}
-
-function authenticate(callers, header = '', scope) {
+function authenticate(accounts, header = '') {
   const [, token] = /^bearer +(\S+)$/i.exec(header) ?? [];
-  const caller = token && callers.get(hash(token));
-  if (!caller) throw new Problem('unauthenticated', {}, { 'WWW-Authenticate': 'Bearer' });
-  if (!caller.scopes.includes(scope)) throw new Problem('forbidden', { detail: `The scope ${scope} is missing` });
-  return caller.account;
-}
-
-function checkAccept(header) {
-  if (header === undefined) return;
-  // The most exact range decides, as RFC 9110 says: `application/json;q=0, */*` wants anything else.
-  const quality = new Map(header.split(',').map((range) => {
-    const [type, ...parameters] = range.toLowerCase().split(';').map((part) => part.trim());
-    const q = parameters.find((parameter) => parameter.startsWith('q='));
-    return [type, q ? Number(q.slice(2)) : 1];
-  }));
-  const decisive = ['application/json', 'application/*', '*/*'].find((range) => quality.has(range));
-  if (!decisive || !(quality.get(decisive) > 0)) throw new Problem('not_acceptable');
+  const account = token && accounts.get(hash(token));
+  if (!account) throw new Problem('unauthenticated', {}, { 'WWW-Authenticate': 'Bearer' });
+  return account;
 }
 
 async function readBody(request) {
+  const type = request.headers['content-type']?.split(';')[0].trim().toLowerCase();
   const chunks = [];
   let size = 0;
   for await (const chunk of request) {
     size += chunk.length;
+    // What follows is read all the same: a client that still sends would not see the response.
     if (size <= LIMITS.max_body_bytes) chunks.push(chunk);
-    else chunks.length = 0; // read on: a client that is still sending would never see the answer
   }
   if (size > LIMITS.max_body_bytes) throw new Problem('body_too_large');
-  const type = request.headers['content-type']?.split(';')[0].trim().toLowerCase();
   if (type !== 'application/json' && (size > 0 || type)) throw new Problem('unsupported_media_type');
   return parse(Buffer.concat(chunks));
 }
 
-/** A query parameter that has to match, or its fallback when it is absent. */
-export function parameter(query, name, pattern, fallback) {
-  const value = query.get(name);
-  if (value === null && fallback === undefined) throw invalid([`query:${name}`, 'is required']);
-  if (value !== null && !pattern.test(value)) throw invalid([`query:${name}`, `must match ${pattern}`]);
-  return value ?? fallback;
-}
-
-/** One page of `items` and the cursor of the next; `place` is the number by which an item is found again. */
-export function page(items, query, place) {
-  const limit = Number(parameter(query, 'limit', /^0*([1-9][0-9]{0,2}|1000)$/, '100'));
-  const cursor = parameter(query, 'cursor', /^after-[0-9]{1,12}$/, '');
-  const after = Number(cursor.slice('after-'.length));
-  const begin = cursor ? items.findIndex((item) => place(item) === after) + 1 : 0;
-  if (cursor && begin === 0) throw invalid(['query:cursor', 'is not a cursor of this list']);
-  const shown = items.slice(begin, begin + limit);
-  return { shown, next_cursor: begin + limit < items.length ? `after-${place(shown.at(-1))}` : null };
-}
-
-async function answer(request, routes, callers) {
-  const [path, search = ''] = request.url.split(/\?(.*)/s);
-  checkVersion(request.headers['proctor-version']);
-  const { route, params } = match(routes, path);
-  const operation = Object.hasOwn(route, request.method) ? route[request.method] : null;
-  if (!operation) {
-    const methods = Object.keys(route).filter((name) => name !== 'path');
-    throw new Problem('method_not_allowed', {}, { Allow: methods.join(', ') });
-  }
-  const scope = request.method === 'GET' ? 'read' : 'run';
-  const account = operation.open ? null : authenticate(callers, request.headers.authorization, scope);
-  if (!operation.silent) checkAccept(request.headers.accept);
-  const context = { account, params, headers: request.headers, query: new URLSearchParams(search) };
-  if (operation.shape) {
+async function respond(request, routes, accounts) {
+  const { headers, method, url } = request;
+  const { route, params } = match(routes, method, url.split('?')[0]);
+  if ((headers['proctor-version'] ?? VERSION) !== VERSION) throw new Problem('unsupported_version');
+  const account = route.isOpen ? null : authenticate(accounts, headers.authorization);
+  const context = { account, params, headers };
+  if (route.shape) {
     context.body = await readBody(request);
-    check(operation.shape, context.body);
+    check(route.shape, context.body);
   }
-  return operation.does(context);
+  const body = await route.act(context);
+  const location = route.status === 201 ? { Location: `${url.split('?')[0]}/${body.run_id}` } : {};
+  return { status: route.status ?? 200, headers: location, type: 'application/json', body };
 }
 
 /** A listener for http.createServer. */
-export function listener(routes, callers) {
+export function listener(table, accounts) {
+  const pattern = (path) => new RegExp(`^${path.replace(/:(\w+)/g, '(?<$1>[^/]+)')}$`);
+  const routes = table.map((route) => ({ ...route, pattern: pattern(route.path) }));
   return async (request, response) => {
-    let found;
-    try {
-      found = await answer(request, routes, callers);
-    } catch (error) {
+    const answer = await respond(request, routes, accounts).catch((error) => {
       if (!(error instanceof Problem)) console.error(error);
       const problem = error instanceof Problem ? error : new Problem('internal_error');
-      found = { ...problem, type: 'application/problem+json' };
-    }
-    const { status = 200, headers = {}, body, type = 'application/json' } = found;
-    const content = body === undefined ? {} : { 'Content-Type': type };
-    response.writeHead(status, { 'Proctor-Version': VERSION, ...content, ...headers });
-    response.end(body === undefined ? undefined : write(body));
+      return { ...problem, type: 'application/problem+json' };
+    });
+    const { status, headers, type, body } = answer;
+    response.writeHead(status, { 'Proctor-Version': VERSION, 'Content-Type': type, ...headers });
+    response.end(write(body));
   };
-}
-
-/** The whole answer to bytes that are no HTTP request; the list of problems has no better word for them. */
-export function notHttp() {
-  const content = write(new Problem('malformed_body', { detail: 'This is no HTTP request' }).body);
-  const head = ['HTTP/1.1 400 Bad Request', `Proctor-Version: ${VERSION}`, 'Content-Type: application/problem+json'];
-  return [...head, `Content-Length: ${Buffer.byteLength(content)}`, 'Connection: close', '', content].join('\r\n');
 }

@@ -1,181 +1,158 @@
-// One run: its state by the table, its episodes, and which sessions live. Knows no HTTP.
-import { plan } from './calibration.js';
+// One run: its state, its episodes, its sessions. Nothing here knows HTTP.
+import { randomBytes } from 'node:crypto';
+import { Simulator, checkActions } from './calibration.js';
+import { canonical } from './json.js';
 import { Problem } from './problems.js';
 import { score } from './scoring.js';
+import { LIMITS } from './shapes.js';
 
-// x-lifecycle of spec/openapi.yaml; a missing cell is a refusal.
+// The part of `x-lifecycle` that Core has; a missing command is refused.
 const TRANSITIONS = {
-  queued: { stop_abort: 'stopped', stop_drain: 'stopped', resume_run: 'queued', capacity: 'ready' },
-  ready: { attach_worker: 'running', stop_abort: 'stopped', stop_drain: 'stopped', resume_run: 'ready' },
-  running: {
-    attach_worker: 'running', stop_abort: 'stopped', stop_drain: 'stopping', resume_run: 'running',
-    last_lease_ends: 'ready', all_scored: 'completed', fault: 'failed',
-  },
-  stopping: {
-    stop_abort: 'stopped', stop_drain: 'stopping', last_lease_ends: 'stopped', all_scored: 'completed', fault: 'failed',
-  },
-  stopped: { stop_abort: 'stopped', stop_drain: 'stopped', resume_run: 'queued' },
-  failed: { resume_run: 'queued' },
+  ready: { attach: 'running', stop: 'stopped' },
+  running: { attach: 'running', stop: 'stopped', complete: 'completed' },
+  stopped: { stop: 'stopped' },
   completed: {},
 };
-// A run has no workers after a crash; its episodes start again from their beginning.
-const AFTER_CRASH = { running: 'ready', stopping: 'stopped' };
+const newId = () => randomBytes(16).toString('hex');
+const now = () => new Date().toISOString();
 
 export class Run {
-  /** `record` is what the journal keeps of the submit; `keep` writes to the journal, `changed` wakes long-polls. */
-  constructor(record, keep, changed) {
-    Object.assign(this, { record, keep, changed });
-    this.rules = plan(record.submit.options);
-    this.episodes = this.rules.episodes.map((episode) => ({
-      ...episode, episode_id: `episode-${episode.index}`, status: 'pending', attempt: 1, faults: 0, recentFaults: 0,
-    }));
-    Object.assign(this, { state: 'queued', reason: null, retryable: null, updated_at: record.created_at });
-    this.sessions = new Map(); // session id → session, for as long as the process lives
+  constructor(account, policy, max_workers, manifest) {
+    Object.assign(this, { run_id: newId(), account, policy, max_workers, manifest, state: 'ready', reason: null });
+    this.created_at = this.updated_at = now();
+    this.sessions = new Map(); // session id → session
     this.workers = new Map(); // worker id → its latest session
+    this.episodes = manifest.episodes.map((episode, index) => (
+      { ...episode, index, episode_id: newId(), status: 'pending' }));
   }
 
-  /** Applies one line of the journal. */
-  restore({ state, reason, retryable, episode, at }) {
-    if (state) Object.assign(this, { state: AFTER_CRASH[state] ?? state, reason, retryable });
-    if (state === 'queued') this.forgiveFaults();
-    if (episode) Object.assign(this.episodes[episode.index], episode, { status: episode.result ? 'scored' : 'pending' });
-    this.updated_at = at;
+  permit(command) {
+    if (TRANSITIONS[this.state][command]) return;
+    throw new Problem('illegal_transition', { detail: `The run is ${this.state}`, state: this.state });
   }
 
-  permit(event) {
-    const refused = !TRANSITIONS[this.state][event] || (this.state === 'failed' && !this.retryable);
-    if (refused) throw new Problem('illegal_transition', { detail: `The run is ${this.state}`, state: this.state });
+  move(command, reason = null) {
+    this.permit(command);
+    Object.assign(this, { state: TRANSITIONS[this.state][command], reason, updated_at: now() });
   }
 
-  move(event, reason = null, retryable = null) {
-    this.permit(event);
-    const to = TRANSITIONS[this.state][event];
-    if (to === this.state) return;
-    Object.assign(this, { state: to, reason, retryable });
-    this.write({ state: to, reason, retryable });
-    if (to === 'queued') {
-      this.forgiveFaults();
-      this.queue();
+  stop() {
+    this.move('stop', 'stopped by a request');
+    for (const session of this.liveSessions()) {
+      session.ended = true;
+      session.episode.status = 'pending';
     }
+    return this;
   }
 
-  write(facts) {
-    const now = new Date().toISOString();
-    if (now > this.updated_at) this.updated_at = now; // RUN-021: a clock may be set back
-    this.keep({ run_id: this.record.run_id, at: this.updated_at, ...facts });
-    this.changed();
+  async attach(worker, { attach_key }) {
+    // A turn that is executed ends before anything is decided.
+    while (this.workers.get(worker)?.executing) await this.workers.get(worker).executing;
+    const current = this.workers.get(worker);
+    const isLive = current && !current.ended;
+    if (isLive && current.attach_key === attach_key) return current.turn; // ATT-002
+    this.permit('attach');
+    if (isLive && !current.done) throw new Problem('worker_busy');
+    if (this.liveSessions().length >= this.max_workers) throw new Problem('worker_limit');
+    this.move('attach');
+    const session = { id: newId(), worker, attach_key, seq: 0 };
+    this.sessions.set(session.id, session);
+    this.workers.set(worker, session);
+    this.beginEpisode(session);
+    return this.keepTurn(session, performance.now());
   }
 
-  /** FAULT-010: only faults since the run was last queued count. */
-  forgiveFaults() { for (const episode of this.episodes) episode.recentFaults = 0; }
-
-  /** There is always capacity here; `queue_s` pretends otherwise (LIFE-810). */
-  queue() {
-    const seconds = this.record.submit.options?.queue_s ?? 0;
-    clearTimeout(this.queueing);
-    const leave = () => this.state === 'queued' && this.move('capacity');
-    if (seconds === 0) leave();
-    else this.queueing = setTimeout(leave, seconds * 1000);
+  async predict(worker, body) {
+    const beganAt = performance.now();
+    const session = this.sessions.get(body.session_id);
+    while (session?.executing) await session.executing; // PRED-005: a repeat waits for its turn
+    if (session?.worker !== worker) throw new Problem('session_ended', { ended_by: 'unknown' });
+    if (session.ended) throw new Problem('session_ended', { ended_by: 'run_stopped' });
+    const sent = canonical(body);
+    const expected_seq = session.seq + 1;
+    if (body.seq === session.seq && sent !== session.sent) throw new Problem('seq_conflict');
+    if (body.seq === session.seq) return session.turn;
+    if (body.seq !== expected_seq) throw new Problem('seq_out_of_order', { expected_seq });
+    if (session.done) throw new Problem('no_episode');
+    checkActions(body.actions);
+    const turn = this.execute(session, body, sent, beganAt);
+    const forget = () => { session.executing = null; };
+    session.executing = turn.then(forget, forget);
+    return turn;
   }
 
-  stop(mode) {
-    this.permit(`stop_${mode}`);
-    // A run that has stopped before is not changed: a session that is done may still repeat its last turn.
-    if (mode === 'abort' && this.state !== 'stopped') this.endAll('run_stopped');
-    // EPI-009: what an abort has closed may be the last attempt of the last episode.
-    if (this.allScored()) this.settle();
-    else this.move(`stop_${mode}`, `stopped by a request with mode ${mode}`);
+  async execute(session, { seq, actions }, sent, beganAt) {
+    const { simulator, episode } = session;
+    session.think_ms += beganAt - session.answeredAt;
+    const rewards = [];
+    for (const { values } of actions) {
+      rewards.push(await simulator.step(values));
+      if (session.ended) throw new Problem('session_ended', { ended_by: 'run_stopped' });
+      if (simulator.isOver) break;
+    }
+    const played = { executed_steps: rewards.length, stopped_early: rewards.length < actions.length, rewards };
+    Object.assign(session, { seq, sent });
+    if (simulator.isOver) {
+      this.giveResult(episode, simulator, session.think_ms / 1000);
+      const { terminated, truncated } = simulator;
+      Object.assign(played, { terminated, truncated, episode_result: episode.result });
+      this.beginEpisode(session);
+    }
+    return this.keepTurn(session, beganAt, played);
   }
 
-  resume() { this.move('resume_run'); }
-
-  fail(reason, retryable) {
-    this.move('fault', reason, retryable);
-    this.endAll('run_failed');
+  giveResult(episode, simulator, think_s) {
+    const { index, episode_id, task, split, seed } = episode;
+    const { steps, terminated, truncated } = simulator;
+    const played = { attempt: 1, faults: 0, ...simulator.result(), steps, terminated, truncated, think_s };
+    episode.result = { episode_id, index, task, split, seed, ...played, finished_at: now() };
+    Object.assign(episode, { status: 'scored' });
+    if (this.count('scored') === this.episodes.length) this.move('complete');
   }
 
-  /** Ends all sessions; the state is the caller's to move. */
-  endAll(why) { for (const session of this.sessions.values()) this.endSession(session, why); }
-
-  end(session, why) {
-    this.endSession(session, why);
-    this.settle();
+  /** Give the session the next episode of the manifest, or mark it as done. */
+  beginEpisode(session) {
+    const episode = this.episodes.find(({ status }) => status === 'pending');
+    Object.assign(session, { episode, done: !episode, think_ms: 0 });
+    if (!episode) return;
+    episode.status = 'in_progress';
+    session.simulator = new Simulator(episode.task, this.manifest);
   }
 
-  /** Ends a session, closing its attempt unscored; a fault that fails the run costs no attempt (FAULT-007). */
-  endSession(session, why) {
-    if (session.ended) return;
-    session.ended = why;
-    clearTimeout(session.timer);
-    if (session.episode && why === 'run_failed') session.episode.status = 'pending';
-    else if (session.episode) this.close(session.episode, session.simulator);
-    session.episode = null;
-    this.changed();
-  }
-
-  /** EPI-002 to EPI-004: what an attempt that is closed unscored costs. */
-  close(episode, simulator) {
-    episode.status = 'pending';
-    if (simulator.steps === 0) return;
-    if (episode.attempt < this.rules.max_attempts) {
-      episode.attempt += 1;
-      this.writeEpisode(episode);
-    } else this.scored(episode, simulator, { outcome: 'abandoned', score: 0 });
-  }
-
-  /** What a restart needs of an episode without a result (CRASH-005). */
-  writeEpisode({ index, attempt, faults, recentFaults }) {
-    this.write({ episode: { index, attempt, faults, recentFaults } });
-  }
-
-  /** Gives the episode its result; it is in the journal before it is sent. */
-  scored(episode, simulator, { outcome, score: points }) {
-    const { index, attempt, faults, task, split, seed, episode_id } = episode;
-    const finished = outcome !== 'abandoned';
-    episode.status = 'scored';
-    episode.result = {
-      episode_id, index, task, split, seed, attempt, faults, outcome, score: points, steps: simulator.steps,
-      terminated: finished && simulator.terminated, truncated: finished && simulator.truncated,
-      think_s: (episode.thought ?? 0) / 1000, finished_at: new Date().toISOString(),
+  /** Build the session's turn, and keep it for a repeat (PRED-002). */
+  keepTurn(session, beganAt, played) {
+    const { simulator, done } = session;
+    const idle_timeout_s = LIMITS.idle_timeout_s_max;
+    session.answeredAt = performance.now();
+    session.turn = {
+      session_id: session.id, seq: session.seq, executed_steps: 0, stopped_early: false, rewards: [],
+      terminated: false, truncated: false, ...played, done,
+      lease: { expires_at: new Date(Date.now() + idle_timeout_s * 1000).toISOString(), idle_timeout_s },
+      timing: { total_s: (session.answeredAt - beganAt) / 1000, queue_s: 0, simulate_s: 0, render_s: 0, encode_s: 0 },
     };
-    this.write({ episode: { index, attempt, faults, result: episode.result } });
+    if (done) return session.turn;
+    const { episode_id, index, task } = session.episode;
+    const { max_steps } = this.manifest;
+    const instruction = `Calibration task ${task}.`;
+    session.turn.episode = { episode_id, index, task, attempt: 1, instruction, step: simulator.steps, max_steps };
+    session.turn.observation = simulator.observe();
+    return session.turn;
   }
 
-  /** The next episode in manifest order; a run that drains hands out none. */
-  handOut() {
-    const episode = this.state === 'running' && this.episodes.find(({ status }) => status === 'pending');
-    if (!episode) return null;
-    Object.assign(episode, { status: 'in_progress', thought: 0 });
-    this.changed();
-    return episode;
-  }
+  liveSessions() { return [...this.sessions.values()].filter(({ done, ended }) => !done && !ended); }
 
-  holders() {
-    const all = [...this.workers.values()];
-    return all.filter(({ ended, done }) => !ended && !done).length;
-  }
+  count(status) { return this.episodes.filter((episode) => episode.status === status).length; }
 
-  allScored() { return this.episodes.every(({ status }) => status === 'scored'); }
-
-  /** The events that no command causes. A session that is done holds nothing and keeps nothing going. */
-  settle() {
-    if (this.state !== 'running' && this.state !== 'stopping') return;
-    if (this.allScored()) this.move('all_scored');
-    else if (this.holders() === 0) this.move('last_lease_ends', this.state === 'stopping' ? 'drained' : null);
-  }
-
-  /** Without `endpoint` and `queue_position`, which are not the run's own knowledge. */
   view() {
-    const { run_id, submit, max_workers, idle_timeout_s, images, created_at } = this.record;
-    const having = (wanted) => this.episodes.filter(({ status }) => status === wanted).length;
-    const { state, reason, retryable, updated_at } = this;
+    const { run_id, state, reason, policy, max_workers, created_at, updated_at } = this;
     return {
-      run_id, state, reason, retryable, created_at, updated_at, policy: submit.policy, max_workers, idle_timeout_s, images,
-      benchmark_id: 'calibration', benchmark_version: '1', manifest_sha256: this.rules.manifest_sha256,
-      live_workers: this.holders(),
+      run_id, state, reason, retryable: null, created_at, updated_at, policy, max_workers,
+      benchmark_id: 'calibration', benchmark_version: '1', manifest_sha256: this.manifest.manifest_sha256,
+      idle_timeout_s: LIMITS.idle_timeout_s_max, images: { codec: 'raw', width: 16, height: 12 },
+      queue_position: null, live_workers: this.liveSessions().length,
       progress: {
-        episodes_total: this.episodes.length, episodes_scored: having('scored'),
-        episodes_in_progress: having('in_progress'), episodes_pending: having('pending'),
+        episodes_total: this.episodes.length, episodes_scored: this.count('scored'),
+        episodes_in_progress: this.count('in_progress'), episodes_pending: this.count('pending'),
       },
     };
   }
