@@ -31,11 +31,13 @@ from conformance.run_settings import Settings
 from conformance.specification.document import (
     MSGPACK,
     ZIP,
+    Operation,
     Spec,
     load_policy_spec,
     load_spec,
 )
-from conformance.specification.ledger import CORE, POLICY
+from conformance.specification.ledger import POLICY
+from conformance.specification.profile_fields import profile_of_task, profiles_used
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
@@ -46,7 +48,6 @@ _CAPACITY_POLL_S = 0.1
 _ROUND_TRIPS = 12
 _ROUND_TRIP_TIMEOUT_S = 10.0
 _STALL_POLL_S = 0.1
-_PROFILE_OF_TASK = {"echo": "observations", "fault": "faults"}
 # The tolerance of timing checks, in round trips.
 TOLERANCE_ROUND_TRIPS = 20
 
@@ -146,9 +147,7 @@ class RequestContext:
 
     def tasks(self, *wanted: str) -> list[str]:
         """Those of these tasks of calibration that the server offers."""
-        return [
-            task for task in wanted if self.offers(_PROFILE_OF_TASK.get(task, CORE))
-        ]
+        return [task for task in wanted if self.offers(profile_of_task(task))]
 
     def worker_count(self, most: int) -> int:
         """How many workers may play a run at a time, at most `most`."""
@@ -199,6 +198,7 @@ class RequestContext:
         is taken back after the check.
         """
         operation = self.spec.operations[operation_id]
+        self._require_offered(operation, json)
         sent, run_id = json, path_params.get("run_id")
         http_client = http_client or self.http_client
         path = operation.path.format(
@@ -236,6 +236,19 @@ class RequestContext:
             step = partial(self.call, name, http_client=http_client, **where)
             self.clean_up_with(partial(self._take_back, where.get("run_id"), step))
         return answer
+
+    def _require_offered(self, operation: Operation, body: Any) -> None:
+        """Send nothing of a profile that the server does not announce.
+
+        What a check of another profile would have shown with it is not verified.
+        """
+        used = [(operation.operation_id, operation.profile)]
+        if isinstance(body, dict):
+            used += profiles_used(operation.operation_id, body)
+        for what, profile in used:
+            if not self.offers(profile):
+                text = f"the check uses `{what}`, of the profile {profile}, "
+                raise SetUpFailed(f"{text}which is not announced", allowed=True)
 
     def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
         """Repeat while the server has no capacity, as every client must; then give up.

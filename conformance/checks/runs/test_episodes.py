@@ -149,6 +149,11 @@ CLOSES: list[Callable[[WorkerClient], None]] = [
 ]
 
 
+def closes(context: CheckContext) -> list[Callable[[WorkerClient], None]]:
+    """Give the ways to close an attempt after which the run goes on."""
+    return CLOSES if context.offers("control") else CLOSES[:1]
+
+
 @requirement("EPI-003")
 def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) -> None:
     """Attempts with one action are closed: by a detach and a stop, also in a drain. One
@@ -157,7 +162,7 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
     Expect the episode pending and unscored at the next attempt, starting at step 0.
     """
     worker = submit_and_attach(context, "count", max_attempts=10)
-    for attempt, close in enumerate(CLOSES, start=2):
+    for attempt, close in enumerate(closes(context), start=2):
         worker.predict(context.action())
         close(worker)
         episode = read_closed_episode(worker.run)
@@ -169,6 +174,8 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
         expect.equal(count(turn), [0], "count in the turn")
     result = worker.play()["episode_result"]
     expect.equal(result["attempt"], attempt, "attempt of the result")
+    if not context.offers("faults"):
+        return
     faulty = submit_and_attach(context, "fault", max_attempts=10)
     faulty.predict(context.action())
     faulty.detach()
@@ -205,7 +212,7 @@ def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None
     expect.true(index_of(worker) != first, "another episode next", worker.turn)
     worker = submit_and_attach(context, *["score"] * 5, max_attempts=1)
     abandoned: set[int] = set()
-    for close in CLOSES:
+    for close in closes(context):
         expect.true(index_of(worker) not in abandoned, "another episode", worker.turn)
         abandoned.add(index_of(worker))
         worker.predict(context.action(score=0.9, success=1))
@@ -389,7 +396,7 @@ def test_epi_009_completed_whatever_closed_the_last_attempt(
     Expect the run `completed`.
     """
     shortest_s = max(2.0, context.limits["idle_timeout_s_min"])
-    for close in (*CLOSES, close_by_lease):
+    for close in (*closes(context), close_by_lease):
         lease_s = shortest_s if close is close_by_lease else None
         run = context.submit("score", "score", max_attempts=1, idle_timeout_s=lease_s)
         worker = run.worker()
@@ -408,7 +415,7 @@ def test_epi_010_result_of_an_abandoned_episode(context: CheckContext) -> None:
     Expect `attempt` 2 and `steps` 3, neither terminated nor truncated.
     """
     worker = submit_and_attach(context, *["count"] * 5, max_attempts=2)
-    for close in CLOSES:
+    for close in closes(context):
         index = index_of(worker)
         worker.predict(context.action())
         worker.detach()
@@ -477,7 +484,7 @@ def test_epi_012_an_attempt_begins_anew(context: CheckContext) -> None:
     worker = submit_and_attach(
         context, "count", max_steps=3, max_attempts=10, success_rule="any_step"
     )
-    for close in (close_by_detach, close_by_stop):
+    for close in closes(context)[:2]:
         worker.predict(context.action(success=1), context.action())
         close(worker)
         worker.attach()

@@ -105,9 +105,9 @@ def blob(data: Any) -> bytes:
         ) from error
 
 
-def echo(context: CheckContext, **options: Any) -> WorkerClient:
-    """Attach a worker to an episode of the task `echo`."""
-    worker = context.submit("echo", **options).worker()
+def echo(context: CheckContext, task: str = "echo", **options: Any) -> WorkerClient:
+    """Attach a worker to an episode of a task, whose state returns a vector."""
+    worker = context.submit(task, **options).worker()
     worker.attach()
     return worker
 
@@ -117,7 +117,7 @@ def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) ->
     """JSON and MessagePack are equally acceptable, in every order, also to the repeat
     of a turn for which MessagePack alone was. Expect JSON.
     """
-    worker = echo(context)
+    worker = echo(context, "count")
     bodies = [False, True] if context.speaks_msgpack else [False]
     for accept in ACCEPT_BOTH:
         headers = {"Accept": accept}
@@ -130,7 +130,7 @@ def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) ->
             what = f"the media type for Accept: {accept or 'absent'}"
             expect.equal(answer.media_type, "application/json", what)
     if context.speaks_msgpack:
-        worker = echo(context)
+        worker = echo(context, "count")
         expect.ok(worker.try_predict(context.action(), headers={"Accept": MSGPACK}))
         worker.seq += 1
         again = worker.try_predict(
@@ -211,8 +211,7 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     Expect every bit of them in the observation, in every encoding; JSON may also write
     negative zero as `-0`.
     """
-    worker = context.submit("count", max_steps=1000).worker()
-    worker.attach()
+    worker = echo(context, "count", max_steps=1000)
     numbers = doubles(context)
     encodings = [False, True] if context.speaks_msgpack else [False]
     for is_msgpack in encodings:
@@ -371,7 +370,7 @@ def test_enc_013_cannot_send_a_member_twice(context: CheckContext) -> None:
 
     Expect `malformed_body`; without the repetition the body is accepted.
     """
-    worker = echo(context)
+    worker = echo(context, "count")
     right = json.dumps(next_body(worker, vector=[0.5] * 8))
     for name, before in (
         *(("seq", '"seq": 77, "seq"'), ("seq", '"seq": 1, "seq"')),
@@ -388,7 +387,7 @@ def test_enc_013_cannot_send_a_member_twice(context: CheckContext) -> None:
 @requirement("ENC-010")
 def test_enc_010_too_small_a_number_is_zero(context: CheckContext) -> None:
     """Numbers nearer to zero than any double, beside one that is not. Expect zeros."""
-    worker = echo(context)
+    worker = echo(context, "count")
     text = json.dumps(next_body(worker, vector=[99.0] * 7 + [0.5]))
     small = ("1e-400", "-1e-999", "0.0e-5000", f"0.{'0' * 400}1", "1E-400", "1e-9999")
     for number in (*small, "0.0"):

@@ -211,10 +211,12 @@ def refused_requests(
     actions = [context.action(end=1)]
     bodies: dict[str, dict[str, Any]] = {
         "submit_run": submission,
-        "attach_worker": {"attach_key": uuid.uuid4().hex, "takeover": True},
+        "attach_worker": {"attach_key": uuid.uuid4().hex},
         "predict": session | {"seq": worker.seq + 1, "actions": actions},
         "stop_run": {"mode": "abort"},
     }
+    if context.offers("sessions"):
+        bodies["attach_worker"]["takeover"] = True
     newest = int(context.service["protocol"]["max"].partition(".")[0])
     reasons = [{"Proctor-Version": f"{newest + 1}.0"}]
     reasons += [{"Authorization": "Bearer no-such-token"}]

@@ -68,7 +68,7 @@ def test_ver_001_every_answer_carries_the_version(context: CheckContext) -> None
     answers = [send(worker.run, sample) for sample in operation_samples(worker)]
     answers += [
         context.call("describe_service"),
-        context.call("list_runs", http_client=context.client_with_token(None)),
+        context.call("list_benchmarks", http_client=context.client_with_token(None)),
         context.call("get_run", run_id="no-such-run"),
         context.call(
             "submit_run", content=b"{", headers={"Content-Type": "text/plain"}
@@ -117,4 +117,4 @@ def test_ver_002_cannot_use_a_version_out_of_range(context: CheckContext) -> Non
     for version in (protocol["min"], protocol["max"]):
         headers = {"Proctor-Version": version}
         expect.ok(context.call("list_benchmarks", headers=headers))
-        expect.ok(worker.try_attach(attach_key=worker.attach_key, headers=headers))
+        expect.ok(worker.try_predict(context.action(), headers=headers))

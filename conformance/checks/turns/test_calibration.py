@@ -315,7 +315,7 @@ def test_cal_006_only_echo_has_images_and_tensors(context: CheckContext) -> None
 
     Expect the image and the tensors in each one of `echo`, and in no other.
     """
-    worker = submit_and_attach(context, *TASKS, "echo", "score")
+    worker = submit_and_attach(context, *context.tasks(*TASKS), "echo", "score")
     while not worker.turn["done"]:
         task = worker.turn["episode"]["task"]
         expect_pictures(worker.turn["observation"], task)

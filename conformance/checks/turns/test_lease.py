@@ -495,6 +495,8 @@ def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
     Expect the wait to end with the lease, in a run that is `ready` with the episode
     pending; no worker has sent anything.
     """
+    if not context.offers("waiting"):
+        raise expect.NotApplicable("server does not announce the profile waiting")
     with open_quiet_server(context) as quiet:
         wait_for_the_end_of_a_lease(quiet)
 

@@ -98,6 +98,7 @@ def run_on(behaviour: OneEventPerStream) -> Iterator[RunClient]:
     with run_server(behaviour) as url:
         settings = Settings(url=url, token="secret")
         inspect(settings)
+        settings.service["profiles"].append("events")
         with contextlib.closing(SharedContext.of(settings)) as shared:
             yield run_of(shared)
 

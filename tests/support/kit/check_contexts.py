@@ -7,6 +7,7 @@ from typing import Protocol
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
+from conformance.specification.ledger import SERVICE
 
 
 class AnyServer(Protocol):
@@ -22,7 +23,7 @@ class AnyServer(Protocol):
 def open_context(server: AnyServer) -> Iterator[CheckContext]:
     """The context of a check that calls the server; it is closed with the context."""
     settings = Settings(url=server.url, token="secret")
-    settings.service = {"profiles": [], "limits": {}}
+    settings.service = {"profiles": [*SERVICE, "events"], "limits": {}}
     with (
         contextlib.closing(server),
         contextlib.closing(SharedContext.of(settings)) as shared,

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
+from conformance.specification.ledger import SERVICE as PROFILES_OF_SERVICE
+
 Reply = tuple[int, dict[str, str], bytes]
 
 
@@ -32,7 +34,7 @@ SERVICE = {
     "name": "canned_answers",
     "version": "0",
     "protocol": {"min": "1.0", "max": "1.0"},
-    "profiles": ["msgpack"],
+    "profiles": [*PROFILES_OF_SERVICE, "msgpack"],
     "limits": {
         "max_body_bytes": 4_000_000,
         "max_workers": 4,

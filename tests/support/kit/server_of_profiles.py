@@ -15,6 +15,7 @@ from typing import Any
 from starlette.responses import Response
 
 from conformance.specification.document import load_spec
+from conformance.specification.profile_fields import profile_of_task, profiles_used
 from reference_server.__main__ import main
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
@@ -24,28 +25,16 @@ from tests.mutants import put
 
 Handler = Callable[[OperationCall], Awaitable[Response]]
 ANNOUNCED = {"core", *os.environ.get("ONLY_PROFILES", "").split(",")} - {""}
-# operation → JSON pointer → the profile of the field there
+# operation → fields of profiles that build on Service
 FIELDS = {
     "submit_run": {
-        "/idle_timeout_s": "sessions",
-        "/images": "observations",
-        "/select": "subsets",
-        "/any_policy": "attribution",
-        "/mode": "push",
-        "/policy_server": "push",
-        "/options/max_attempts": "sessions",
-        "/options/max_faults": "faults",
-        "/options/queue_s": "control",
-        "/options/sealed": "sealed_seeds",
+        "select": "subsets",
+        "any_policy": "attribution",
+        "mode": "push",
+        "policy_server": "push",
     },
-    "attach_worker": {
-        "/takeover": "sessions",
-        "/assumes": "conventions",
-        "/player": "attribution",
-    },
-    "predict": {"/observe": "observations"},
+    "attach_worker": {"player": "attribution"},
 }
-TASKS = {"echo": "observations", "fault": "faults"}
 HEADERS = {
     "if-none-match": "waiting",
     "prefer": "waiting",
@@ -54,22 +43,14 @@ HEADERS = {
 }
 
 
-def unknown(pointer: str) -> Refused:
-    return Refused("invalid_request", "Unknown.", errors=[(pointer, "unknown")])
-
-
 def require_known(name: str, body: Any) -> None:
     """Raise Refused if a body has a field or a value of a profile that is missing."""
-    for pointer, profile in FIELDS.get(name, {}).items():
-        *parents, last = pointer.split("/")[1:]
-        holder = functools.reduce(lambda at, key: at.get(key, {}), parents, body)
-        if last in holder and profile not in ANNOUNCED:
-            raise unknown(pointer)
-    tasks = body.get("options", {}).get("tasks", []) if name == "submit_run" else []
-    if any(TASKS.get(task, "core") not in ANNOUNCED for task in tasks):
-        raise unknown("/options/tasks")
-    if body.get("mode") == "drain" and "control" not in ANNOUNCED:
-        raise unknown("/mode")
+    own = FIELDS.get(name, {})
+    used = [*profiles_used(name, body), *((f"/{k}", own[k]) for k in own if k in body)]
+    for pointer, profile in used:
+        if profile not in ANNOUNCED:
+            errors = [(pointer, "unknown")]
+            raise Refused("invalid_request", "Unknown.", errors=errors)
 
 
 def changed_body(response: Response, change: Callable[[Any], None]) -> Response:
@@ -81,7 +62,7 @@ def changed_body(response: Response, change: Callable[[Any], None]) -> Response:
 
 def without_echo(benchmark: dict[str, Any]) -> None:
     if benchmark["benchmark_id"] == "calibration":
-        offered = [t for t in benchmark["tasks"] if TASKS.get(t, "core") in ANNOUNCED]
+        offered = [t for t in benchmark["tasks"] if profile_of_task(t) in ANNOUNCED]
         benchmark["tasks"] = offered
         if "observations" not in ANNOUNCED:
             benchmark["observation_space"] |= {"images": {}, "tensors": {}}
@@ -96,12 +77,8 @@ CHANGES = {"describe_service": announce, "get_benchmark": without_echo}
 
 
 def stripped(name: str, handler: Handler) -> Handler:
-    profile = load_spec().operations[name].profile
-
     @functools.wraps(handler)
     async def handle(call: OperationCall) -> Response:
-        if profile not in ANNOUNCED:
-            raise Refused("not_found", "There is no such operation.")
         if call.raw[:1] == b"{":
             require_known(name, json.loads(call.raw))
         response = await handler(call)
@@ -127,10 +104,13 @@ def stripped_operation(operation: Operation) -> Operation:
 
 
 def stripped_table(handlers: Handlers) -> dict[str, dict[str, Operation]]:
-    return {
-        path: {method: stripped_operation(one) for method, one in operations.items()}
-        for path, operations in whole_table(handlers).items()
-    }
+    table: dict[str, dict[str, Operation]] = {}
+    for path, operations in whole_table(handlers).items():
+        for method, operation in operations.items():
+            name = operation.handler.__name__
+            if load_spec().operations[name].profile in ANNOUNCED:
+                table.setdefault(path, {})[method] = stripped_operation(operation)
+    return table
 
 
 whole_table = Handlers.table
