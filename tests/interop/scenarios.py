@@ -25,7 +25,7 @@ from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy, WriteAnswer
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
-from tests.support.client.moved_server import closed_port, moved_server
+from tests.support.client.moved_server import closed_port, moved_server, other_server
 from tests.support.client.spelled_answers import spell
 from tests.support.sim.calibration_action import SIZES
 
@@ -432,7 +432,7 @@ def settings_that_do_not(server: Server, program: Program) -> None:
 
 def endpoint_that_leads_elsewhere(server: Server, program: Program) -> None:
     """A proxy serves the server under a path that the server does not know."""
-    with wrong_server(server.read("/v1/runs?limit=1")) as elsewhere:
+    with other_server() as elsewhere:
 
         def misled(body: object) -> object:
             if isinstance(body, dict) and "endpoint" in body:
