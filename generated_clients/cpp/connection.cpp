@@ -33,13 +33,13 @@ std::size_t read_header(char* data, std::size_t size, std::size_t count, void* r
 }
 
 /// A gateway's answer is no Problem: then its status is all that is known.
-Problem problem_of(long status, std::string const& answer) try {
+Problem problem_of(long status, std::string const& answer, std::string const& url) try {
     return nlohmann::json::parse(answer).get<Problem>();
 } catch (std::exception const&) {
     Problem unknown;
     unknown.status = static_cast<std::int32_t>(status);
     unknown.code = "bad_answer";
-    unknown.detail = "HTTP status " + std::to_string(status) + " without a problem";
+    unknown.detail = url + " answered HTTP status " + std::to_string(status) + " without a problem.";
     unknown.retryable = status == 429 || status >= 500;
     unknown.side_effects = "possible";
     return unknown;
@@ -117,7 +117,7 @@ std::string Connection::send(Request const& request) {
             url = place;
             continue;
         }
-        auto why = problem_of(status, answer);
+        auto why = problem_of(status, answer, url);
         why.detail += hint_of(status, m_url, target, place);
         throw Refused(status, why, retry_after_s);
     }

@@ -25,7 +25,7 @@ from tests.interop.later_version import NEW, extended
 from tests.interop.proxy import Proxy, WriteAnswer
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
-from tests.support.client.moved_server import closed_port, moved_server
+from tests.support.client.moved_server import closed_port, moved_server, other_server
 from tests.support.client.spelled_answers import spell
 from tests.support.sim.calibration_action import SIZES
 
@@ -43,6 +43,8 @@ LIMITS = {
 }
 # Wrong answers that a language takes for right.
 TAKEN = {"go": {"empty", "missing"}}
+# The examples of these say which server named an endpoint that does not answer.
+NAMES_ENDPOINT = {"go", "cpp-evaluate", "typescript-evaluate"}
 PROXIES = dict.fromkeys(
     ("http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"), "http://127.0.0.1:9"
 )
@@ -428,6 +430,25 @@ def settings_that_do_not(server: Server, program: Program) -> None:
             expect("that a secret was printed", secret in output, False)
 
 
+def endpoint_that_leads_elsewhere(server: Server, program: Program) -> None:
+    """A proxy serves the server under a path that the server does not know."""
+    with other_server() as elsewhere:
+
+        def misled(body: object) -> object:
+            if isinstance(body, dict) and "endpoint" in body:
+                return {**body, "endpoint": elsewhere}
+            return body
+
+        with Proxy(server.url, alter=misled) as proxy:
+            played = program.play_example(proxy.url, server.token)
+            text = (
+                f"{elsewhere} is the endpoint of the run, which {proxy.url} has named"
+            )
+            if played.returncode != 1 or text not in played.stderr:
+                output = (played.stdout + played.stderr)[-1500:]
+                raise UnexpectedResult(f"no {text!r}: {output}")
+
+
 def expect_wait(waiting: subprocess.Popen[str], port: int) -> None:
     """The example says within seconds what it waits for, before it ends."""
     assert waiting.stderr is not None
@@ -465,6 +486,8 @@ def vectors(_server: Server, program: Program) -> None:
 def wrong_answers(server: Server, program: Program) -> None:
     """Successes that are no message; the client's own error says so for each."""
     server.submit()
+    if program.language in NAMES_ENDPOINT:
+        endpoint_that_leads_elsewhere(server, program)
     page = server.read("/v1/runs?limit=1")
     with wrong_server(page) as url:
         errors = program.play("wrong_answers", url, server.token)["errors"]

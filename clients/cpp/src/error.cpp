@@ -60,6 +60,13 @@ Error::Error(Problem const& why, long status, double retry_after_s)
     : std::runtime_error(message(why)), code(printable(why.code)), detail(printable(with_hint(why))), retryable(why.retryable),
       side_effects(why.side_effects), status(status), retry_after_s(retry_after_s), problem(why) {}
 
+Error Error::explained(std::string const& more) const {
+    if (!problem) return Error(code, detail + more, retryable, side_effects);
+    auto why = *problem;
+    why.detail += more;
+    return Error(why, status, retry_after_s);
+}
+
 RunFailed::RunFailed(Run const& run)
     : Error("run_failed",
             "Run " + run.run_id + " failed: " + run.reason.value_or("") +

@@ -86,7 +86,10 @@ void Retry::wait_after(Error const& error) {
     m_server.stop->sleep(wait_s);
 }
 
-Error current_error(std::string const& url) {
+namespace {
+
+/// What was thrown by a request to `url`, which is being handled, as an Error.
+Error error_at(std::string const& url) {
     try {
         throw;
     } catch (Error const& error) {
@@ -104,6 +107,16 @@ Error current_error(std::string const& url) {
         auto const detail = std::string("The request cannot be written as JSON (") + error.what() + "). Correct its texts: they are UTF-8.";
         return Error("invalid_request", detail);
     }
+}
+
+} // namespace
+
+Error current_error(std::string const& url, std::string const& control_url) {
+    auto const error = error_at(url);
+    bool const is_misled = error.code == "unreachable" || error.code == "bad_answer" || error.code == "not_found";
+    if (!is_misled || control_url.empty() || control_url == url) return error;
+    return error.explained(" " + url + " is the endpoint of the run, which " + control_url +
+                           " has named. If clients reach the server elsewhere, its operator sets --public-url.");
 }
 
 std::string unique_key() {

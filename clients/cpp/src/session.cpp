@@ -8,6 +8,13 @@ namespace {
 
 constexpr double margin_s = 3; // added to the lease when waiting for a busy worker
 
+DataApi data_plane(Server const& server, std::string const& endpoint) try {
+    return DataApi(std::make_shared<Connection>(endpoint, server.token));
+} catch (BadSetting const& error) {
+    throw Error("bad_answer", server.url + " named an endpoint of the run that cannot be used: " + error.what() +
+                                  ". Ask the operator to set the server's public URL.");
+}
+
 bool is_session_end(std::string const& code) {
     return code == "session_ended" || code == "session_superseded";
 }
@@ -16,13 +23,13 @@ bool is_session_end(std::string const& code) {
 
 Session::Session(Server server, Run const& run, std::string worker_id)
     : m_server(std::move(server)), m_endpoint(run.endpoint), m_run_id(run.run_id), m_worker_id(std::move(worker_id)),
-      m_data(std::make_shared<Connection>(m_endpoint, m_server.token)) {}
+      m_data(data_plane(m_server, m_endpoint)) {}
 
 std::unique_ptr<Session> Session::attach(Server const& server, Run const& run, std::string const& worker_id, AttachWorker request) {
     std::unique_ptr<Session> session(new Session(server, run, worker_id));
     request.attach_key = unique_key();
     RetryLimits const limits_s{{"worker_busy", run.idle_timeout_s + margin_s}};
-    session->m_turn = call(server, [&] { return session->m_data.attachWorker(run.run_id, worker_id, request); }, limits_s);
+    session->m_turn = call(server, [&] { return session->m_data.attachWorker(run.run_id, worker_id, request); }, limits_s, run.endpoint);
     // Of the first turn, and copied: the thread that plays writes the turn from now on.
     session->m_heartbeats = std::thread([raw = session.get(), id = session->m_turn.session_id, third_s = session->m_turn.lease.idle_timeout_s / 3] {
         raw->send_heartbeats(id, third_s);
@@ -43,7 +50,7 @@ Turn const& Session::predict(std::vector<Action> const& actions, std::optional<O
     Predict const body{m_turn.session_id, m_turn.seq + 1, actions, observe};
     m_unanswered = true;
     try {
-        m_turn = call(m_server, [&] { return m_data.predict(m_run_id, m_worker_id, body); });
+        m_turn = call(m_server, [&] { return m_data.predict(m_run_id, m_worker_id, body); }, {}, m_endpoint);
     } catch (Error const& error) {
         m_ended = is_session_end(error.code);
         m_unanswered = error.side_effects != "none";

@@ -19,6 +19,29 @@ def closed_port() -> Iterator[int]:
 
 
 @contextmanager
+def other_server() -> Iterator[str]:
+    """The URL of a server of something else, which has no such page."""
+
+    class Handler(BaseHTTPRequestHandler):
+        protocol_version = "HTTP/1.1"
+
+        def do_GET(self) -> None:
+            self.rfile.read(int(self.headers.get("Content-Length") or 0))
+            self.send_response_only(405)
+            self.send_header("Content-Type", "text/html")
+            self.send_header("Content-Length", "0")
+            self.end_headers()
+
+        do_POST = do_PUT = do_DELETE = do_GET  # noqa: N815
+
+        def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
+            """No request is of interest."""
+
+    with serve_plainly(Handler) as url:
+        yield url
+
+
+@contextmanager
 def moved_server(place: str) -> Iterator[str]:
     """The URL of a server that redirects every request to the base URL `place`."""
 

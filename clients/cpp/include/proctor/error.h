@@ -21,6 +21,9 @@ struct Error : std::runtime_error {
     /// A refusal; retry_after_s is 0 without a Retry-After.
     Error(Problem const& why, long status, double retry_after_s);
 
+    /// The same error with one more sentence.
+    Error explained(std::string const& more) const;
+
     std::string code;
     std::string detail;       ///< What happened and what to do about it.
     bool retryable;           ///< Whether the same request can succeed later.

@@ -58,16 +58,19 @@ private:
     std::string m_code, m_detail;
 };
 
-/// What a request threw, which is being handled, as an Error.
-Error current_error(std::string const& url);
+/// What a request to `url` threw, which is being handled, as an Error.
+/// control_url: that of the server that named `url` as the endpoint of a run.
+Error current_error(std::string const& url, std::string const& control_url = {});
 
 /// The result of `send`, which is called until it succeeds. Throws Error and Interrupted.
-template <typename Send> auto call(Server const& server, Send send, RetryLimits const& limits_s = {}) -> decltype(send()) {
+/// endpoint: that of a run, if `send` is sent there.
+template <typename Send>
+auto call(Server const& server, Send send, RetryLimits const& limits_s = {}, std::string const& endpoint = {}) -> decltype(send()) {
     for (Retry retry(server, limits_s);;) {
         try {
             return send();
         } catch (std::exception const&) {
-            retry.wait_after(current_error(server.url));
+            retry.wait_after(endpoint.empty() ? current_error(server.url) : current_error(endpoint, server.url));
         }
     }
 }

@@ -32,6 +32,7 @@ func (r *Refused) Error() string {
 
 // Server is the control plane of one server, and the data planes that its runs name.
 type Server struct {
+	URL     string
 	Control *proctor.ControlAPIService
 	Context context.Context
 }
@@ -41,7 +42,7 @@ func At(url, token string) (*Server, error) {
 	if err != nil {
 		return nil, err
 	}
-	return &Server{client.ControlAPI, auth}, nil
+	return &Server{url, client.ControlAPI, auth}, nil
 }
 
 func (s *Server) Data(run *proctor.Run) (*proctor.DataAPIService, error) {
@@ -120,14 +121,27 @@ func (s *Server) session(runID, workerID string, policy func(*proctor.Turn) []pr
 	}
 	key := proctor.AttachWorker{AttachKey: Key()}
 	turn, err := Ask(data.AttachWorker(s.Context, runID, workerID).AttachWorker(key).Execute)
+	err = s.atEndpoint(run, err)
 	for err == nil && !turn.Done {
 		chunk := proctor.Predict{SessionId: turn.SessionId, Seq: turn.Seq + 1, Actions: policy(turn)}
 		turn, err = Ask(data.Predict(s.Context, runID, workerID).Predict(chunk).Execute)
+		err = s.atEndpoint(run, err)
 		if err == nil && turn.EpisodeResult != nil {
 			report(turn.EpisodeResult)
 		}
 	}
 	return err
+}
+
+// atEndpoint says where a request of the data plane was sent, if that may be the fault.
+func (s *Server) atEndpoint(run *proctor.Run, err error) error {
+	var refused *Refused
+	isMisled := !errors.As(err, &refused) || refused.Problem.Code == "bad_answer" || refused.Problem.Code == "not_found"
+	if err == nil || !isMisled || run.Endpoint == s.URL {
+		return err
+	}
+	return fmt.Errorf("%w. %s is the endpoint of the run, which %s has named. If clients reach the server elsewhere, its operator sets --public-url",
+		err, run.Endpoint, s.URL)
 }
 
 // untilOpen returns the run as soon as workers may attach.
