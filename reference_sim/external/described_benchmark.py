@@ -102,6 +102,7 @@ class _Described(msgspec.Struct):
     graded: bool = False
     deterministic: bool = True
     digest: bool = False
+    shared_memory: bool = False
 
 
 def definition(
