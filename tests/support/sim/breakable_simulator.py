@@ -232,6 +232,11 @@ def offsets_that_are_one_too_large(
 # --- ways to misbehave, of which a server must lose an episode and nothing else ---
 
 
+@breaks("protocol_2", "describe")
+def speaks_another_protocol(_request: Json, reply: Json) -> Json:
+    return reply | {"protocol": 2}
+
+
 @breaks("floods", "step")
 def writes_errors_without_end(_request: Json, reply: Json) -> Json:
     for _ in range(20_000):
