@@ -24,6 +24,7 @@ MODULES = {
     "pages": "growth.page_speed",
     "recording_cost": "round_trips.recording_cost",
     "turn_parts": "round_trips.turn_parts",
+    "external": "round_trips.external_simulators",
     "postgresql": "growth.postgresql_growth",
     "records": "growth.record_speed",
     "forwarded_turns": "cluster.forwarded_turns",

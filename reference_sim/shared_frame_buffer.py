@@ -34,6 +34,17 @@ class SharedMemoryRegion(NamedTuple):
     size: int
 
 
+class SharedFile(NamedTuple):
+    """The memory as a file for a program of this machine.
+
+    number: another one for other memory. path: can be opened until the next command.
+    """
+
+    number: int
+    path: str
+    size: int
+
+
 class SharedFrameBuffer:
     """The two halves, and the number of bytes used of the current one."""
 
@@ -45,6 +56,7 @@ class SharedFrameBuffer:
         self._memory: NDArray[np.uint8] | None = None
         self._pending_mapping: SharedMemoryRegion | None = None
         self._unacknowledged: list[int] = []
+        self._file = SharedFile(0, "", 0)
         self._can_share = _CAN_SHARE
 
     def keep_private(self) -> None:
@@ -83,6 +95,11 @@ class SharedFrameBuffer:
         inside = 0 <= start <= self._memory.nbytes - pixels.nbytes
         return (start, pixels.nbytes) if inside else None
 
+    @property
+    def file(self) -> SharedFile:
+        """The memory of the arrays that `place_of` has a place for."""
+        return self._file
+
     def pending_mapping(self) -> SharedMemoryRegion | None:
         """New memory that the parent has to map before the next reply; once."""
         pending, self._pending_mapping = self._pending_mapping, None
@@ -105,6 +122,8 @@ class SharedFrameBuffer:
         if self._pending_mapping is not None:  # never reported, never used
             os.close(self._pending_mapping.descriptor)
         self._pending_mapping = SharedMemoryRegion(descriptor, size)
+        path = f"/proc/{os.getpid()}/fd/{descriptor}"
+        self._file = SharedFile(self._file.number + 1, path, size)
 
 
 def map_memory(pid: int, shared: SharedMemoryRegion) -> memoryview:

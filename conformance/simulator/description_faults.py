@@ -34,6 +34,7 @@ _SCHEMA: Mapping[str, Any] = {
         "graded": {"type": "boolean"},
         "deterministic": {"type": "boolean"},
         "digest": {"type": "boolean"},
+        "shared_memory": {"type": "boolean"},
         "splits": {"type": "array", "items": {"type": "object", "required": ["name"]}},
         "image_sizes": {"type": "array"},
     },

@@ -114,7 +114,7 @@ class SimulatorClient:
         if "fault" in reply:
             text = f"{call} is answered by the fault {format_value(reply['fault'])}"
             raise SetUpFailed(text)
-        for fault in reply_faults(call, reply):
+        for fault in reply_faults(call, reply, has_memory="memory" in members):
             self.broken("SIM-004", f"the members of a reply to {call}", fault)
         return reply
 
@@ -161,17 +161,18 @@ class SimulatorClient:
         splits = self._limits["benchmark"].get("splits") or [{"name": "test"}]
         return self.call("reset", task=task, seed=seed, split=splits[0]["name"])
 
-    def observe(self, task: str, size: Mapping[str, int] | None = None) -> Json:
-        """All images and tensors of a task."""
+    def observe(self, task: str, **more: Any) -> Json:
+        """All images and tensors of a task. more: members of the request."""
         benchmark = self._limits["benchmark"]
         sizes = benchmark.get("image_sizes") or [{"width": 64, "height": 64}]
-        size = size or sizes[0]
+        size = sizes[0]
         return self.call(
             "observe",
             images=names_of(benchmark, "images", task),
             tensors=names_of(benchmark, "tensors", task),
             width=size["width"],
             height=size["height"],
+            **more,
         )
 
     def play(
@@ -248,8 +249,13 @@ def action_of(benchmark: Mapping[str, Any], task: str, index: int) -> Json:
     return action
 
 
-def reply_faults(call: str, reply: Mapping[str, Any]) -> Iterator[str]:
-    """How a reply lacks members, or has others of a wrong type."""
+def reply_faults(
+    call: str, reply: Mapping[str, Any], *, has_memory: bool = False
+) -> Iterator[str]:
+    """How a reply lacks members, or has others of a wrong type.
+
+    has_memory: whether memory was offered, so that images may come without data.
+    """
     required = _REQUIRED[call]
     for name, kind in {**_OPTIONAL, **required}.items():
         if name not in reply:
@@ -264,7 +270,8 @@ def reply_faults(call: str, reply: Mapping[str, Any]) -> Iterator[str]:
     for group, member, kind in (("images", "shape", list), ("tensors", "dtype", str)):
         for name, value in (reply.get(group) or {}).items():
             if not isinstance(value, dict) or not (
-                _is_a(value.get(member), kind) and isinstance(value.get("data"), bytes)
+                _is_a(value.get(member), kind)
+                and isinstance(value.get("data", b"" if has_memory else None), bytes)
             ):
                 yield f"{group} {name} lacks its {member} or its data as `bin`"
 

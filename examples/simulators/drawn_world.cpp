@@ -26,6 +26,7 @@ class PointWorld : public ps::Simulator {
         {"max_steps", 60},
         {"control_rate_hz", 10.0},
         {"digest", true},
+        {"shared_memory", true},
         {"action_space", ps::Map{{"velocity", ps::vector(2, "1", {-1, -1}, {1, 1})}}},
         {"observation_space",
          ps::Map{{"state", ps::Map{{"position", ps::vector(2, "m", {}, {}, "world")},

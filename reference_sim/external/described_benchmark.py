@@ -18,6 +18,7 @@ from reference_sim.external.program import (
     START_TIMEOUT_S,
     Program,
     ProgramFault,
+    is_file,
     program_name,
 )
 from reference_sim.external.simulator_messages import PROTOCOL
@@ -102,6 +103,7 @@ class _Described(msgspec.Struct):
     graded: bool = False
     deterministic: bool = True
     digest: bool = False
+    shared_memory: bool = False
 
 
 def definition(
@@ -113,6 +115,7 @@ def definition(
     """
     command = benchmark.simulator
     assert command is not None
+    name = program_name(command, str(folder))
     start_timeout_s = benchmark.start_timeout_s or START_TIMEOUT_S
     plan: Json = {
         "command": _with_path(command, folder),
@@ -135,10 +138,9 @@ def definition(
         manifest = _manifest(complete, declared, described, folder, command)
         _try(plan, manifest, waited)
     except (ProgramFault, TaskUnplayable, msgspec.ValidationError) as error:
-        where = (
-            "its description: " if isinstance(error, msgspec.ValidationError) else ""
-        )
-        raise BadBenchmark(f"simulator {benchmark.source}: {where}{error}") from error
+        is_invalid = isinstance(error, msgspec.ValidationError)
+        text = f"its description: {error}" if is_invalid else str(error)
+        raise BadBenchmark(f"simulator {name}: {text}") from error
     return complete.benchmark_id, _definition_of(plan, manifest, declared, complete)
 
 
@@ -173,7 +175,7 @@ def _definition_of(
 def _with_path(command: Sequence[str], folder: Path) -> list[str]:
     """The command, with a program beside its file named by its whole path."""
     program = folder / command[0]
-    is_path = "/" in command[0] or program.is_file()
+    is_path = "/" in command[0] or is_file(program)
     return [str(program) if is_path else command[0], *command[1:]]
 
 
@@ -248,22 +250,24 @@ def _manifest(
             "command": list(command),
             "graded": declared.graded,
             "deterministic": declared.deterministic,
-            "files_sha256": _digests([*command, *complete.files], folder),
+            "files_sha256": _digests(command, complete.files, folder),
         },
     }
 
 
-def _digests(names: Iterable[str], folder: Path) -> dict[str, str]:
-    """Name → SHA-256 of each word of the command, and each declared path, that exists.
+def _digests(
+    command: Iterable[str], folders: Sequence[str], folder: Path
+) -> dict[str, str]:
+    """Name → SHA-256 of each file that the command names or the entry declares.
 
-    A folder stands for the files in it.
+    folders: those that are declared; a folder stands for the files in it.
     """
     digests = {}
-    for name in names:
+    for name in (*command, *folders):
         path = folder / name
-        files = sorted(path.rglob("*")) if path.is_dir() else [path]
-        for file in files:
-            if file.is_file():
+        is_folder = name in folders and path.is_dir()
+        for file in sorted(path.rglob("*")) if is_folder else [path]:
+            if is_file(file):
                 with file.open("rb") as opened:
                     digest = hashlib.file_digest(opened, "sha256")
                 key = name if file == path else str(Path(name, file.relative_to(path)))

@@ -21,6 +21,7 @@ from reference_sim.external.simulator_messages import (
     EpisodeBegun,
     ObserveCall,
     Observed,
+    OfferedMemory,
     Pixels,
     ResetCall,
     StepCall,
@@ -28,6 +29,7 @@ from reference_sim.external.simulator_messages import (
     TensorValue,
 )
 from reference_sim.interface import Action, Observation, StepOutcome
+from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 DTYPES = {
     name: np.dtype(name).newbyteorder("<")
@@ -131,8 +133,14 @@ class ExternalSimulator:
             math.prod(tensor["shape"]) * DTYPES[tensor["dtype"]].itemsize
             for tensor in declared.values()
         )
+        offered = self._offer(shapes)
+        memory = None
+        if offered:
+            places = {name: FRAME_BUFFER.place_of(offered[name]) for name in offered}
+            offsets = {name: place[0] for name, place in places.items() if place}
+            memory = OfferedMemory(*FRAME_BUFFER.file, offsets)
         seen = self._program.request(
-            ObserveCall(self._images, self._tensors, self._width, self._height),
+            ObserveCall(self._images, self._tensors, self._width, self._height, memory),
             Observed,
             reply_bytes_max=most + OBSERVATION_EXTRA_BYTES,
         )
@@ -140,9 +148,22 @@ class ExternalSimulator:
         self._require_names("tensors", seen.tensors, declared)
         return Observation(
             state,
-            {n: self._image(n, seen.images[n], shapes[n]) for n in shapes},
+            {
+                name: self._image(name, seen.images[name], shape, offered.get(name))
+                for name, shape in shapes.items()
+            },
             {n: self._tensor(n, seen.tensors[n], declared[n]) for n in declared},
         )
+
+    def _offer(
+        self, shapes: Mapping[str, tuple[int, int, int]]
+    ) -> dict[str, NDArray[np.uint8]]:
+        """Arrays that the program and the server share; empty without such memory."""
+        if not self._benchmark.get("shared_memory"):
+            return {}
+        arrays = {name: FRAME_BUFFER.allocate(*shape) for name, shape in shapes.items()}
+        is_shared = all(map(FRAME_BUFFER.place_of, arrays.values()))
+        return arrays if is_shared else {}
 
     def _require_names(
         self, kind: str, sent: Mapping[str, Any], wanted: Mapping[str, Any]
@@ -154,13 +175,20 @@ class ExternalSimulator:
             )
 
     def _image(
-        self, name: str, pixels: Pixels, shape: tuple[int, int, int]
+        self,
+        name: str,
+        pixels: Pixels,
+        shape: tuple[int, int, int],
+        offered: NDArray[np.uint8] | None,
     ) -> NDArray[np.uint8]:
-        """The pixels where they were received (SIM-017)."""
-        if pixels.shape != shape or pixels.data.nbytes != math.prod(shape):
+        """The pixels where they were received (SIM-017), or drawn (SIM-021)."""
+        if offered is not None and pixels.data is None and pixels.shape == shape:
+            return offered
+        size = 0 if pixels.data is None else pixels.data.nbytes
+        if pixels.data is None or pixels.shape != shape or size != math.prod(shape):
             raise ProgramFault(
                 f"{self._program.name} sent the image {name!r} as {pixels.shape} in "
-                f"{pixels.data.nbytes} bytes, and {shape} was requested"
+                f"{size} bytes, and {shape} was requested"
             )
         return np.frombuffer(pixels.data, np.uint8).reshape(shape)
 

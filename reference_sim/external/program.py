@@ -51,8 +51,16 @@ _SUPERVISOR = str(Path(__file__).with_name("supervisor.py"))
 def program_name(command: Sequence[str], folder: str) -> str:
     """The name of the program's file; for `python my_world.py` it is the second one."""
     name = Path(command[0]).name
-    files = [word for word in command[1:] if Path(folder, word).is_file()]
+    files = [word for word in command[1:] if is_file(Path(folder, word))]
     return Path(files[0]).name if name.startswith("python") and files else name
+
+
+def is_file(path: Path) -> bool:
+    """Whether a word of a command is the path of a file; a word may be anything."""
+    try:
+        return path.is_file()
+    except OSError:  # it is too long for a path
+        return False
 
 
 class ProgramFault(Exception):

@@ -36,11 +36,21 @@ class StepCall(_Request):
     action: Mapping[str, Sequence[float]]
 
 
-class ObserveCall(_Request):
+class OfferedMemory(msgspec.Struct):
+    """Memory for the pixels; offsets: the place of each image."""
+
+    number: int
+    path: str
+    size: int
+    offsets: Mapping[str, int]
+
+
+class ObserveCall(_Request, omit_defaults=True):
     images: Sequence[str]
     tensors: Sequence[str]
     width: int
     height: int
+    memory: OfferedMemory | None = None
 
 
 class DigestCall(_Request):
@@ -71,8 +81,10 @@ class StepDone(msgspec.Struct):
 
 
 class Pixels(msgspec.Struct):
+    """data: None where the pixels are in the offered memory."""
+
     shape: tuple[int, int, int]
-    data: memoryview
+    data: memoryview | None = None
 
 
 class TensorValue(msgspec.Struct):

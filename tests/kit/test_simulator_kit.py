@@ -16,7 +16,7 @@ from tests.support.sim import breakable_simulator
 pytestmark = pytest.mark.slow("starts kits, and each of them many simulators")
 
 PROGRAM = [sys.executable, "-S", breakable_simulator.__file__]
-LATE = ("SIM-003", "SIM-022")  # these are waited for, three times
+LATE = ("SIM-003", "SIM-023")  # these are waited for, three times
 RULES = [row.id for row in load_ledger().values() if row.profile == SIMULATOR]
 
 

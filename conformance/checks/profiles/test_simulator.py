@@ -8,6 +8,7 @@ from typing import Any
 from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
 from conformance.simulator.description_faults import description_faults
+from conformance.simulator.picture_file import PictureFile
 from conformance.simulator.process_under_test import LENGTH
 from conformance.simulator.simulator_client import (
     DTYPE_BYTES,
@@ -348,7 +349,29 @@ def test_sim_020_digests_follow_the_state(context: CheckContext) -> None:
 
 
 @requirement("SIM-021")
-def test_sim_021_close_ends_the_program(context: CheckContext) -> None:
+def test_sim_021_images_are_written_to_their_offsets(context: CheckContext) -> None:
+    """Images are requested as data, and into two files one after the other.
+
+    Expect the pixels of the data at each offset, and nothing beside them.
+    """
+    if not _benchmark(context).get("shared_memory"):
+        raise NotApplicable("the simulator declares no shared memory")
+    task = tasks_of(context)[0]
+    with simulator(context) as client:
+        client.reset(task, 0)
+        images = client.observe(task)["images"]
+        for number in (1, 2):
+            memory = PictureFile(number, {n: len(i["data"]) for n, i in images.items()})
+            with memory:
+                written = client.observe(task, memory=memory.offered())["images"]
+                expected = {n: i["data"] for n, i in images.items()}
+                sent = {n: i["data"] for n, i in written.items() if "data" in i}
+                faults = memory.faults(expected.keys() - sent.keys(), expected)
+                expect.true(not faults, "each image at its offset alone", faults)
+
+
+@requirement("SIM-022")
+def test_sim_022_close_ends_the_program(context: CheckContext) -> None:
     """`close` before an episode and within one. Expect a reply, and exit code 0."""
     for plays in (False, True):
         with simulator(context) as client:
@@ -362,8 +385,8 @@ def test_sim_021_close_ends_the_program(context: CheckContext) -> None:
             expect.equal(code, 0, "exit code")
 
 
-@requirement("SIM-022")
-def test_sim_022_end_of_input_ends_the_program(context: CheckContext) -> None:
+@requirement("SIM-023")
+def test_sim_023_end_of_input_ends_the_program(context: CheckContext) -> None:
     """Standard input ends before an episode, within one, and within a request.
 
     Expect the program to end.
@@ -379,8 +402,8 @@ def test_sim_022_end_of_input_ends_the_program(context: CheckContext) -> None:
             expect.in_time(took_s, _END_OF_INPUT_S, "the end of the program")
 
 
-@requirement("SIM-023")
-def test_sim_023_no_process_is_left(context: CheckContext) -> None:
+@requirement("SIM-024")
+def test_sim_024_no_process_is_left(context: CheckContext) -> None:
     """An episode, then `close`. Expect no process that the program started."""
     with simulator(context) as client:
         client.play(tasks_of(context)[0], 0)

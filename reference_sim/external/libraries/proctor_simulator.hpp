@@ -12,6 +12,8 @@
 #define PROCTOR_SIMULATOR_HPP
 
 #include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdint>
@@ -273,6 +275,42 @@ inline bool read_all(int descriptor, std::uint8_t* place, std::size_t size) {
   return true;
 }
 
+// Memory of the server for pixels; it is mapped while its number stays the same.
+class SharedMemory {
+ public:
+  ~SharedMemory() { unmap(); }
+  void follow(const Value& offered) {
+    if (!std::holds_alternative<Map>(offered.content)) return unmap();
+    const double number = offered["number"].number();
+    if (number == number_) return;
+    unmap();
+    number_ = number;
+    const auto size = std::size_t(offered["size"].number());
+    const int file = ::open(offered["path"].as<std::string>().c_str(), O_RDWR | O_CLOEXEC);
+    struct stat status;
+    if (file >= 0 && ::fstat(file, &status) == 0 && std::size_t(status.st_size) >= size) {
+      void* mapped = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+      if (mapped != MAP_FAILED) bytes_ = static_cast<std::uint8_t*>(mapped), size_ = size;
+    }
+    if (file >= 0) ::close(file);
+  }
+  // Where `size` bytes belong; null where there is no such memory.
+  std::uint8_t* place(const Value& offset, std::size_t size) const {
+    if (!bytes_ || std::holds_alternative<std::nullptr_t>(offset.content)) return nullptr;
+    const auto begin = std::size_t(offset.number());
+    return begin <= size_ && size <= size_ - begin ? bytes_ + begin : nullptr;
+  }
+
+ private:
+  void unmap() {
+    if (bytes_) ::munmap(bytes_, size_);
+    bytes_ = nullptr, size_ = 0, number_ = -1;
+  }
+  std::uint8_t* bytes_ = nullptr;
+  std::size_t size_ = 0;
+  double number_ = -1;
+};
+
 class Session {
  public:
   explicit Session(Simulator& simulator) : simulator_(simulator), benchmark_(simulator.benchmark()) {}
@@ -357,16 +395,19 @@ class Session {
     reply.map(names ? names->size() : 0);
     if (!names) return true;
     const int width = int(request["width"].number()), height = int(request["height"].number());
+    memory_.follow(request["memory"]);
     for (const auto& camera : *names) {
       const std::string& name = camera.as<std::string>();
       const Value& space = benchmark_["observation_space"]["images"][name];
       const int channels = int(space["channels"].number());
+      const std::size_t size = std::size_t(height) * width * channels;
+      std::uint8_t* shared = memory_.place(request["memory"]["offsets"][name], size);
       reply.text(name);
-      reply.map(2);
+      reply.map(shared ? 1 : 2);
       reply.text("shape");
       reply.value(List{height, width, channels});
-      reply.text("data");
-      simulator_.draw(name, width, height, reply.room(std::size_t(height) * width * channels));
+      if (!shared) reply.text("data");
+      simulator_.draw(name, width, height, shared ? shared : reply.room(size));
     }
     return true;
   }
@@ -377,6 +418,7 @@ class Session {
   }
   Simulator& simulator_;
   const Value benchmark_;
+  SharedMemory memory_;
   bool is_reset_ = false;
 };
 

@@ -25,6 +25,7 @@ the protocol: while `serve` runs, what is printed goes to standard error.
 
 from __future__ import annotations
 
+import mmap
 import os
 import struct
 import sys
@@ -113,6 +114,7 @@ class _Session:
     def __init__(self, simulator: Simulator) -> None:
         self._simulator = simulator
         self._is_reset = False
+        self._number, self._memory = -1, None  # type: Tuple[int, Any]
 
     def answer(self, request: Dict[str, Any]) -> Dict[str, Any]:
         call = request.get("call")
@@ -159,17 +161,38 @@ class _Session:
         images: Dict[str, Any] = {}
         tensors: Dict[str, Any] = {}
         spaces = self._simulator.benchmark["observation_space"]
+        offsets = self._offsets(request.get("memory"))
         for name in request.get("images", ()):
             height, width = request["height"], request["width"]
             pixels = self._simulator.draw(name, width, height)
             shape = [height, width, spaces["images"][name]["channels"]]
             shape = list(getattr(pixels, "shape", shape))
-            images[name] = {"shape": shape, "data": _buffer(pixels)}
+            images[name] = {"shape": shape}
+            offset = offsets.get(name)
+            if offset is None:
+                images[name]["data"] = _buffer(pixels)
+            else:
+                data = _buffer(pixels)
+                self._memory[offset : offset + len(data)] = data
         for name in request.get("tensors", ()):
             space = spaces["tensors"][name]
             tensors[name] = {"dtype": space["dtype"], "shape": space["shape"]}
             tensors[name]["data"] = _buffer(self._simulator.tensor(name))
         return {"images": images, "tensors": tensors}
+
+    def _offsets(self, offered: Any) -> Dict[str, int]:
+        """The places of images in the server's memory; none if it cannot be mapped."""
+        if offered is None:
+            return {}
+        if offered["number"] != self._number:
+            self._number, self._memory = offered["number"], None
+            try:
+                with open(offered["path"], "r+b") as file:  # noqa: PTH123
+                    self._memory = mmap.mmap(file.fileno(), offered["size"])
+            except (OSError, ValueError):
+                pass
+        offsets: Dict[str, int] = offered["offsets"]
+        return {} if self._memory is None else offsets
 
     def _digest(self, _request: Dict[str, Any]) -> Dict[str, Any]:
         return {"digest": bytes(self._simulator.digest())}

@@ -39,6 +39,7 @@ class CountingWorld(proctor_simulator.Simulator):
             "max_steps": 20,
             "graded": True,
             "digest": True,
+            "shared_memory": True,
             "action_space": {"add": vector(1, "1", [0.0], [0.1])},
             "observation_space": {
                 "state": {"sum": vector(1), "left": vector(1) | {"tasks": ["count"]}},
@@ -169,8 +170,8 @@ def scores_by_the_reward(_request: Json, reply: Json) -> Json:
 
 
 @breaks("SIM-017", "observe")
-def draws_in_one_size(_request: Json, reply: Json) -> Json:
-    for name in reply.get("images", {}):
+def draws_in_one_size(request: Json, reply: Json) -> Json:
+    for name in () if "memory" in request else reply.get("images", {}):
         reply["images"][name] = {"shape": [6, 8, 1], "data": bytes(48)}
     return reply
 
@@ -193,7 +194,7 @@ def has_one_digest(_request: Json, reply: Json) -> Json:
     return {"digest": b"always"} if "digest" in reply else reply
 
 
-@breaks("SIM-021", "close")
+@breaks("SIM-022", "close")
 def ends_with_an_error(_request: Json, reply: Json) -> Json:
     _write(REPLIES, reply)
     os._exit(3)
@@ -219,7 +220,21 @@ def remembers_an_episode_of_six_steps(
     return reset
 
 
+def offsets_that_are_one_too_large(
+    right: Callable[..., dict[str, int]],
+) -> Callable[..., dict[str, int]]:
+    def offsets(offered: Json | None) -> dict[str, int]:
+        return {name: offset + 1 for name, offset in right(offered).items()}
+
+    return offsets
+
+
 # --- ways to misbehave, of which a server must lose an episode and nothing else ---
+
+
+@breaks("protocol_2", "describe")
+def speaks_another_protocol(_request: Json, reply: Json) -> Json:
+    return reply | {"protocol": 2}
 
 
 @breaks("floods", "step")
@@ -315,7 +330,7 @@ def break_world(fault: str) -> None:
         WORLD.reset = resets[fault](WORLD.reset)  # type: ignore[method-assign]
     if fault == "SIM-012":
         WORLD.offset = (time.time_ns() % 1000) / 1000
-    if fault == "SIM-023":
+    if fault == "SIM-024":
         start_sleeper()
 
 
@@ -329,12 +344,14 @@ def main(fault: str) -> None:
     def unchanged(_request: Json, reply: Json) -> Json:
         return reply
 
+    if fault == "SIM-021":
+        session._offsets = offsets_that_are_one_too_large(session._offsets)  # type: ignore[method-assign]
     change = CHANGES.get(fault, unchanged)
     while (request := receive()) is not None:
         _write(REPLIES, change(request, session.answer(request)))
         if request["call"] == "close":
             break
-    if fault == "SIM-022":
+    if fault == "SIM-023":
         time.sleep(2.6)
     os._exit(0)  # a sleeper is not waited for
 

@@ -1,0 +1,3 @@
+module go_world
+
+go 1.24

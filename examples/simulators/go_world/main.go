@@ -1,0 +1,150 @@
+// A world in Go, written from spec/simulator.md alone: a point is pushed to a target.
+//
+//	go build -o go_world . && proctor-server --simulator ./go_world
+package main
+
+import (
+	"math"
+	"math/rand/v2"
+	"os"
+)
+
+const (
+	near  = 0.05 // metres
+	speed = 0.05 // metres in a step
+)
+
+type point [2]float64
+
+// World has the state of one episode.
+type World struct {
+	position, target point
+	isReset          bool
+}
+
+func vector(size int, unit, frame string, bounds ...[]any) Map {
+	space := Map{"size": size, "unit": unit, "rotation": "none", "frame": frame,
+		"relative": false, "out_of_range": "unbounded"}
+	if len(bounds) == 2 {
+		space["minimum"], space["maximum"] = bounds[0], bounds[1]
+		space["out_of_range"] = "clip"
+	}
+	return space
+}
+
+var benchmark = Map{
+	"benchmark_id": "go_world",
+	"title":        "A point in the plane",
+	"simulator":    Map{"name": "go_world", "version": "1"},
+	"tasks":        []any{"reach"},
+	"max_steps":    60,
+	"action_space": Map{"velocity": vector(2, "1", "none", []any{-1.0, -1.0}, []any{1.0, 1.0})},
+	"observation_space": Map{
+		"state": Map{
+			"position": vector(2, "m", "world"),
+			"target":   vector(2, "m", "world"),
+		},
+		"images": Map{"top": Map{"channels": 3, "description": "from above"}},
+	},
+	"image_sizes": []any{Map{"width": 64, "height": 64}},
+}
+
+func (w *World) state() Map {
+	return Map{
+		"position": []any{w.position[0], w.position[1]},
+		"target":   []any{w.target[0], w.target[1]},
+	}
+}
+
+func (w *World) reset(seed int64) Map {
+	random := rand.New(rand.NewPCG(uint64(seed), 0))
+	for _, p := range []*point{&w.position, &w.target} {
+		p[0], p[1] = 2*random.Float64()-1, 2*random.Float64()-1
+	}
+	w.isReset = true
+	return Map{"instruction": "Reach the red target.", "state": w.state()}
+}
+
+func (w *World) step(velocity []any) Map {
+	for i := range w.position {
+		moved := w.position[i] + speed*number(velocity[i])
+		w.position[i] = math.Max(-1, math.Min(1, moved))
+	}
+	distance := math.Hypot(w.position[0]-w.target[0], w.position[1]-w.target[1])
+	success := distance < near
+	return Map{"state": w.state(), "success": success, "terminated": success,
+		"reward": -distance}
+}
+
+func (w *World) observe(names []any, width, height int) Map {
+	images := Map{}
+	for _, name := range names {
+		images[name.(string)] = Map{
+			"shape": []any{height, width, 3},
+			"data":  w.draw(width, height),
+		}
+	}
+	return Map{"images": images}
+}
+
+func (w *World) draw(width, height int) []byte {
+	pixels := make([]byte, width*height*3)
+	for i := range pixels {
+		pixels[i] = 240
+	}
+	for _, dot := range []struct {
+		at     point
+		colour [3]byte
+	}{{w.target, [3]byte{200, 30, 30}}, {w.position, [3]byte{30, 30, 200}}} {
+		x := int((dot.at[0] + 1) / 2 * float64(width-1))
+		y := int((1 - dot.at[1]) / 2 * float64(height-1))
+		for row := max(0, y-2); row <= min(height-1, y+2); row++ {
+			for column := max(0, x-2); column <= min(width-1, x+2); column++ {
+				copy(pixels[(row*width+column)*3:], dot.colour[:])
+			}
+		}
+	}
+	return pixels
+}
+
+func fault(text string) Map { return Map{"fault": text} }
+
+func (w *World) answer(request Map) Map {
+	call, _ := request["call"].(string)
+	switch call {
+	case "describe":
+		return Map{"protocol": 1, "benchmark": benchmark}
+	case "reset":
+		if request["task"] != "reach" {
+			return Map{"fault": "there is no such task", "unplayable": true}
+		}
+		return w.reset(int64(number(request["seed"])))
+	case "close":
+		return Map{}
+	case "step", "observe":
+		if !w.isReset {
+			return fault(call + " before the first reset")
+		}
+	default:
+		return fault("unknown call " + call)
+	}
+	if call == "step" {
+		return w.step(request["action"].(Map)["velocity"].([]any))
+	}
+	names, _ := request["images"].([]any)
+	return w.observe(names, int(number(request["width"])), int(number(request["height"])))
+}
+
+func main() {
+	world := World{}
+	for {
+		request, err := receive(os.Stdin)
+		if err != nil {
+			return // the end of standard input
+		}
+		send(os.Stdout, world.answer(request))
+		if request["call"] == "close" {
+			return
+		}
+	}
+}

@@ -1,0 +1,210 @@
+"""A program describes itself and becomes a benchmark, or a sentence says why not."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from reference_sim import benchmark_registry
+from reference_sim.external.external_simulator import ExternalSimulator
+from reference_sim.gymnasium import BadBenchmark, registration
+from reference_sim.shared_frame_buffer import FRAME_BUFFER
+from tests.support.paths import ROOT
+from tests.support.sim import breakable_simulator
+
+LIBRARIES = ROOT / "reference_sim" / "external" / "libraries"
+EXAMPLES = ROOT / "examples" / "simulators"
+SCRIPT = breakable_simulator.__file__
+PYTHON = f"{sys.executable} -S"
+# A program that describes what its argument says, as JSON, and then ends.
+DESCRIBES = f"""
+import json, sys
+sys.path.insert(0, {str(LIBRARIES)!r})
+import proctor_simulator
+
+class World(proctor_simulator.Simulator):
+    benchmark = json.loads(sys.argv[1])
+
+proctor_simulator.serve(World())
+"""
+
+
+def definitions(reference: str) -> dict[str, Any]:
+    return dict(registration.benchmarks(reference, lambda _line: None))
+
+
+def write_toml(folder: Path, text: str, name: str = "counting.toml") -> str:
+    (folder / name).write_text(text)
+    return str(folder / name)
+
+
+def entry(*arguments: str) -> str:
+    return f"simulator = {json.dumps([sys.executable, '-S', SCRIPT, *arguments])}\n"
+
+
+def test_a_command_line_is_a_benchmark() -> None:
+    ((benchmark_id, definition),) = definitions(f"simulator:{PYTHON} {SCRIPT}").items()
+    manifest = definition.describe({}, 32)
+    assert benchmark_id == manifest["benchmark_id"] == "breakable"
+    assert manifest["tasks"] == ["count", "hold"]
+    assert manifest["episodes_total"] == 6
+    assert manifest["max_steps"] == 20
+    assert manifest["max_chunk"] == 32
+    assert manifest["image_sizes"][0] == {"width": 8, "height": 6}
+    engine = manifest["simulator"]
+    assert (engine["name"], engine["protocol"]) == ("breakable", 1)
+    digest = hashlib.sha256(Path(SCRIPT).read_bytes()).hexdigest()
+    assert engine["files_sha256"][SCRIPT] == digest
+    settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
+    assert json.loads(json.dumps(settings))["success_scored_tasks"] == []
+
+
+def test_a_file_says_otherwise_than_the_program(tmp_path: Path) -> None:
+    """Its keys win, its name is the id, and its files are in the manifest."""
+    (tmp_path / "assets").mkdir()
+    (tmp_path / "assets" / "cube.stl").write_text("solid")
+    text = f"""{entry()}
+version = "2"
+max_steps = 7
+max_faults = 9
+files = ["assets"]
+splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
+"""
+    ((benchmark_id, definition),) = definitions(write_toml(tmp_path, text)).items()
+    manifest = definition.describe({}, 1)
+    assert benchmark_id == "counting"
+    assert [manifest[n] for n in ("version", "max_steps", "max_faults")] == ["2", 7, 9]
+    assert manifest["episodes_total"] == 3
+    assert manifest["sealed_splits"] == ["test"]
+    assert "assets/cube.stl" in manifest["simulator"]["files_sha256"]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("simulator = []", "simulator: List should have at least 1 item"),
+        ('simulator = ["./gone"]', "gone cannot be started: No such file or directory"),
+        ('simulator = ["true"]', "true ended with exit code 0"),
+        (
+            'simulator = ["echo", "hello world"]',
+            "a reply of 1751477356 bytes",
+        ),
+        ('simulator = ["sleep", "9"]\nstart_timeout_s = 1', "to describe within 1 s"),
+        (entry() + 'success = {info = "x"}', "success: not a key of a simulator"),
+        (entry() + "[action.add]\nunit = 'm'", "action: not a key of a simulator"),
+        ('made_by = "a.py:B"\nfiles = ["a"]', "files: not a key of an environment"),
+        (entry() + 'made_by = "a.py:B"', "give one of environment"),
+        (entry() + "max_step = 3", "unknown key max_step; did you mean max_steps"),
+        (
+            entry() + 'splits = [{name = "a", episodes = 1, tasks = ["x"]}]',
+            "split a: no task x",
+        ),
+        (entry("protocol_2"), "speaks protocol 2, and 1 was offered"),
+        (entry("SIM-008"), "its description: Object missing required field `unit`"),
+        (entry("SIM-009"), "describes another benchmark than when the server started"),
+        (entry("SIM-015"), "sent a state of"),
+    ],
+)
+def test_a_program_that_cannot_be_played_is_refused(
+    text: str, said: str, tmp_path: Path
+) -> None:
+    with pytest.raises(BadBenchmark) as refused:
+        definitions(write_toml(tmp_path, text))
+    assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"tasks": []}, "Expected `array` of length >= 1 - at `$.tasks`"),
+        ({"max_steps": 0}, "Expected `int` >= 1 - at `$.max_steps`"),
+        ({"action_space": {}}, "Expected `object` of length >= 1"),
+        ({"success_rule": "best"}, "success_rule: unknown value best"),
+        ({"image_sizes": []}, "images and no image_sizes"),
+        (
+            {"action_space": {"a": {"size": 2, "unit": "1", "minimum": [0]}}},
+            "Object missing required field",
+        ),
+    ],
+)
+def test_a_description_that_is_not_whole_is_refused(
+    changes: dict[str, Any], said: str, tmp_path: Path
+) -> None:
+    described = breakable_simulator.WORLD.benchmark | changes
+    (tmp_path / "world.py").write_text(DESCRIBES)
+    command = [sys.executable, "-S", "world.py", json.dumps(described)]
+    with pytest.raises(BadBenchmark) as refused:
+        definitions(write_toml(tmp_path, f"simulator = {json.dumps(command)}"))
+    assert said in str(refused.value)
+
+
+def test_shared_memory_has_the_pixels_that_data_has() -> None:
+    """The first observation is sent, the second is drawn into memory."""
+    plan: dict[str, Any] = {"command": [sys.executable, "-S", SCRIPT], "folder": "."}
+    plan["benchmark"] = breakable_simulator.WORLD.benchmark
+    simulator = ExternalSimulator(plan, (640, 480), call_timeout_s=60.0)
+    try:
+        simulator.reset("count", 1)
+        simulator.step({"add": [0.1]})
+        drawn = []
+        for _ in range(3):
+            FRAME_BUFFER.swap()
+            drawn.append(simulator.observe().images["bar"])
+        assert FRAME_BUFFER.place_of(drawn[-1]) is not None
+        assert drawn[0].max() == 5
+        assert all(np.array_equal(drawn[0], pixels) for pixels in drawn)
+    finally:
+        simulator.close()
+
+
+@pytest.mark.slow("compiles, starts programs and judges them")
+@pytest.mark.parametrize("example", ["numpy_world.py", "drawn_world.cpp", "go_world"])
+def test_an_example_is_played_as_its_head_says(example: str, tmp_path: Path) -> None:
+    """Expect the score of a policy that goes straight to the target: every episode."""
+    command = build_example(example, tmp_path)
+    ((_, definition),) = definitions(f"simulator:{' '.join(command)}").items()
+    manifest = definition.describe({}, 1)
+    settings = definition.settings({"codec": "raw", **manifest["image_sizes"][0]})
+    world = benchmark_registry.SimulatorConfig(manifest["benchmark_id"], settings)
+    simulator = benchmark_registry.make(world)
+    try:
+        for seed in range(3):
+            simulator.reset(manifest["tasks"][0], seed)
+            for _ in range(manifest["max_steps"]):
+                state = simulator.observe().state
+                gap = (state["target"] - state["position"]) / 0.05
+                step = simulator.step({"velocity": np.clip(gap, -1, 1).tolist()})
+                if step.terminated:
+                    break
+            assert step.success
+    finally:
+        simulator.close()
+
+
+def build_example(example: str, folder: Path) -> list[str]:
+    """The command of an example, copied and compiled as its first lines say."""
+    for library in LIBRARIES.glob("proctor_simulator.*"):
+        shutil.copy(library, folder)
+    program = str(folder / example.partition(".")[0])
+    if example.endswith(".py"):
+        shutil.copy(EXAMPLES / example, folder)
+        return [sys.executable, str(folder / example)]
+    if example.endswith(".cpp"):
+        shutil.copy(EXAMPLES / example, folder)
+        compiler = ["c++", "-O2", "-std=c++17", "-Wall", "-Wextra", "-Werror"]
+        build = [*compiler, example, "-o", program]
+        subprocess.run(build, cwd=folder, check=True)
+        return [program]
+    if shutil.which("go") is None:
+        pytest.skip("Go is not installed")
+    build = ["go", "build", "-C", str(EXAMPLES / example), "-o", program, "."]
+    subprocess.run(build, check=True)
+    return [program]
