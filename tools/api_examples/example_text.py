@@ -25,7 +25,7 @@ COMPARED_BELOW = 1000  # a number of bytes differs from time to time
 def outdated(file: Path, examples: Mapping[str, Mapping[str, Any]]) -> list[str]:
     """Names of the examples of which a document shows another one, or none.
 
-    What is new each time is not compared: ids, times, digests and durations.
+    Ids, times, digests and durations are not compared: they are new each time.
     """
     present = yaml.safe_load(file.read_text())["components"]["examples"]
     played = {name: shortened(example) for name, example in examples.items()}
