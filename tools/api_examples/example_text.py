@@ -12,11 +12,37 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 WIDTH = 104  # of a line
 STEP = 2  # of the indentation
 # More tensors and benchmarks are of the same kind.
 ENTRIES_MAX = {"tensors": 2, "benchmarks": 2}
 DIGITS = 4  # of the seconds of `timing`
+COMPARED_BELOW = 1000  # a number of bytes differs from time to time
+
+
+def outdated(file: Path, examples: Mapping[str, Mapping[str, Any]]) -> list[str]:
+    """Names of the examples of which a document shows another one, or none.
+
+    Ids, times, digests and durations are not compared: they are new each time.
+    """
+    present = yaml.safe_load(file.read_text())["components"]["examples"]
+    played = {name: shortened(example) for name, example in examples.items()}
+    names = dict.fromkeys([*present, *played])
+    return [n for n in names if outline(present.get(n)) != outline(played.get(n))]
+
+
+def outline(value: Any) -> Any:
+    """The value without numbers that are not small and texts with digits."""
+    if isinstance(value, Mapping):
+        return {key: outline(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [outline(item) for item in value]
+    if isinstance(value, str):
+        return "" if re.search(r"\d", value) else value
+    is_small = isinstance(value, int) and value < COMPARED_BELOW
+    return value if value is None or is_small else 0
 
 
 def write_examples(file: Path, examples: Mapping[str, Mapping[str, Any]]) -> None:

@@ -3,8 +3,9 @@
 One account submits a run of the benchmark `calibration`, plays it, stops it, resumes it
 and publishes it; beside it the server plays the same episodes by calling a policy. All
 of it happens: the server is the reference server, the policy server that of `proctor`.
-Ids, times and signatures differ each time. Which operation shows which example is
-written by hand in the documents; a test holds every example to its schema.
+Nothing is written where only ids, times and digests are new. Which operation shows
+which example is written by hand in the documents; tests hold every example to its
+schema, and all of them to what the server says now.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from reference_client.policies.policy_http_app import PolicyApp
 from tests.support.client.policy_apps import run_app
 from tests.support.servers import ReferenceServer
 from tests.support.sim.calibration_action import calibration_action
-from tools.api_examples.example_text import write_examples
+from tools.api_examples.example_text import outdated, write_examples
 from tools.api_examples.recorded_story import RecordedApp, Story
 from tools.traceability import ROOT
 
@@ -273,7 +274,8 @@ def examples_of_policy(policy: RecordedApp, policy_url: str) -> dict[str, Json]:
     return story.examples
 
 
-def main() -> int:
+def played_examples() -> dict[str, dict[str, Json]]:
+    """The examples of each document, from a story that is played now."""
     policy = RecordedApp(
         PolicyApp(
             ExamplePolicy, "example-policy", key="example-key", assumes=ASSUMED
@@ -290,7 +292,17 @@ def main() -> int:
             "openapi.yaml": story.examples,
             "policy.yaml": examples_of_policy(policy, policy_url),
         }
-    for name, shown in examples.items():
-        text = json.dumps(shown).replace(policy_url, POLICY_HOST)
-        write_examples(ROOT / "spec" / name, json.loads(text))
+    text = json.dumps(examples).replace(policy_url, POLICY_HOST)
+    written: dict[str, dict[str, Json]] = json.loads(text)
+    return written
+
+
+def main() -> int:
+    """Write the examples, if one says something else than before."""
+    examples = played_examples()
+    files = {ROOT / "spec" / name: shown for name, shown in examples.items()}
+    changed = [name for file, shown in files.items() for name in outdated(file, shown)]
+    for file, shown in files.items() if changed else ():
+        write_examples(file, shown)
+    print(f"examples: {', '.join(changed) or 'up to date'}")
     return 0

@@ -1,4 +1,4 @@
-"""What is sent and received in the story of the examples, by the name of the example.
+"""The bodies that are sent and received in the story, by the name of the example.
 
 It knows HTTP and nothing of the protocol, except that a problem has a code.
 """
@@ -12,7 +12,7 @@ from typing import Any
 import httpx
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-PATIENCE_S = 60.0
+TIMEOUT_S = 60.0
 SUMMARY_MAX = 36  # what viewers show of it
 
 Json = dict[str, Any]
@@ -28,7 +28,7 @@ class Story:
     def __init__(self, url: str, token: str) -> None:
         headers = {"Authorization": f"Bearer {token}"}
         self.client = httpx.Client(
-            base_url=url, headers=headers, timeout=PATIENCE_S, trust_env=False
+            base_url=url, headers=headers, timeout=TIMEOUT_S, trust_env=False
         )
         self.examples: dict[str, Json] = {}
 
@@ -61,7 +61,7 @@ class Story:
 
     def wait(self, path: str, state: str) -> None:
         """Read until the state is the wanted one."""
-        deadline = time.monotonic() + PATIENCE_S
+        deadline = time.monotonic() + TIMEOUT_S
         while (read := self.call("GET", path))["state"] != state:
             assert time.monotonic() < deadline, read
             time.sleep(0.05)

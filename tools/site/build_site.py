@@ -115,7 +115,7 @@ def build(directory: Path, reports: KitReports, measured: Path) -> Path:
 
 
 def copy_files_of_specification(html: Path) -> None:
-    """Copy what is no page to the path that it has beside the pages."""
+    """Copy its other files to the paths that they have beside its pages."""
     for path in sorted((ROOT / "spec").rglob("*")):
         if path.is_file() and path.suffix in FILES - {".md"}:
             target = html / path.relative_to(ROOT)

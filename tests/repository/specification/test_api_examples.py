@@ -19,6 +19,9 @@ from conformance.specification.document import (
     load_policy_spec,
     load_spec,
 )
+from tests.support.paths import SPEC
+from tools.api_examples.example_text import outdated
+from tools.api_examples.play_story import played_examples
 
 Json = dict[str, Any]
 # Their bytes are those of files.
@@ -103,3 +106,12 @@ def test_a_wrong_example_is_found(place: str, breach: Any, fault: str) -> None:
         node = node[part]
     node[last] = breach
     assert any(fault in text for text in faults(Spec(document)))
+
+
+@pytest.mark.slow("plays a run with everything that a server offers")
+def test_the_examples_are_what_the_reference_server_says() -> None:
+    """`python -m tools examples` writes them."""
+    played = played_examples()
+    assert {name: outdated(SPEC / name, played[name]) for name in played} == {
+        name: [] for name in DOCUMENTS
+    }
