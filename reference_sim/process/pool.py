@@ -283,8 +283,7 @@ class SimulatorPool:
         idle = self._idle_for(world)
         fitting = [process for process in idle if _may_play(process, world)]
         if not fitting:
-            if idle:
-                idle[0].end("made room for another environment")
+            self._make_room(idle)
             return None
 
         def preference(process: SimulatorProcess) -> int:
@@ -297,6 +296,9 @@ class SimulatorPool:
     def _idle_for(self, world: SimulatorConfig) -> Sequence[SimulatorProcess]:
         """Idle processes that may play this, longest idle first."""
         return self._idle
+
+    def _make_room(self, unfit: Sequence[SimulatorProcess]) -> None:
+        """None of these idle processes may play what is asked for."""
 
     def _take_back(self, process: SimulatorProcess) -> None:
         self._lent.discard(process)

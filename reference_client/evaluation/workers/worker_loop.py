@@ -74,7 +74,7 @@ class WorkerLoop:
             try:
                 session = self._attach()
             except ProctorError as error:
-                if error.code == "illegal_transition":
+                if error.code == "illegal_transition" or _has_ended_run(error):
                     return  # queued, ended or stopped: rounds.py reads the state
                 raise
             try:
@@ -198,3 +198,9 @@ def _clip_warning(episode_id: str, count: ClipCount, layout: ActionLayout) -> st
         f"warning: {episode_id}: {count.describe()}. Declared: {ranges}. Check for "
         "degrees in place of radians, and for outputs that are still normalised."
     )
+
+
+def _has_ended_run(error: ProctorError) -> bool:
+    """Whether the session has ended, while its episode began, with its run."""
+    ended_by = error.problem.ended_by if error.problem else None
+    return error.code == "session_ended" and ended_by in ("run_failed", "run_stopped")

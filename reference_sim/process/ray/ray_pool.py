@@ -172,6 +172,10 @@ class RayPool(SimulatorPool):
     def _idle_for(self, world: SimulatorConfig) -> Sequence[SimulatorProcess]:
         return self._idle_of(self._queue_for(world))
 
+    def _make_room(self, unfit: Sequence[SimulatorProcess]) -> None:
+        if unfit:  # it holds what another one is placed with
+            unfit[0].end("made room for another environment")
+
     def _idle_of(self, queue: PlacementQueue) -> list[SimulatorProcess]:
         return [process for process in self._idle if self._placed_by[process] is queue]
 

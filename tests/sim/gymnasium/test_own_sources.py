@@ -227,6 +227,7 @@ def test_two_environments_with_a_helper_of_one_name_each_play_their_own(
         try:
             for world in [*worlds, *worlds]:
                 await play(pool, world, 3)
+            assert (pool.starts, pool.idle) == (2, 2)
         finally:
             await pool.close()
 

@@ -24,6 +24,7 @@ from tests.support.client.command import (
     start_proctor,
 )
 from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
 from tests.support.processes import descendants, wait_until_ended
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
@@ -187,6 +188,28 @@ def test_a_failed_run_states_whether_it_can_resume(proctor: ProctorCommand) -> N
     answer_json: Any = proctor.json("run", "--policy", "fatal:fatal", *options("fault"))
     assert (proctor.code, answer_json["error"]["code"]) == (1, "run_failed")
     assert "resume" not in answer_json
+
+
+@pytest.mark.slow("starts a server with an environment of its own")
+def test_a_run_on_an_environment_that_was_edited_fails_with_the_reason(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The run fails while an episode begins. Expect the file, and what to do."""
+    source = (ROOT / "examples" / "benchmarks" / "corridor.py").read_text()
+    (tmp_path / "mine.py").write_text(source)
+    (tmp_path / "mine.toml").write_text(
+        'made_by = "mine.py:Corridor"\nmax_faults = 1\n'
+    )
+    Path("walk.py").write_text("def walk(observation):\n    return {'action': [1.0]}\n")
+    benchmark = {"PROCTOR_BENCHMARKS": str(tmp_path / "mine.toml")}
+    with ReferenceServer(tmp_path, **benchmark) as server:
+        proctor = ProctorCommand(server.url, capsys)
+        (tmp_path / "mine.py").write_text(source.replace("0.2", "0.3"))
+        run = ["run", "--policy", "walk.py:walk", "--benchmark", "mine"]
+        answer_json = proctor.json(*run, "--workers", "2")
+    assert (proctor.code, answer_json["error"]["code"]) == (1, "run_failed")
+    assert "mine.py has changed since the server started" in proctor.err
+    assert answer_json["resume"].startswith("proctor run --run-id")
 
 
 @pytest.mark.parametrize(
