@@ -137,8 +137,13 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
     expect_long_manifest(context)
 
 
-def calibration_manifest(**options: Any) -> dict[str, Any]:
-    """Give the manifest that calibration.md defines for these options."""
+def calibration_manifest(
+    context: CheckContext, benchmark: dict[str, Any], **options: Any
+) -> dict[str, Any]:
+    """Give the manifest that calibration.md defines for these options.
+
+    benchmark: as it is described, which says what a Core server leaves out.
+    """
     plain = {"rotation": "none", "frame": "none", "relative": False}
     states = {
         name: (size, "1", None, None, "unbounded") for name, size in STATES.items()
@@ -156,6 +161,12 @@ def calibration_manifest(**options: Any) -> dict[str, Any]:
     tensors = {name: {"dtype": name, "shape": [2, 3]} | of_echo for name in DTYPES}
     tensors["empty"] = {"dtype": "float64", "shape": [0, 3]} | of_echo
     images = {name: {"channels": 3} | of_echo for name in IMAGES}
+    tasks, observed = TASKS, benchmark["observation_space"]
+    if not context.offers("observations"):
+        images = {name: images[name] for name in images if name in observed["images"]}
+        tensors = {n: tensors[n] for n in tensors if n in observed["tensors"]}
+    if not context.offers("faults"):
+        tasks = [task for task in TASKS if task in benchmark["tasks"]]
     episodes = [
         {"task": task, "split": ("even", "odd")[index % 2], "seed": index + 1000}
         for index, task in enumerate(options.get("tasks", ["score"]))
@@ -163,7 +174,7 @@ def calibration_manifest(**options: Any) -> dict[str, Any]:
     described = RULES | {name: options[name] for name in options if name in RULES}
     return manifest_of(
         described
-        | {"benchmark_id": "calibration", "tasks": TASKS, "episodes": episodes}
+        | {"benchmark_id": "calibration", "tasks": tasks, "episodes": episodes}
         | {"action_space": actions}
         | {"observation_space": {"state": state, "images": images, "tensors": tensors}}
     )
@@ -177,19 +188,22 @@ def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
     """
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.ok(answer)
-    expected = calibration_manifest()
+    expected = calibration_manifest(context, benchmark)
     shown = manifest_of(benchmark | {"episodes": expected["episodes"]})
     names = sorted({*expected, *shown})
     wrong = [name for name in names if shown.get(name) != expected.get(name)]
     what = f"manifest_sha256; description differs in {wrong}"
+    tasks = context.tasks(*TASKS)
+    more = {"max_attempts": 1} if context.offers("sessions") else {}
+    more |= {"max_faults": 2} if context.offers("faults") else {}
     for options in (
         {},
-        {"tasks": TASKS, "max_steps": 10000, "success_rule": "last_step"},
-        {"tasks": ["echo"] * 300, "max_attempts": 1, "max_faults": 2},
+        {"tasks": tasks, "max_steps": 10000, "success_rule": "last_step"},
+        {"tasks": [tasks[-1]] * 300} | more,
     ):
         body = context.submit_body(options=options)
         run = context.adopt(expect.ok(context.call("submit_run", json=body), 201))
-        digest = digest_of(calibration_manifest(**options))
+        digest = digest_of(calibration_manifest(context, benchmark, **options))
         expect.equal(run.body["manifest_sha256"], digest, f"{what}, run of {options}")
 
 
