@@ -98,7 +98,7 @@ class Fault(Struct):
 
 class Image(Struct):
     """
-    RGB or grey, row 0 on top; raw is height × width × channels bytes.
+    Row 0 on top; raw is height × width × channels bytes. The order of [channels](play.md#numbers-and-pictures).
     """
 
     codec: ImageCodec

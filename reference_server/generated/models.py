@@ -113,6 +113,7 @@ class Benchmark(BaseModel):
         Field(
             description="Sizes that may be chosen at submit; the first is the default.",
             max_length=1024,
+            min_length=1,
         ),
     ]
     image_codecs: Annotated[
@@ -120,6 +121,7 @@ class Benchmark(BaseModel):
         Field(
             description="Codecs that may be chosen at submit; the first is the default.",
             max_length=256,
+            min_length=1,
         ),
     ]
     simulator: SimulatorInfo
@@ -555,7 +557,7 @@ class HistoryPage(BaseModel):
 
 class Image(BaseModel):
     """
-    RGB or grey, row 0 on top; raw is height × width × channels bytes.
+    Row 0 on top; raw is height × width × channels bytes. The order of [channels](play.md#numbers-and-pictures).
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)

@@ -446,7 +446,7 @@ class Handlers:
         return Response(status_code=204)
 
     def base_url(self, call: OperationCall) -> str:
-        """RUN-016: where the caller reaches this server; without a slash at the end.
+        """RUN-016, RUN-033: where the caller reaches this server; no slash at the end.
 
         CLU-002: of several nodes, the one address that clients are given.
         """

@@ -269,6 +269,7 @@ class Driver(RunFollower):
         """Handle a refusal of this server's worker; raises unless waiting can help."""
         if isinstance(refused, OwnedElsewhere):
             raise refused
+        # PUSH-019: another policy server may assume what the benchmark declares.
         if refused.code in ("convention_mismatch", "benchmark_unavailable"):
             details = "; ".join(f"{at} {text}" for at, text in refused.errors)
             redacted = drive.calls.redact_key(details)
@@ -310,7 +311,7 @@ class Driver(RunFollower):
     ) -> dict[str, Any]:
         """The turn after this one."""
         drive = worker.drive
-        if turn["episode"]["step"] == 0:  # PUSH-006
+        if turn["episode"]["step"] == 0:  # PUSH-006, PUSH-018
             await drive.policy.reset(turn)
         answer = await drive.policy.predict(turn)
         command = Predict(

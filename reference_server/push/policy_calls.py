@@ -75,7 +75,7 @@ class ProctorPolicy:
         ours = _number(PROTOCOL_VERSION)
         if not _number(supported.min) <= ours <= _number(supported.max):
             least, most = map(self._calls.redact_key, (supported.min, supported.max))
-            raise PolicyFault(
+            raise PolicyFault(  # PUSH-019
                 f"The policy server supports versions {least[:20]} to {most[:20]}, not "
                 f"{PROTOCOL_VERSION}."
             )

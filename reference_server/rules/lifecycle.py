@@ -417,6 +417,7 @@ def _session_is_live(
 ) -> Verdict | None:
     """ATT-005, FAULT-006, FAULT-014; LEASE-008: a refusal leaves the lease as it is.
 
+    LEASE-013: one that is done is live. ERR-021: ids are compared as they are.
     DET-004: an id acts on the session of the worker in the path, or on none. DET-005.
     """
     session = run.workers.get(command.worker_id)

@@ -17,7 +17,7 @@ class NetworkSettings(BaseModel):
     )
     public_url: str = Field(
         "",
-        pattern=r"^(https?://\S+)?$",
+        pattern=r"^(https?://[^\s?#]+)?$",  # RUN-033
         description="Base URL at which clients reach this server, used in "
         "run.endpoint. If empty, it is taken from each request.",
     )

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import msgspec
 import sqlalchemy as sa
 
+from reference_record.formats.strict_json import canonical_json
 from reference_server.rules.board.entry_changes import (
     BoardEntry,
     Change,
@@ -110,7 +111,7 @@ class BoardStore:
 
     def _append(self, connection: sa.Connection, members: Mapping[str, Any]) -> int:
         """Returns the bytes of the leaf."""
-        leaf = msgspec.json.encode(members, order="deterministic")
+        leaf = canonical_json(members)  # BRD-023
         index = connection.scalar(_SIZE)
         hashed = self._leaf_hash(leaf)
         row = {"index": index, "leaf": leaf.decode(), "leaf_sha256": hashed}

@@ -35,7 +35,8 @@ def turn_view(
     body: dict[str, Any] = {
         "session_id": session.session_id,
         "seq": session.seq,
-        "executed_steps": played.executed if played else 0,  # PRED-001, ATT-001
+        # PRED-001, ATT-001, ATT-022
+        "executed_steps": played.executed if played else 0,
         "stopped_early": left > 0 and played is not None,  # PRED-007
         "rewards": list(played.rewards) if played else [],  # PRED-021
         "terminated": played.terminated if played else False,
@@ -92,5 +93,5 @@ def _episode_view(session: Session, episode: Episode) -> dict[str, Any]:
         "instruction": session.instruction,
         "attempt": episode.attempt,
         "step": session.steps,
-        "max_steps": session.max_steps,
+        "max_steps": session.max_steps,  # EPI-013
     }

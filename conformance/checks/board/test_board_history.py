@@ -8,6 +8,8 @@ import base64
 import json
 from typing import Any
 
+import rfc8785
+
 from conformance.checks.support.published_runs import (
     BENCHMARK,
     Board,
@@ -106,6 +108,20 @@ def test_brd_013_every_change_of_a_public_entry_is_a_leaf(
             expect.equal(leaf[member], entry[member], member)
     times = [leaf["at_ms"] for leaf in leaves]
     expect.equal(times, sorted(times), "at_ms, in order")
+
+
+@requirement("BRD-023")
+def test_brd_023_leaves_are_canonical(context: CheckContext) -> None:
+    """Entries with whole and other scores, and with texts that JSON may write in
+    several ways. Expect leaves that are their canonical text.
+    """
+    before = len(read_leaves(context))
+    board = Board(context)
+    for successes, scores in (("1", None), ("10", None), ("111", (1 / 3, 0.1, 1e-7))):
+        board.add(successes, scores, notes='é "<&>"\\ \t\u2028')
+    for leaf in read_leaves(context)[before:]:
+        canonical = rfc8785.dumps(json.loads(leaf))
+        expect.equal(leaf.decode(), canonical.decode(), "a leaf")
 
 
 @requirement("BRD-014")

@@ -223,6 +223,32 @@ def test_push_006_attempts_begin_with_a_reset(context: CheckContext) -> None:
         expect.equal(early, [], "episodes with a predict before their reset")
 
 
+@requirement("PUSH-018")
+def test_push_018_policies_are_reset_after_a_fault(context: CheckContext) -> None:
+    """The policy breaks the simulator once in each of two episodes.
+
+    Expect a reset between the actions that broke it and the next predict.
+    """
+    with policy_server(context) as policy:
+        order: list[str] = []
+
+        def reset(call: PolicyCall) -> PolicyReply:
+            order.append("reset")
+            return policy.reset_reply(call)
+
+        def predict(call: PolicyCall) -> PolicyReply:
+            order.append("predict")
+            if order.count("predict") % 2:
+                return policy.actions_reply(call, context.action(fault=1))
+            return policy.final_action_reply(call)
+
+        policy.on("reset", reset)
+        policy.on("predict", predict)
+        run = submit_push_run(context, policy, "fault", "fault", max_concurrent=1)
+        expect_end(run, "completed")
+        expect.equal(order, ["reset", "predict"] * 4, "calls of the policy server")
+
+
 @requirement("PUSH-007")
 def test_push_007_calls_are_bounded(context: CheckContext) -> None:
     """Six episodes, `max_concurrent` 2. Expect no third concurrent call."""
@@ -337,6 +363,32 @@ def test_push_012_unreachable_policy_server_fails_the_run(
     expect.equal(failed["retryable"], True, "retryable")
     place = policy.url.removeprefix("http://")
     expect.true(place in str(failed["reason"]), f"{place} in reason", failed["reason"])
+
+
+@requirement("PUSH-019")
+def test_push_019_policies_must_fit_the_server(context: CheckContext) -> None:
+    """Policy servers of a later version, and with an assumption that is wrong; then one
+    with the version and an assumption that is right.
+
+    Expect runs that fail and can be resumed, without a predict, and one that completes.
+    """
+    later = {"protocol": {"min": "99.0", "max": "99.1"}}
+    for members, state in (
+        (later, "failed"),
+        ({"assumes": {"control_rate_hz": 20}}, "failed"),
+        ({"assumes": {"control_rate_hz": 10}}, "completed"),
+    ):
+        with policy_server(context) as policy:
+
+            def describe(call: PolicyCall, members: Any = members) -> PolicyReply:
+                return PolicyReply(dict(policy.description(call).body) | members)
+
+            policy.on("describe_policy", describe)
+            ended = expect_end(submit_push_run(context, policy), state)
+            retryable = True if state == "failed" else None
+            expect.equal(ended["retryable"], retryable, f"retryable with {members}")
+            played = bool(policy.calls_of("predict"))
+            expect.equal(played, state == "completed", f"a predict with {members}")
 
 
 @requirement("PUSH-013")

@@ -313,6 +313,16 @@ def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
         expect.ok(worker.try_detach(), 204)
 
 
+@requirement("RUN-033")
+def test_run_033_paths_can_be_appended_to_the_endpoint(context: CheckContext) -> None:
+    """A run is submitted and read. Expect an `endpoint` without a final slash."""
+    run = context.submit("score")
+    for shown in (run.body, expect.ok(run.call("get_run"))):
+        endpoint = shown["endpoint"]
+        can_be_extended = not (endpoint.endswith("/") or set(endpoint) & set("?#"))
+        expect.true(can_be_extended, "no final slash, query or fragment", endpoint)
+
+
 @requirement("RUN-017")
 def test_run_017_cannot_choose_images_that_are_not_offered(
     context: CheckContext,

@@ -163,6 +163,35 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     expect_nothing_executed(worker)
 
 
+@requirement("ERR-021")
+def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
+    """Ids of runs, benchmarks, workers and sessions in the other letters.
+
+    Expect refusals of what there is not, and two workers with two sessions.
+    """
+    several = {"max_workers": 2} if context.offers("sessions") else {}
+    run = context.submit("count", "count", **several)
+    for operation_id, name, value in (
+        ("get_run", "run_id", run.id),
+        ("get_benchmark", "benchmark_id", "calibration"),
+    ):
+        if value.swapcase() != value:
+            answer = context.call(operation_id, **{name: value.swapcase()})
+            is_unknown = answer.code in ("not_found", "invalid_request")
+            expect.true(is_unknown, f"a refusal of another {name}", answer.status)
+        expect.ok(context.call(operation_id, **{name: value}))
+    lower, upper = run.worker("worker-a"), run.worker("WORKER-A")
+    for worker in (lower, upper) if several else (lower,):
+        worker.session_id = expect.ok(worker.try_attach())["session_id"]
+    expect.true(lower.session_id != upper.session_id, "two sessions")
+    swapped = lower.session_id.swapcase()
+    if swapped != lower.session_id:
+        refused = lower.try_predict(context.action(), session_id=swapped)
+        expect.true(refused.status >= 400, "a refusal of the other id", refused.status)
+    turn = expect.ok(lower.try_predict(context.action()))
+    expect.equal(count(turn), [1], "count in the session of the right id")
+
+
 @requirement("ERR-004")
 def test_err_004_cannot_send_a_member_of_the_wrong_type(context: CheckContext) -> None:
     """Strings for numbers, null for required values, numbers for lists, and so on; in

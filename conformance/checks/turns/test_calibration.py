@@ -142,7 +142,7 @@ def calibration_manifest(
 ) -> dict[str, Any]:
     """Give the manifest that calibration.md defines for these options.
 
-    Without the profile `observations`, a server may leave out images and tensors.
+    benchmark: as it is described, which says what a Core server leaves out.
     """
     plain = {"rotation": "none", "frame": "none", "relative": False}
     states = {
@@ -161,9 +161,12 @@ def calibration_manifest(
     tensors = {name: {"dtype": name, "shape": [2, 3]} | of_echo for name in DTYPES}
     tensors["empty"] = {"dtype": "float64", "shape": [0, 3]} | of_echo
     images = {name: {"channels": 3} | of_echo for name in IMAGES}
-    spaces = {"images": images, "tensors": tensors}
+    tasks, observed = TASKS, benchmark["observation_space"]
     if not context.offers("observations"):
-        spaces = {name: benchmark["observation_space"].get(name, {}) for name in spaces}
+        images = {name: images[name] for name in images if name in observed["images"]}
+        tensors = {n: tensors[n] for n in tensors if n in observed["tensors"]}
+    if not context.offers("faults"):
+        tasks = [task for task in TASKS if task in benchmark["tasks"]]
     episodes = [
         {"task": task, "split": ("even", "odd")[index % 2], "seed": index + 1000}
         for index, task in enumerate(options.get("tasks", ["score"]))
@@ -171,9 +174,9 @@ def calibration_manifest(
     described = RULES | {name: options[name] for name in options if name in RULES}
     return manifest_of(
         described
-        | {"benchmark_id": "calibration", "tasks": context.tasks(*TASKS)}
-        | {"episodes": episodes, "action_space": actions}
-        | {"observation_space": {"state": state} | spaces}
+        | {"benchmark_id": "calibration", "tasks": tasks, "episodes": episodes}
+        | {"action_space": actions}
+        | {"observation_space": {"state": state, "images": images, "tensors": tensors}}
     )
 
 
@@ -185,20 +188,19 @@ def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
     """
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.ok(answer)
-    tasks = context.tasks(*TASKS)
     expected = calibration_manifest(context, benchmark)
     shown = manifest_of(benchmark | {"episodes": expected["episodes"]})
     names = sorted({*expected, *shown})
     wrong = [name for name in names if shown.get(name) != expected.get(name)]
     what = f"manifest_sha256; description differs in {wrong}"
-    several: list[dict[str, Any]] = [
+    tasks = context.tasks(*TASKS)
+    more = {"max_attempts": 1} if context.offers("sessions") else {}
+    more |= {"max_faults": 2} if context.offers("faults") else {}
+    for options in (
         {},
         {"tasks": tasks, "max_steps": 10000, "success_rule": "last_step"},
-        {"tasks": tasks[-1:] * 300},
-    ]
-    if context.offers("faults"):
-        several.append({"max_attempts": 1, "max_faults": 2})
-    for options in several:
+        {"tasks": [tasks[-1]] * 300} | more,
+    ):
         body = context.submit_body(options=options)
         run = context.adopt(expect.ok(context.call("submit_run", json=body), 201))
         digest = digest_of(calibration_manifest(context, benchmark, **options))
@@ -315,7 +317,7 @@ def test_cal_006_only_echo_has_images_and_tensors(context: CheckContext) -> None
 
     Expect the image and the tensors in each one of `echo`, and in no other.
     """
-    worker = submit_and_attach(context, *context.tasks(*TASKS), "echo", "score")
+    worker = submit_and_attach(context, *TASKS, "echo", "score")
     while not worker.turn["done"]:
         task = worker.turn["episode"]["task"]
         expect_pictures(worker.turn["observation"], task)

@@ -255,6 +255,27 @@ def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
     expect_lease_extension(context, WorkerClient.try_heartbeat, opened, times)
 
 
+@requirement("LEASE-013")
+def test_lease_013_can_send_heartbeats_when_done(context: CheckContext) -> None:
+    """A session that is done sends heartbeats, while its run is played by another
+    worker and when it is completed.
+
+    Expect a lease each time, and its last turn again.
+    """
+    run = context.submit("score", "score", max_workers=2)
+    worker, done = run.worker(), run.worker()
+    worker.attach()
+    for player in (done, worker):
+        if player is done:
+            done.attach()
+        last = player.try_predict(context.action(end=1))
+        expect.ok(last)
+        for _ in range(2):
+            expect.ok(done.try_heartbeat())
+    again = done.try_predict(context.action(end=1))
+    expect.equal(expect.ok(again)["done"], True, "done of the last turn")
+
+
 @requirement("LEASE-004")
 @background
 def test_lease_004_predict_extends(context: CheckContext) -> None:

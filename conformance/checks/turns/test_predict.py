@@ -202,6 +202,25 @@ def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
         expect.equal(result["truncated"], truncated, "truncated in the result")
 
 
+@requirement("EPI-013")
+def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> None:
+    """Runs with and without an option; turns, a takeover, an end, another attempt.
+
+    Expect its `max_steps` in every episode, whatever was played of it.
+    """
+    for options, limit in (({"max_steps": 5}, 5), ({}, context.benchmark["max_steps"])):
+        worker = submit_and_attach(context, "score", "score", **options)
+        turns = [worker.turn, worker.predict(context.action(), context.action())]
+        if context.offers("sessions"):
+            turns.append(worker.attach(takeover=True))
+        turns += [worker.play(), worker.predict(context.action())]
+        if context.offers("sessions"):
+            worker.detach()
+            turns.append(worker.attach())
+        shown = [turn["episode"]["max_steps"] for turn in turns]
+        expect.equal(shown, [limit] * len(turns), "max_steps of episodes")
+
+
 @requirement("PRED-021")
 def test_pred_021_rewards_each_action(context: CheckContext) -> None:
     """A chunk of three actions, then one of which two are executed.

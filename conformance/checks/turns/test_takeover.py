@@ -21,6 +21,10 @@ from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
+_NO_ACTION = {"executed_steps": 0, "rewards": [], "stopped_early": False}
+_NO_ACTION |= {"terminated": False, "truncated": False}
+_OF_ACTIONS = [*_NO_ACTION, "observations", "episode_result"]
+
 
 def expect_new_session(worker: WorkerClient, *before: str, **how: Any) -> None:
     """Expect a takeover to open a session other than those before."""
@@ -117,6 +121,28 @@ def test_att_019_takeover_begins_with_seqs_of_its_own(context: CheckContext) -> 
     result = results(run)[index] or {}
     expect.equal(result.get("steps"), 6, "steps of the result")
     expect.equal(result.get("attempt"), 1, "attempt of the result")
+
+
+@requirement("ATT-022")
+def test_att_022_turn_0_is_of_no_action(context: CheckContext) -> None:
+    """Sessions are opened and taken over: at step 0, after a chunk, and after the turn
+    that ended an episode, whose response may have been lost.
+
+    Expect turns 0 without steps, rewards, observations and a result, which
+    `list_episodes` has.
+    """
+    worker = submit_and_attach(context, "score", "score", max_steps=9)
+    turns = [worker.turn]
+    turns.append(worker.attach(takeover=True))
+    worker.predict(context.action(score=1), context.action(score=1), observe="all")
+    turns.append(worker.attach(takeover=True))
+    worker.play(score=1)
+    turns.append(worker.attach(takeover=True))
+    for turn in turns:
+        members = {name: turn[name] for name in _OF_ACTIONS if name in turn}
+        expect.equal(members, _NO_ACTION, "members of turn 0")
+    scored = [result for result in results(worker.run) if result is not None]
+    expect.equal(len(scored), 1, "results listed")
 
 
 @requirement("ATT-020")

@@ -10,7 +10,7 @@
 
 namespace proctor {
 
-/// RGB or grey, row 0 on top; raw is height × width × channels bytes.
+/// Row 0 on top; raw is height × width × channels bytes. The order of [channels](play.md#numbers-and-pictures).
 struct Image {
     static constexpr char const* schema_name = "Image";
 

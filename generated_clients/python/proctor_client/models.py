@@ -80,11 +80,11 @@ class Benchmark(Message):
     action_space: Annotated[dict[str, VectorSpace], Field(max_length=64)]
     """Name of an action value → what it means."""
     observation_space: ObservationSpace
-    image_sizes: Annotated[list[ImageSize], Field(max_length=1024)]
+    image_sizes: Annotated[list[ImageSize], Field(min_length=1, max_length=1024)]
     """Sizes that may be chosen at submit; the first is the default."""
     image_codecs: Annotated[
         list[Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]],
-        Field(max_length=256),
+        Field(min_length=1, max_length=256),
     ]
     """Codecs that may be chosen at submit; the first is the default."""
     simulator: SimulatorInfo
@@ -401,7 +401,7 @@ class HistoryPage(Message):
 
 
 class Image(Message):
-    """RGB or grey, row 0 on top; raw is height × width × channels bytes."""
+    """Row 0 on top; raw is height × width × channels bytes. The order of [channels](play.md#numbers-and-pictures)."""
 
     codec: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
     width: Annotated[int, Field(strict=True, ge=1)]

@@ -349,7 +349,7 @@ export interface HistoryPage {
     next_cursor: string | null;
 }
 
-/** RGB or grey, row 0 on top; raw is height × width × channels bytes. */
+/** Row 0 on top; raw is height × width × channels bytes. The order of [channels](play.md#numbers-and-pictures). */
 export interface Image {
     codec: string;
     width: number;

@@ -214,6 +214,12 @@ def writes_private_entries_into_the_history(right: Any, *arguments: Any) -> Any:
     return replace(verdict, leaf=entry_changes._leaf("publish", verdict.entry))
 
 
+@mutant("BRD-023", through=instead_of(board_store, "canonical_json"))
+def writes_leaves_as_its_language_does(right: Any, members: Json) -> bytes:
+    """A reader in another language cannot write the leaf that it expects."""
+    return bytes(right(members)).replace(b'"score":1', b'"score":1.0')
+
+
 @mutant("BRD-014")
 def signs_checkpoints_with_a_key_of_its_own() -> None:
     """Any server could have signed it: the host has never shown this key."""

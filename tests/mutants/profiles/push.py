@@ -12,7 +12,7 @@ import httpcore
 from reference_server.push import policy_calls, policy_server_validator
 from reference_server.push.calls_with_retries import Call, HttpCalls, PolicyFault
 from reference_server.push.driver import Driver
-from reference_server.push.policy_calls import ProctorPolicy
+from reference_server.push.policy_calls import Description, ProctorPolicy
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run, Session
@@ -106,6 +106,19 @@ async def ignores_the_answer_to_reset(
     await self._calls.post("/v1/policy/reset", body)
 
 
+@mutant("PUSH-018", through=instead_of(ProctorPolicy, "reset"))
+async def resets_a_policy_once_for_an_attempt(
+    right: Any, self: ProctorPolicy, turn: Mapping[str, Any]
+) -> None:
+    """After a fault, a policy acts on the memory of a world that is gone."""
+    episode = turn["episode"]
+    attempt = turn["session_id"], episode["episode_id"], episode["attempt"]
+    done = self.__dict__.setdefault("reset_attempts", set())
+    if attempt not in done:
+        await right(self, turn)
+    done.add(attempt)
+
+
 @mutant("PUSH-007", through=instead_of(PolicyServerConfig, "from_run"))
 def ignores_max_concurrent(right: Any, run: Run) -> Any:
     """A policy on one graphics card gets sixteen concurrent calls and runs out
@@ -182,6 +195,14 @@ def fails_finally_when_the_policy_is_unreachable(
     if run.state == "failed" and "is unreachable" in reason:
         run.retryable = False
     return sessions
+
+
+@mutant("PUSH-019", through=instead_of(ProctorPolicy, "describe"))
+async def does_not_read_what_a_policy_assumes(
+    right: Any, self: ProctorPolicy
+) -> Description:
+    """A policy that thinks in other units is scored as a bad one."""
+    return replace(await right(self), assumes=None)
 
 
 @mutant("PUSH-013")

@@ -27,7 +27,13 @@ def counts_episodes_in_play_twice(body: Json, _run: Run) -> None:
     progress["episodes_pending"] += progress["episodes_in_progress"]
 
 
-@mutant("RUN-016", through=change_run)
+@mutant("RUN-033", through=change_run)
+def shows_an_endpoint_with_a_final_slash(body: Json, _run: Run) -> None:
+    """A client that appends a path gets two slashes, and `not_found`."""
+    body["endpoint"] += "/"
+
+
+@mutant("RUN-016", "RUN-033", through=change_run)
 def names_an_endpoint_without_a_host(body: Json, _run: Run) -> None:
     """A client cannot reach the data plane."""
     body["endpoint"] = "/"

@@ -53,6 +53,17 @@ def counts_its_own_time_against_the_lease(session: Session, now: float) -> bool:
     return now > session.expires_at
 
 
+@mutant("LEASE-013", through=instead_of(SessionExecutor, "heartbeat"))
+def refuses_heartbeats_of_a_done_session(
+    right: Any, self: SessionExecutor, run: Run, command: Any
+) -> Any:
+    """A client that lost its last turn cannot keep it until it has read it."""
+    session = run.workers.get(command.worker_id)
+    if session is not None and session.done:
+        raise Refused("no_episode", "No episode is left for this session.")
+    return right(self, run, command)
+
+
 @mutant("LEASE-003", "LEASE-009", through=instead_of(SessionExecutor, "heartbeat"))
 def accepts_heartbeats_without_extending_the_lease(
     _right: Any, self: SessionExecutor, run: Run, command: Any

@@ -136,13 +136,21 @@ def forgets_the_session_with_its_last_turn(
         session.expires_at = 0.0
 
 
-@mutant("ATT-001", "ATT-019", through=instead_of(turn_view, "turn_view"))
+@mutant("ATT-001", "ATT-019", "ATT-022", through=instead_of(turn_view, "turn_view"))
 def claims_a_step_before_the_first_action(
     right: Any, session: Session, **members: Any
 ) -> Any:
     """A client that counts steps counts one too many."""
     body = right(session, **members)
     return body if body["seq"] else body | {"executed_steps": 1, "rewards": [0.0]}
+
+
+@mutant("EPI-013", through=change_turn)
+def shows_fewer_steps_to_a_later_attempt(body: Json, _session: Session) -> None:
+    """A policy that plans for the whole episode plans for too short a one."""
+    episode = body.get("episode")
+    if episode and episode["attempt"] > 1:
+        body["episode"] = episode | {"max_steps": episode["max_steps"] - 1}
 
 
 @mutant("PRED-007", through=change_turn)

@@ -22,10 +22,12 @@ from reference_server.rules.lifecycle import (
     Wait,
 )
 from reference_server.rules.run import Run, Session
+from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import ResourceManager, SessionResources
-from tests.mutants import instead_of, mutant, put
+from tests.mutants import Json, instead_of, mutant, put
 from tests.mutants.server_changes import (
+    change_turn,
     instead_of_guard,
     no_guard,
     replace_guard,
@@ -71,6 +73,22 @@ def replaces_a_live_session_without_takeover(
 ) -> Any:
     """Two clients with the same worker id throw each other out."""
     return right(run, replace(command, takeover=True), now)
+
+
+@mutant("ERR-021", through=instead_of(RunService, "attach_worker"))
+async def ignores_capital_letters_of_workers(
+    right: Any, self: RunService, account: str, run_id: str, command: Attach
+) -> Any:
+    """Two workers of a client that counts in letters take one slot from each other."""
+    worker_id = command.worker_id.lower()
+    return await right(self, account, run_id, replace(command, worker_id=worker_id))
+
+
+@mutant("ATT-022", through=change_turn)
+def repeats_rewards_in_a_takeover(body: Json, session: Session) -> None:
+    """A client counts the rewards before a takeover a second time."""
+    if body["seq"] == 0 and session.episode is not None:
+        body["rewards"] = [0.0] * body["episode"]["step"]
 
 
 @mutant(
