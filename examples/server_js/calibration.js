@@ -5,14 +5,15 @@ import { Problem, invalid } from './problems.js';
 import { LIMITS } from './shapes.js';
 
 const fill = (size, value) => (value === undefined ? undefined : Array(size).fill(value));
-const space = (size, out_of_range, low, high, unit = '1') => ({
-  size, unit, rotation: 'none', frame: 'none', relative: false, out_of_range, minimum: fill(size, low), maximum: fill(size, high),
+const NONE = { frame: 'none', rotation: 'none', relative_to: 'none' };
+const space = (size, out_of_range, low, high, [quantity, unit] = ['number', '1']) => ({
+  size, parts: { all: { start: 0, size, quantity, unit, ...NONE } }, out_of_range, minimum: fill(size, low), maximum: fill(size, high),
 });
 const ACTIONS = {
   score: space(1, 'refuse', 0, 1),
   success: space(1, 'refuse', 0, 1),
   end: space(1, 'refuse', 0, 1),
-  delay_s: space(1, 'refuse', 0, 5, 's'),
+  delay_s: space(1, 'refuse', 0, 5, ['time', 's']),
   fault: space(1, 'refuse', 0, 2),
   vector: space(8, 'unbounded'),
   clipped: space(2, 'clip', -1, 1),
@@ -103,19 +104,35 @@ export function chooseImages(wanted) {
   return wanted;
 }
 
-/** Refuse a policy that takes other conventions for granted. */
+/** Refuse a policy that takes other conventions for granted, part by part. */
 export function checkAssumptions({ control_rate_hz, action = {}, state = {} } = {}) {
   const errors = [];
-  const compare = (pointer, assumed, fact) => {
-    if (assumed !== fact) errors.push({ pointer, detail: `assumed ${assumed}, is ${fact ?? 'absent'}` });
+  const compare = (pointer, assumed, fact, where = '') => {
+    if (assumed !== fact) errors.push({ pointer, detail: `assumed ${assumed}, is ${fact ?? 'absent'}${where}` });
+  };
+  const step = (name) => `/${name.replaceAll('~', '~0').replaceAll('/', '~1')}`;
+  /** What holds a name, or an error that nothing does. */
+  const find = (named, name, pointer) => {
+    if (Object.hasOwn(named, name)) return named[name];
+    errors.push({ pointer, detail: `there is only ${Object.keys(named)}` });
+    return undefined;
   };
   if (control_rate_hz !== undefined) compare('/assumes/control_rate_hz', control_rate_hz, ABOUT.control_rate_hz);
-  for (const [kind, named, spaces] of [['action', action, ACTIONS], ['state', state, STATE]]) {
-    for (const [name, assumed] of Object.entries(named)) {
-      const fact = Object.hasOwn(spaces, name) ? spaces[name] : undefined;
-      const pointer = `/assumes/${kind}/${name.replaceAll('~', '~0').replaceAll('/', '~1')}`;
-      if (!fact) compare(pointer, name, undefined);
-      else for (const [member, value] of Object.entries(assumed)) compare(`${pointer}/${member}`, value, fact[member]);
+  for (const [kind, vectors, spaces] of [['action', action, ACTIONS], ['state', state, STATE]]) {
+    for (const [name, { size, parts = {}, ...ofAll }] of Object.entries(vectors)) {
+      const at = `/assumes/${kind}${step(name)}`;
+      const fact = find(spaces, name, at);
+      if (!fact) continue;
+      if (size !== undefined) compare(`${at}/size`, size, fact.size);
+      // CONV-004: what stands beside `parts` is about each part; here there is one.
+      for (const [member, value] of Object.entries(ofAll)) compare(`${at}/${member}`, value, { scale: 1, ...fact.parts.all }[member], ' in all');
+      for (const [part, members] of Object.entries(parts)) {
+        const declared = find(fact.parts, part, `${at}/parts${step(part)}`);
+        if (!declared) continue;
+        for (const [member, value] of Object.entries(members)) {
+          compare(`${at}/parts${step(part)}/${member}`, value, { scale: 1, ...declared }[member], ` in ${part}`);
+        }
+      }
     }
   }
   if (errors.length) throw new Problem('convention_mismatch', { errors });

@@ -10,14 +10,17 @@ const number = (min, max) => ({ type: 'number', min, max });
 const whole = (min, max) => ({ type: 'integer', min, max });
 const list = (items, min, max) => ({ type: 'array', items, min, max });
 const object = (properties, required = []) => ({ type: 'object', properties, required });
-const map = (values) => ({ type: 'object', values, max: 64 });
+const map = (values, max = 64) => ({ type: 'object', values, max });
 const choice = (...options) => ({ type: 'string', options });
 const truth = { type: 'boolean' };
 
-const assumption = object({
-  size: whole(1), unit: text(0, 64), frame: text(0, 64), relative: truth, gripper_open: number(),
-  rotation: choice('none', 'quaternion_wxyz', 'quaternion_xyzw', 'axis_angle', 'euler_xyz', 'rot6d_columns'),
-});
+const name = text(0, 64, /^[a-z][a-z0-9_]{0,63}$/);
+const conventions = {
+  quantity: name, unit: text(0, 64), scale: number(), frame: text(0, 64), rotation: name, relative_to: name,
+  gripper_open: number(), gripper_closed: number(),
+};
+const part = object({ start: whole(0, 2 ** 31 - 1), size: whole(1, 2 ** 31 - 1), ...conventions });
+const assumption = object({ size: whole(1, 2 ** 31 - 1), ...conventions, parts: map(part, 256) });
 
 export const SubmitRun = object({
   benchmark_id: text(1, 64, /^[a-z][a-z0-9_]{0,63}$/),

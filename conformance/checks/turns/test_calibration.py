@@ -70,25 +70,33 @@ def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> N
     expect.equal(sorted(codecs), announced, "image_codecs")
 
 
+def expect_vector(
+    vector: dict[str, Any], size: int, unit: str, out_of_range: str, what: str
+) -> None:
+    """Expect the size, the range and the only part of a vector."""
+    expect.equal(vector["size"], size, f"size of {what}")
+    expect.equal(vector["out_of_range"], out_of_range, f"out_of_range of {what}")
+    expect.equal(sorted(vector["parts"]), ["all"], f"names of the parts of {what}")
+    due: dict[str, Any] = {"start": 0, "size": size, "unit": unit}
+    due["quantity"] = "time" if unit == "s" else "number"
+    due |= {"frame": "none", "rotation": "none", "relative_to": "none"}
+    for member, value in due.items():
+        part = vector["parts"]["all"]
+        expect.equal(part[member], value, f"{member} of the part of {what}")
+
+
 def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> None:
     """Expect the names, sizes and ranges of actions and observations."""
     actions, observations = benchmark["action_space"], benchmark["observation_space"]
     expect.equal(sorted(actions), sorted(ACTIONS), "names of the actions")
-    plain = {"rotation": "none", "frame": "none", "relative": False}
     for name, (size, unit, low, high, beyond) in ACTIONS.items():
         action = actions[name]
-        members = plain | {"size": size, "unit": unit, "out_of_range": beyond}
-        for member, value in members.items():
-            expect.equal(action[member], value, f"{member} of the action {name}")
+        expect_vector(action, size, unit, beyond, f"the action {name}")
         bounds = [action.get("minimum"), action.get("maximum")]
         expect.equal(bounds, [low, high], f"bounds of the action {name}")
     expect.equal(sorted(observations["state"]), sorted(STATES), "names of the states")
     for name, size in STATES.items():
-        members = plain | {"size": size, "unit": "1", "out_of_range": "unbounded"}
-        for member, value in members.items():
-            expect.equal(
-                observations["state"][name][member], value, f"{member} of {name}"
-            )
+        expect_vector(observations["state"][name], size, "1", "unbounded", name)
     if not context.offers("observations"):
         return
     channels = {
