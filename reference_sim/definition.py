@@ -62,58 +62,6 @@ class BenchmarkDefinition:
             check_resources(self.ray_resources)  # raises ValueError
 
 
-@dataclass(frozen=True, slots=True)
-class Channel:
-    """One named vector of an action or of an observation's state.
-
-    low, high: bounds per element, inclusive; None means unbounded. An action beyond its
-    bounds is executed as the nearest allowed one. Other members: schema VectorSpace.
-    """
-
-    name: str
-    size: int
-    unit: str
-    meaning: str
-    low: tuple[float, ...] | None = None
-    high: tuple[float, ...] | None = None
-    frame: str = "none"
-    rotation: str = "none"
-    relative: bool = False
-    gripper_open: float | None = None
-
-    def space(self) -> Json:
-        """The VectorSpace, with all conventions."""
-        space = vector(
-            self.size,
-            self.unit,
-            description=self.meaning,
-            frame=self.frame,
-            rotation=self.rotation,
-            relative=self.relative,
-        )
-        if self.gripper_open is not None:
-            space["gripper_open"] = self.gripper_open
-        if self.low is not None and self.high is not None:
-            space |= {"minimum": list(self.low), "maximum": list(self.high)}
-            space["out_of_range"] = "clip"
-        return space
-
-
-def vector(size: int, unit: str = "1", **more: Any) -> Json:
-    """A VectorSpace; by default without rotation and frame, absolute, unbounded."""
-    space = {"rotation": "none", "frame": "none", "relative": False}
-    return {"size": size, "unit": unit, **space, "out_of_range": "unbounded", **more}
-
-
-def bounded(size: int, low: float, high: float, *, out_of_range: str) -> Json:
-    return vector(
-        size,
-        minimum=[low] * size,
-        maximum=[high] * size,
-        out_of_range=out_of_range,
-    )
-
-
 def image_sizes(*sizes: tuple[int, int]) -> list[Json]:
     return [{"width": width, "height": height} for width, height in sizes]
 

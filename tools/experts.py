@@ -179,7 +179,7 @@ def _as_sent(observation: Observation) -> dict[str, list[float]]:
 
 def _still(name: str, space: Mapping[str, Any], first: Observation) -> list[float]:
     """An action that commands no change."""
-    if space["relative"]:
+    if any(part["relative_to"] != "none" for part in space["parts"].values()):
         return [0.0] * space["size"]
     values: list[float] = first.state[name].tolist()
     return values

@@ -13,7 +13,7 @@ from conformance.client.calibration_actions import ACTION_SIZES
 
 _BYTES = {"bool": 1, "int8": 1, "uint8": 1, "int16": 2, "uint16": 2, "float16": 2}
 _BYTES |= {"int32": 4, "uint32": 4, "float32": 4, "int64": 8, "uint64": 8, "float64": 8}
-_CONVENTIONS = {"unit": "1", "rotation": "none", "frame": "none", "relative": False}
+_NONE = dict.fromkeys(("frame", "rotation", "relative_to"), "none")
 _MAXIMA = {"delay_s": 5, "fault": 2}
 TIME = "2026-01-01T00:00:00Z"
 
@@ -22,7 +22,8 @@ def calibration() -> dict[str, Any]:
     """Describe the benchmark `calibration`, as calibration.md does."""
     actions: dict[str, Any] = {}
     for name, size in ACTION_SIZES.items():
-        space = {"size": size, "out_of_range": "unbounded", **_CONVENTIONS}
+        is_time = name == "delay_s"
+        space = _vector(size, *(("time", "s") if is_time else ("number", "1")))
         if name != "vector":
             low = -1 if name == "clipped" else 0
             space["minimum"] = [low] * size
@@ -30,10 +31,7 @@ def calibration() -> dict[str, Any]:
             space["out_of_range"] = "clip" if name == "clipped" else "refuse"
         actions[name] = space
     sizes = {"count": 1, "vector": 8, "clipped": 2}
-    states = {
-        name: {"size": size, "out_of_range": "unbounded", **_CONVENTIONS}
-        for name, size in sizes.items()
-    }
+    states = {name: _vector(size, "number", "1") for name, size in sizes.items()}
     return {
         "benchmark_id": "calibration",
         "version": "1",
@@ -56,6 +54,11 @@ def calibration() -> dict[str, Any]:
         "simulator": {"name": "calibration", "version": "1"},
         "unavailable_reason": None,
     }
+
+
+def _vector(size: int, quantity: str, unit: str) -> dict[str, Any]:
+    part = {"start": 0, "size": size, "quantity": quantity, "unit": unit, **_NONE}
+    return {"size": size, "parts": {"all": part}, "out_of_range": "unbounded"}
 
 
 def episode(

@@ -267,6 +267,13 @@ def load_spec() -> Spec:
 
 
 @functools.cache
+def load_registry(name: str) -> list[dict[str, Any]]:
+    """Load the entries of a registry by the name of its file."""
+    entries: Any = _read(SPEC_DIRECTORY / "registry" / f"{name}.yaml")
+    return [*entries]
+
+
+@functools.cache
 def load_policy_spec() -> Spec:
     """Load policy.yaml: its paths and rules, with the schemas of openapi.yaml."""
     whole, policy = load_spec().document, _read(SPEC_DIRECTORY / "policy.yaml")
@@ -310,6 +317,7 @@ def spec_sha256() -> str:
     """Give the hash over all documents, so that two reports can be compared."""
     paths = [SPEC_DIRECTORY / "openapi.yaml", SPEC_DIRECTORY / "policy.yaml"]
     paths += [*rule_documents(SPEC_DIRECTORY), *_profile_paths()]
+    paths += sorted((SPEC_DIRECTORY / "registry").glob("*.yaml"))
     documents = [path.read_bytes() for path in paths]
     # A checkout may have converted the line endings.
     return hashlib.sha256(b"".join(documents).replace(b"\r\n", b"\n")).hexdigest()

@@ -18,8 +18,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-# In the order in which they are read; then those of profiles, by name. Conventions
-# and levels say what rules mean and state none.
+# In the order in which they are read; then those of profiles, by name. Levels says
+# what rules mean and states none.
 _DOCUMENTS = (
     *("http", "benchmarks", "runs", "play"),
     *("calibration", "conventions", "scoring", "policy", "simulator", "levels"),

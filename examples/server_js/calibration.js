@@ -5,14 +5,15 @@ import { canonical } from './json.js';
 import { invalid } from './problems.js';
 import { LIMITS, below } from './shapes.js';
 
-const space = (size, out_of_range, low, high, unit = '1') => ({
-  size, unit, rotation: 'none', frame: 'none', relative: false, out_of_range,
-  minimum: low === undefined ? undefined : Array(size).fill(low),
-  maximum: high === undefined ? undefined : Array(size).fill(high),
+const fill = (size, value) => (value === undefined ? undefined : Array(size).fill(value));
+const NONE = { frame: 'none', rotation: 'none', relative_to: 'none' };
+const space = (size, out_of_range, low, high, [quantity, unit] = ['number', '1']) => ({
+  size, parts: { all: { start: 0, size, quantity, unit, ...NONE } }, out_of_range,
+  minimum: fill(size, low), maximum: fill(size, high),
 });
 const ACTIONS = {
   score: space(1, 'refuse', 0, 1), success: space(1, 'refuse', 0, 1), end: space(1, 'refuse', 0, 1),
-  delay_s: space(1, 'refuse', 0, 5, 's'), fault: space(1, 'refuse', 0, 2),
+  delay_s: space(1, 'refuse', 0, 5, ['time', 's']), fault: space(1, 'refuse', 0, 2),
   vector: space(8, 'unbounded'), clipped: space(2, 'clip', -1, 1),
 };
 const STATE = { count: space(1, 'unbounded'), vector: space(8, 'unbounded'), clipped: space(2, 'unbounded') };
@@ -63,7 +64,7 @@ export function checkActions(actions) {
 export class Simulator {
   constructor(task, { max_steps, success_rule }) {
     Object.assign(this, { task, max_steps, success_rule, steps: 0, score: 0, goal: false });
-    Object.assign(this, { terminated: false, vector: Array(8).fill(0), clipped: [0, 0] });
+    Object.assign(this, { terminated: false, vector: fill(8, 0), clipped: fill(2, 0) });
   }
 
   get truncated() { return !this.terminated && this.steps >= this.max_steps; }

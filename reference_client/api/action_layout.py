@@ -10,6 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from reference_record.declared_parts import declared_parts
+
 # Rounding to float32 does not count as clipping; relative to the width of the range.
 _ROUNDING = 1e-6
 
@@ -96,12 +98,14 @@ class ActionLayout:
         (vector,) = [v for v in self.vectors if v.name == name]
         assert vector.declared is not None
         low, high = vector.declared
-        unit = "" if vector.unit in ("", "1") else f" {vector.unit}"
+        unit = vector.unit and f" {vector.unit}"
         return f"[{low:.4g}, {high:.4g}]{unit}"
 
 
 def _vector(name: str, space: Mapping[str, Any]) -> VectorLayout:
-    size, unit = space["size"], space.get("unit", "")
+    size, parts = space["size"], declared_parts(space).values()
+    units = {"" if part.unit == "unspecified" else part.scaled_unit for part in parts}
+    unit = units.pop() if len(units) == 1 else ""
     low, high = space.get("minimum"), space.get("maximum")
     if space.get("out_of_range") != "clip" or not low or not high:
         return VectorLayout(name, size, unit)

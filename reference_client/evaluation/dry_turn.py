@@ -23,11 +23,13 @@ from reference_client.api.observation import (
 from reference_client.api.policy import Policy, check_length, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.policy_server_client import PolicySession
+from reference_record.declared_parts import declared_parts
 
 _IDENTITIES = {
     "quaternion_wxyz": [1.0, 0.0, 0.0, 0.0],
     "quaternion_xyzw": [0.0, 0.0, 0.0, 1.0],
     "rot6d_columns": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+    "rot6d_interleaved": [1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
 }
 _GREY = 128
 _ANY_SIZE = {"width": 64, "height": 64}
@@ -107,10 +109,12 @@ def _observation(benchmark: dict[str, Any]) -> Observation:
 
 def _vector(space: dict[str, Any]) -> tuple[float, ...]:
     size: int = space["size"]
-    identity = _IDENTITIES.get(space["rotation"], [])
-    if identity and size % len(identity) == 0:
-        return tuple(identity * (size // len(identity)))
     low, high = space.get("minimum"), space.get("maximum")
-    if not low or not high:
-        return (0.0,) * size
-    return tuple((a + b) / 2 for a, b in zip(low, high, strict=True))
+    values = [0.0] * size
+    if low and high:
+        values = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
+    for part in declared_parts(space).values():
+        identity = _IDENTITIES.get(part.rotation, [])
+        if len(identity) == part.size:
+            values[part.start : part.start + part.size] = identity
+    return tuple(values)

@@ -6,9 +6,15 @@ A plot shows one number over the steps. State is not recorded, only digests of i
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
+from reference_record.declared_parts import (
+    ROTATION_NUMBERS,
+    DeclaredPart,
+    declared_parts,
+)
 from reference_record.pages.recorded_episode import RecordedEpisode
 from reference_record.recording import Turn
 
@@ -19,13 +25,6 @@ DIGITS: Final = 5
 # Steps of a second where the benchmark does not say it.
 RATE_HZ: Final = 10.0
 OUTCOME_GROUP: Final = "score and times of turns"
-_ROTATIONS: Final[Mapping[str, Sequence[str]]] = {
-    "quaternion_wxyz": ("qw", "qx", "qy", "qz"),
-    "quaternion_xyzw": ("qx", "qy", "qz", "qw"),
-    "axis_angle": ("rx", "ry", "rz"),
-    "euler_xyz": ("roll", "pitch", "yaw"),
-    "rot6d_columns": ("r11", "r21", "r31", "r12", "r22", "r32"),
-}
 Series = list[float | None]
 
 
@@ -104,33 +103,36 @@ def _whole_name(title: str, name: str) -> str:
 def component_labels(
     name: str, size: int, space: Mapping[str, Any] | None
 ) -> list[tuple[str, str]]:
-    """Name and unit of each number of a vector, by the conventions of its space.
+    """Name and unit of each number of a vector, by the conventions of its parts.
 
-    A unit of 1 is an empty text.
+    A unit of 1, or one that is not known, is an empty text.
     """
-    space = space if space and space.get("size") == size else {}
-    rotation = _ROTATIONS.get(str(space.get("rotation")), ())
-    rotation = rotation if len(rotation) <= size else ()
-    plain = size - len(rotation)
-    parts = [part.strip() for part in str(space.get("unit", "")).split(",")]
-    if len(parts) == size:
-        units = parts
-    else:
-        units = [parts[0]] * plain + [parts[-1]] * len(rotation)
-    units = ["" if unit == "1" else unit for unit in units]
-    names = [*_plain_names(name, plain, space, units), *rotation]
-    return list(zip(names, units, strict=True))
+    if not space or space.get("size") != size:
+        space = {"size": size}
+    parts = declared_parts(space)
+    labels: list[tuple[str, str]] = []
+    for part_name, part in parts.items():
+        alone = len(parts) == 1
+        unit = "" if part.unit == "unspecified" else part.scaled_unit
+        own = _number_names(name if alone else part_name, part)
+        labels += [(label, unit) for label in own]
+    counts = Counter(label for label, _ in labels)
+    owners = [part_name for part_name, part in parts.items() for _ in range(part.size)]
+    return [
+        (label if counts[label] == 1 else f"{owner} {label}", unit)
+        for (label, unit), owner in zip(labels, owners, strict=True)
+    ]
 
 
-def _plain_names(
-    name: str, size: int, space: Mapping[str, Any], units: Sequence[str]
-) -> Sequence[str]:
-    if space.get("frame") == "joint" and size > 1:
-        return [f"joint {number}" for number in range(1, size + 1)]
-    is_position = size in (2, 3) and set(units[:size]) == {"m"}
-    if is_position:
-        return ("x", "y", "z")[:size]
-    return [name] if size == 1 else [f"{name}[{at}]" for at in range(size)]
+def _number_names(name: str, part: DeclaredPart) -> Sequence[str]:
+    numbers = ROTATION_NUMBERS.get(part.rotation, ())
+    if len(numbers) == part.size:
+        return numbers
+    if part.frame == "joint" and part.size > 1:
+        return [f"joint {number}" for number in range(1, part.size + 1)]
+    if part.size in (2, 3) and (part.quantity == "position" or part.unit == "m"):
+        return ("x", "y", "z")[: part.size]
+    return [name] if part.size == 1 else [f"{name}[{at}]" for at in range(part.size)]
 
 
 def _columns(

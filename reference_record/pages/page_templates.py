@@ -15,6 +15,8 @@ from urllib.parse import urlsplit
 
 from jinja2 import Environment, PackageLoader
 
+from reference_record.declared_parts import declared_parts
+
 # Limits what a browser loads and runs; a server sends it with each of these pages.
 CONTENT_SECURITY_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
@@ -98,6 +100,7 @@ def _environment() -> Environment:
         "web_link": web_link,
         "moment": moment,
         "numbers": numbers,
+        "declared_parts": declared_parts,
     }
     return environment
 

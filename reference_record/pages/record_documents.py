@@ -28,13 +28,30 @@ from reference_record.verification import verify
 T = TypeVar("T")
 
 
-class _Space(Struct):
+class _Part(Struct):
+    start: int
     size: int
+    quantity: str
     unit: str
-    rotation: str
     frame: str
-    relative: bool
+    rotation: str
+    relative_to: str
+    scale: float | None = None
+    gripper_open: float | None = None
+    gripper_closed: float | None = None
+    description: str | None = None
+
+
+class _Space(Struct, omit_defaults=True):
+    """The members behind `parts` are those of earlier drafts, which had no parts."""
+
+    size: int
     out_of_range: str
+    parts: dict[str, _Part] | None = None
+    unit: str | None = None
+    rotation: str | None = None
+    frame: str | None = None
+    relative: bool | None = None
     gripper_open: float | None = None
     minimum: list[float] | None = None
     maximum: list[float] | None = None

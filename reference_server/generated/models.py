@@ -25,13 +25,23 @@ class Action(BaseModel):
 
 
 class Assumption(BaseModel):
+    """
+    About a vector. All members but `size` and `parts` are about each of its parts (CONV-004).
+    """
+
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     size: Annotated[int | MISSING, Field(ge=1)] = MISSING
+    quantity: Quantity | MISSING = MISSING
     unit: Annotated[str | MISSING, Field(max_length=64)] = MISSING
-    rotation: Rotation | MISSING = MISSING
+    scale: float | MISSING = MISSING
     frame: Annotated[str | MISSING, Field(max_length=64)] = MISSING
-    relative: bool | MISSING = MISSING
+    rotation: Rotation | MISSING = MISSING
+    relative_to: RelativeTo | MISSING = MISSING
     gripper_open: float | MISSING = MISSING
+    gripper_closed: float | MISSING = MISSING
+    parts: Annotated[dict[str, PartAssumption] | MISSING, Field(max_length=256)] = (
+        MISSING
+    )
 
 
 class Assumptions(BaseModel):
@@ -523,6 +533,18 @@ class FlagEntry(BaseModel):
     ]
 
 
+Frame = TypeAliasType(
+    "Frame",
+    Annotated[
+        str,
+        Field(
+            description="A name of registry/frames.yaml, or an extension.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ],
+)
+
+
 class GroupScore(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     counts: OutcomeCounts
@@ -807,6 +829,24 @@ class OutcomeCounts(BaseModel):
         int, Field(description="Scored 0, because the last attempt was closed.")
     ]
     unscored: Annotated[int, Field(description="Without a result so far.")]
+
+
+class PartAssumption(BaseModel):
+    """
+    About the part of this name.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    start: Annotated[int | MISSING, Field(ge=0)] = MISSING
+    size: Annotated[int | MISSING, Field(ge=1)] = MISSING
+    quantity: Quantity | MISSING = MISSING
+    unit: Annotated[str | MISSING, Field(max_length=64)] = MISSING
+    scale: float | MISSING = MISSING
+    frame: Annotated[str | MISSING, Field(max_length=64)] = MISSING
+    rotation: Rotation | MISSING = MISSING
+    relative_to: RelativeTo | MISSING = MISSING
+    gripper_open: float | MISSING = MISSING
+    gripper_closed: float | MISSING = MISSING
 
 
 class Player(BaseModel):
@@ -1162,6 +1202,18 @@ class PublishEntry(BaseModel):
     ] = MISSING
 
 
+Quantity = TypeAliasType(
+    "Quantity",
+    Annotated[
+        str,
+        Field(
+            description="A name of registry/quantities.yaml, or an extension.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ],
+)
+
+
 class RankInterval(BaseModel):
     """
     The ranks that an entry may have; absent for an entry that is flagged.
@@ -1307,6 +1359,18 @@ class RecordReplay(BaseModel):
     first_divergence: ReplayDivergence | MISSING = MISSING
 
 
+RelativeTo = TypeAliasType(
+    "RelativeTo",
+    Annotated[
+        str,
+        Field(
+            description="A name of registry/relative_modes.yaml, or an extension.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ],
+)
+
+
 class ReplayDivergence(BaseModel):
     """
     The first state that was another one; absent where every state was met.
@@ -1337,7 +1401,14 @@ class ResetPolicy(BaseModel):
 
 
 Rotation = TypeAliasType(
-    "Rotation", Annotated[str, Field(pattern="^[a-z][a-z0-9_]{0,63}$")]
+    "Rotation",
+    Annotated[
+        str,
+        Field(
+            description="A name of registry/rotations.yaml, or an extension.",
+            pattern="^[a-z][a-z0-9_]{0,63}$",
+        ),
+    ],
 )
 
 
@@ -1719,28 +1790,65 @@ class Turn(BaseModel):
     timing: Timing
 
 
+Unit = TypeAliasType(
+    "Unit",
+    Annotated[
+        str,
+        Field(
+            description="A name of registry/units.yaml, or an extension.",
+            pattern="^[A-Za-z0-9][A-Za-z0-9_*/^]{0,63}$",
+        ),
+    ],
+)
+
+
 ValuesAdditionalProperty = TypeAliasType(
     "ValuesAdditionalProperty", Annotated[list[float], Field(max_length=4096)]
 )
 
 
+class VectorPart(BaseModel):
+    """
+    Adjacent numbers of a vector, with every convention a policy could get wrong.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    start: Annotated[
+        int, Field(description="Index of its first number in the vector.", ge=0)
+    ]
+    size: Annotated[int, Field(ge=1)]
+    quantity: Quantity
+    unit: Unit
+    scale: Annotated[
+        float | MISSING,
+        Field(description="A number times `scale` is in `unit`; 1 when absent."),
+    ] = MISSING
+    frame: Frame
+    rotation: Rotation
+    relative_to: RelativeTo
+    gripper_open: Annotated[
+        float | MISSING, Field(description="The value that means fully open.")
+    ] = MISSING
+    gripper_closed: Annotated[
+        float | MISSING, Field(description="The value that means fully closed.")
+    ] = MISSING
+    description: str | MISSING = MISSING
+
+
 class VectorSpace(BaseModel):
     """
-    One named vector of numbers, with every convention a policy could get wrong.
+    One named vector of numbers, in parts: see [conventions](conventions.md#parts).
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     size: Annotated[int, Field(ge=1)]
-    unit: Annotated[
-        str, Field(description="`rad`, `m`, `1`, or several joined by commas.")
-    ]
-    rotation: Rotation
-    frame: Annotated[
-        str, Field(description="`world`, `base`, `tool`, `joint`, or `none`.")
-    ]
-    relative: Annotated[bool, Field(description="True when the values are increments.")]
-    gripper_open: Annotated[
-        float | MISSING, Field(description="The value that means fully open.")
+    parts: Annotated[
+        dict[str, VectorPart] | MISSING,
+        Field(
+            description="Name → what these numbers are. Only descriptions of earlier drafts have none.",
+            max_length=256,
+            min_length=1,
+        ),
     ] = MISSING
     minimum: Annotated[list[float] | MISSING, Field(max_length=1000000)] = MISSING
     maximum: Annotated[list[float] | MISSING, Field(max_length=1000000)] = MISSING

@@ -7,8 +7,10 @@ text for people.
 
 from __future__ import annotations
 
+import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import islice
 from typing import Any, TypeAlias
 
 Values: TypeAlias = Mapping[str, Sequence[float]]
@@ -80,25 +82,66 @@ def convention_errors(
     errors: SpaceErrors = []
     rate = assumes.get("control_rate_hz")
     if rate is not None and rate != manifest["control_rate_hz"]:
-        errors.append(
-            ("/assumes/control_rate_hz", f"it is {manifest['control_rate_hz']}")
-        )
+        text = _both(rate, manifest["control_rate_hz"])
+        errors.append(("/assumes/control_rate_hz", text))
     spaces = {
         "action": manifest["action_space"],
         "state": manifest["observation_space"]["state"],
     }
-    for part, space in spaces.items():
-        for name, assumption in (assumes.get(part) or {}).items():
-            at = f"/assumes/{part}/{_escape(name)}"
-            if name not in space:
-                errors.append((at, "the benchmark has no such name"))
-                continue
-            errors += [
-                (f"{at}/{member}", f"it is {space[name].get(member)!r}")
-                for member, value in assumption.items()
-                if value != space[name].get(member)
-            ]
+    for group, space in spaces.items():
+        for name, assumption in (assumes.get(group) or {}).items():
+            at = f"/assumes/{group}/{_escape(name)}"
+            if name in space:
+                errors += _vector_mismatches(at, assumption, space[name])
+            else:
+                errors.append(
+                    (at, f"the benchmark has no such vector, but {_of(space)}")
+                )
     return errors
+
+
+def _vector_mismatches(
+    at: str, assumption: Mapping[str, Any], vector: Mapping[str, Any]
+) -> SpaceErrors:
+    """CONV-004, CONV-005: the contradictions in the assumption of one vector."""
+    errors: SpaceErrors = []
+    parts = vector["parts"]
+    for member, assumed in assumption.items():
+        if member == "size" and assumed != vector["size"]:
+            text = _both(assumed, vector["size"])
+            errors.append((f"{at}/size", text))
+        elif member not in ("size", "parts"):
+            contradicted = (
+                f"{_both(assumed, _declared(part, member))} in the part {name}"
+                for name, part in parts.items()
+                if assumed != _declared(part, member)
+            )
+            errors += [(f"{at}/{member}", text) for text in islice(contradicted, 1)]
+    for name, assumed_part in (assumption.get("parts") or {}).items():
+        part_at = f"{at}/parts/{_escape(name)}"
+        if name not in parts:
+            errors.append((part_at, f"the vector has no such part, but {_of(parts)}"))
+            continue
+        errors += [
+            (f"{part_at}/{member}", f"{_both(assumed, declared)} in the part {name}")
+            for member, assumed in assumed_part.items()
+            if assumed != (declared := _declared(parts[name], member))
+        ]
+    return errors
+
+
+def _declared(part: Mapping[str, Any], member: str) -> Any:
+    return part.get(member, 1.0 if member == "scale" else None)
+
+
+def _both(assumed: Any, declared: Any) -> str:
+    """CONV-006: both values, as JSON."""
+    values = json.dumps(assumed, ensure_ascii=False), json.dumps(declared)
+    return "assumed {}, declared {}".format(*values)
+
+
+def _of(names: Iterable[str]) -> str:
+    return ", ".join(names)
 
 
 def _vector_errors(

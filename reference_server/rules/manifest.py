@@ -16,9 +16,13 @@ from typing import Any, Literal, NotRequired, TypedDict
 
 
 class VectorSpace(TypedDict):
-    """Schema VectorSpace: one named vector of an action or a state."""
+    """Schema VectorSpace: one named vector of an action or a state.
+
+    parts: name → schema VectorPart.
+    """
 
     size: int
+    parts: Mapping[str, Mapping[str, Any]]
     minimum: Sequence[float]
     maximum: Sequence[float]
     out_of_range: Literal["refuse", "clip"]

@@ -13,13 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_sim.definition import (
-    BenchmarkDefinition,
-    Json,
-    bounded,
-    image_sizes,
-    vector,
-)
+from reference_sim.definition import BenchmarkDefinition, Json, image_sizes
 from reference_sim.interface import (
     Action,
     Observation,
@@ -28,6 +22,7 @@ from reference_sim.interface import (
     TaskUnplayable,
 )
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
+from reference_sim.vector_spaces import VectorPart, bounds, numbers, vector
 
 TASKS = ("score", "count", "echo", "delay", "fault")
 VECTOR_SIZE = 8
@@ -148,19 +143,21 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
         "max_faults": options.get("max_faults", 3),
         "success_rule": options.get("success_rule", "any_step"),
         "action_space": {
-            "score": bounded(1, 0, 1, out_of_range="refuse"),
-            "success": bounded(1, 0, 1, out_of_range="refuse"),
-            "end": bounded(1, 0, 1, out_of_range="refuse"),
-            "delay_s": bounded(1, 0, 5, out_of_range="refuse") | {"unit": "s"},
-            "fault": bounded(1, 0, 2, out_of_range="refuse"),
-            "vector": vector(VECTOR_SIZE),
-            "clipped": bounded(CLIPPED_SIZE, -1, 1, out_of_range="clip"),
+            "score": numbers(1, **bounds(1, 0, 1, "refuse")),
+            "success": numbers(1, **bounds(1, 0, 1, "refuse")),
+            "end": numbers(1, **bounds(1, 0, 1, "refuse")),
+            "delay_s": vector(
+                VectorPart("all", 1, "time", "s"), **bounds(1, 0, 5, "refuse")
+            ),
+            "fault": numbers(1, **bounds(1, 0, 2, "refuse")),
+            "vector": numbers(VECTOR_SIZE),
+            "clipped": numbers(CLIPPED_SIZE, **bounds(CLIPPED_SIZE, -1, 1, "clip")),
         },
         "observation_space": {
             "state": {
-                "count": vector(1),
-                "vector": vector(VECTOR_SIZE),
-                "clipped": vector(CLIPPED_SIZE),
+                "count": numbers(1),
+                "vector": numbers(VECTOR_SIZE),
+                "clipped": numbers(CLIPPED_SIZE),
             },
             "images": {
                 "pattern": {

@@ -15,6 +15,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from reference_record.broken import UnusableRecord
+from reference_record.declared_parts import declared_parts
 from reference_record.recording import Turn
 from reference_record.statement import EpisodeLine
 from reference_sim.exports.source import Source
@@ -179,7 +180,9 @@ def _action_columns(spaces: Mapping[str, Mapping[str, Any]]) -> Iterator[pa.Fiel
     vectors = pa.list_(pa.list_(pa.float64()))
     for name, space in spaces.items():
         meaning = f"actions executed in the turn: {space.get('description', name)}"
-        yield _column(ACTION + name, vectors, meaning, str(space.get("unit", "")))
+        parts = declared_parts(space).values()
+        units = ",".join(dict.fromkeys(part.scaled_unit or "1" for part in parts))
+        yield _column(ACTION + name, vectors, meaning, units)
 
 
 def _latency_names(source: Source) -> list[str]:

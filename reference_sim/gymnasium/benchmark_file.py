@@ -19,6 +19,8 @@ from pydantic import (
     ConfigDict,
     Field,
     ValidationError,
+    ValidationInfo,
+    field_validator,
     model_validator,
 )
 
@@ -26,6 +28,7 @@ from reference_record.command_line.spelling import reason_of, unknown
 from reference_record.command_line.text_file import NotText, read_text_file
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.ray_resources import check_resources
+from reference_sim.vector_spaces import RELATIVE_MODES, VectorPart, registered
 
 BUNDLED_BENCHMARKS = {
     "metaworld_mt50": Path(__file__).parents[1] / "benchmarks/metaworld/benchmark.toml"
@@ -46,14 +49,6 @@ Reference = Annotated[str, Field(pattern=r"^.+:[A-Za-z_][A-Za-z0-9_]*$")]
 FAULTS_MAX = 1000
 SEED_MAX = 2**32 - 1  # some environments take no larger one
 Seed = Annotated[int, Field(ge=0, le=SEED_MAX)]
-Rotation = Literal[
-    "none",
-    "quaternion_wxyz",
-    "quaternion_xyzw",
-    "axis_angle",
-    "euler_xyz",
-    "rot6d_columns",
-]
 RayResources = Annotated[dict[str, float], BeforeValidator(check_resources)]
 MaxFaults = Annotated[int, Field(ge=1, le=FAULTS_MAX)]
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
@@ -174,22 +169,91 @@ class ImageSize(_Strict):
     height: PixelCount
 
 
-class Convention(_Strict):
-    """Conventions that Gymnasium cannot express; see schema VectorSpace."""
+class PartConvention(_Strict):
+    """Conventions that Gymnasium cannot express; see schema VectorPart."""
 
     unit: str | None = None
+    scale: float | None = None
+    quantity: str | None = None
     meaning: str | None = None
     frame: str | None = None
-    rotation: Rotation | None = None
-    relative: bool | None = None
+    rotation: str | None = None
+    relative_to: str | None = None
     gripper_open: float | None = None
+    gripper_closed: float | None = None
 
-    def members(self) -> dict[str, Any]:
-        """The members of the schema VectorSpace that the file states."""
-        declared = self.model_dump(exclude_none=True)
-        if "meaning" in declared:
-            declared["description"] = declared.pop("meaning")
-        return declared
+    @model_validator(mode="before")
+    @classmethod
+    def _is_of_today(cls, given: Any) -> Any:
+        if isinstance(given, dict) and "relative" in given:
+            raise ValueError(
+                f"relative: now {' or '.join(map(repr, RELATIVE_MODES))} as relative_to"
+            )
+        if isinstance(given, dict) and "," in str(given.get("unit")):
+            raise ValueError("unit: several units need parts, each with its unit")
+        return given
+
+    @field_validator("unit", "quantity", "frame", "rotation", "relative_to")
+    @classmethod
+    def _is_registered(cls, value: str | None, info: ValidationInfo) -> str | None:
+        assert info.field_name is not None
+        return None if value is None else registered(info.field_name, value)
+
+    def part(self, name: str, size: int) -> VectorPart:
+        """The part of `size` numbers. Raises ValueError for a part that cannot be.
+
+        A member that the file does not state is unspecified.
+        """
+        is_other = self.quantity not in (None, "unspecified", "orientation")
+        return VectorPart(
+            name=name,
+            size=size,
+            quantity=self.quantity or "unspecified",
+            unit=self.unit or "unspecified",
+            frame=self.frame or "unspecified",
+            rotation=self.rotation or ("none" if is_other else "unspecified"),
+            relative_to=self.relative_to or "unspecified",
+            scale=self.scale,
+            gripper_open=self.gripper_open,
+            gripper_closed=self.gripper_closed,
+            description=self.meaning,
+        )
+
+
+class NamedPart(PartConvention):
+    """size: how many numbers; parts follow one another in the order of the file."""
+
+    size: Annotated[int, Field(ge=1)]
+
+
+class Convention(PartConvention):
+    """The conventions of a vector: of all its numbers, or of each of its parts."""
+
+    parts: Annotated[dict[Name, NamedPart], Field(min_length=1)] | None = None
+
+    @model_validator(mode="after")
+    def _has_conventions_once(self) -> Self:
+        if self.parts is not None and (given := self._of_all()):
+            raise ValueError(f"{', '.join(sorted(given))}: say it of each of the parts")
+        return self
+
+    def _of_all(self) -> set[str]:
+        """The members that are about all numbers of the vector."""
+        return {*self.model_dump(exclude_none=True)} - {"parts", "meaning"}
+
+    def declared_parts(self, size: int) -> tuple[VectorPart, ...] | None:
+        """The parts of a vector of `size` numbers; None if the file states none.
+
+        Raises ValueError if they are not parts of such a vector.
+        """
+        if self.parts is None:
+            if not self._of_all():
+                return None
+            return (self.model_copy(update={"meaning": None}).part("all", size),)
+        total = sum(part.size for part in self.parts.values())
+        if total != size:
+            raise ValueError(f"its parts have {total} numbers, the vector has {size}")
+        return tuple(part.part(name, part.size) for name, part in self.parts.items())
 
 
 class Benchmark(_Strict):

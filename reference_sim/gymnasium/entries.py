@@ -14,7 +14,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_sim.definition import Json, vector
+from reference_sim.definition import Json
+from reference_sim.vector_spaces import VectorPart, unspecified_part, vector
 
 # Where the leaves are: an entry's name, or what holds more of them.
 Structure: TypeAlias = "str | dict[str, Structure] | tuple[Structure, ...]"
@@ -105,12 +106,12 @@ def _action_vector(entry: Entry) -> Json:
     bounds = entry.bounds()
     if entry.whole:
         rule, text = "refuse", _choices(entry)
+        part = VectorPart("all", entry.size, "choice", "1")
     else:
+        part = unspecified_part(entry.size)
         rule = "clip" if bounds else "unbounded"
         text = f"{entry.text}{_in_c_order(entry)}. Given as {entry.dtype}."
-    return vector(
-        entry.size, "unspecified", description=text, **bounds, out_of_range=rule
-    )
+    return vector(part, description=text, **bounds, out_of_range=rule)
 
 
 def _choices(entry: Entry) -> str:
@@ -168,7 +169,7 @@ def observation_space(entries: Sequence[Entry]) -> Json:
 def _observed(entry: Entry) -> Json:
     if entry.kind == "state":
         text = f"{entry.text}, as the environment declares it"
-        return vector(entry.size, "unspecified", description=text, **entry.bounds())
+        return vector(unspecified_part(entry.size), description=text, **entry.bounds())
     if entry.kind == "images":
         colours = {1: "grey", 3: "RGB", 4: "RGBA"}[entry.channels]
         return {"channels": entry.channels, "description": f"{entry.text}, {colours}"}

@@ -29,6 +29,7 @@ from reference_sim.gymnasium.own_sources import (
 )
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.ray_resources import check_resources
+from reference_sim.vector_spaces import vector
 
 _SUCCESS_KEYS = ("is_success", "success")
 _MAX_STEPS = 1000
@@ -317,7 +318,14 @@ def _declare(space: Json, declared: Mapping[str, Convention], where: str) -> Non
             raise Unsettled(
                 f"{where}.{name}: unknown name; the environment has {there}"
             )
-        space[name] |= convention.members()
+        try:
+            parts = convention.declared_parts(space[name]["size"])
+        except ValueError as error:
+            raise Unsettled(f"{where}.{name}: {error}") from error
+        if parts is not None:
+            space[name] |= {"parts": vector(*parts)["parts"]}
+        if convention.meaning is not None:
+            space[name]["description"] = convention.meaning
 
 
 def _versions(modules: Sequence[str]) -> dict[str, str]:

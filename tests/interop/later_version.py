@@ -10,11 +10,12 @@ from typing import Any
 
 NEW = "of_a_later_version"
 VALUES = {
-    *("code", "codec", "dtype", "ended_by", "mode"),
-    *("out_of_range", "protocol", "rotation", "success_rule"),
+    *("code", "codec", "dtype", "ended_by", "frame", "mode", "out_of_range"),
+    *("protocol", "quantity", "relative_to", "rotation", "success_rule", "unit"),
 }
 LISTS = {"image_codecs", "profiles"}
-MAPS = {"action_space", "by_split", "by_task", "generation", "state", "tensors"}
+MAPS = {"action_space", "by_split", "by_task", "generation"}
+MAPS |= {"parts", "state", "tensors"}
 
 
 def extended(value: Any, name: str = "") -> Any:

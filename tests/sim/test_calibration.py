@@ -168,7 +168,7 @@ def test_tabletop_offers_cameras_and_tabletop_state_none() -> None:
     assert blind["observation_space"]["images"] == {}
     assert cameras["observation_space"]["state"] == blind["observation_space"]["state"]
     assert cameras["episodes"] == blind["episodes"]
-    assert cameras["action_space"]["gripper"]["gripper_open"] == 1.0
+    assert cameras["action_space"]["gripper"]["parts"]["all"]["gripper_open"] == 1.0
     tasks = len(cameras["tasks"])
     splits = [episode["split"] for episode in cameras["episodes"]]
     assert splits == [

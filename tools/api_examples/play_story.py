@@ -36,7 +36,7 @@ SETTINGS = {
     "PROCTOR_MAX_EVENT_STREAMS": "1",
     "PROCTOR_MAX_SIMULATORS": "1",
 }
-ASSUMED = {"state": {"count": {"size": 1, "unit": "1", "relative": False}}}
+ASSUMED = {"state": {"count": {"size": 1, "unit": "1", "relative_to": "none"}}}
 SUBMISSION = {
     "benchmark_id": "calibration",
     "policy": {"name": "example-policy", "version": "1.2"},

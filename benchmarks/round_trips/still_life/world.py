@@ -15,15 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.round_trips import observations
-from reference_sim.definition import (
-    BenchmarkDefinition,
-    Json,
-    bounded,
-    image_sizes,
-    vector,
-)
+from reference_sim.definition import BenchmarkDefinition, Json, image_sizes
 from reference_sim.interface import Action, Observation, StepOutcome
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
+from reference_sim.vector_spaces import bounds, numbers
 
 TASK = "sit"
 MAX_STEPS = 200  # as long as one of a robot; its end is scored and stored
@@ -90,11 +85,11 @@ def _describe(scenario: str, _options: Mapping[str, Any], max_chunk: int) -> Jso
         "max_faults": 3,
         "success_rule": "any_step",
         "action_space": {
-            name: bounded(size, -1, 1, out_of_range="clip")
+            name: numbers(size, **bounds(size, -1, 1, "clip"))
             for name, size in observations.ACTION_SIZES.items()
         },
         "observation_space": {
-            "state": {n: vector(size) for n, size in observations.STATE_SIZES.items()},
+            "state": {n: numbers(size) for n, size in observations.STATE_SIZES.items()},
             "images": {
                 name: {"channels": 3, "description": "A table with boxes."}
                 for name in shown.cameras

@@ -281,7 +281,7 @@ var scenarios = map[string]func(*Server, string) seen{
 		look := attach(s, run).Observation
 		return seen{
 			"profiles": service.Profiles, "image_codecs": service.ImageCodecs, "success_rule": benchmark.SuccessRule,
-			"rotation": vector.Rotation, "out_of_range": vector.OutOfRange, "mode": run.Mode, "policy": run.Policy.Name,
+			"rotation": vector.GetParts()["all"].Rotation, "out_of_range": vector.OutOfRange, "mode": run.Mode, "policy": run.Policy.Name,
 			"codec": look.Images["pattern"].Codec, "dtype": look.Tensors["float64"].Dtype,
 			"problem": problemOf(s.Control.GetRun(s.Context, "no_such").Execute),
 		}

@@ -296,7 +296,7 @@ public final class Interop {
         Observation seen = attach(run).getObservation();
         return seen(
                 "profiles", service.getProfiles(), "image_codecs", service.getImageCodecs(),
-                "success_rule", benchmark.getSuccessRule(), "rotation", vector.getRotation(),
+                "success_rule", benchmark.getSuccessRule(), "rotation", vector.getParts().get("all").getRotation(),
                 "out_of_range", vector.getOutOfRange(), "mode", run.getMode(), "policy", run.getPolicy().getName(),
                 "codec", seen.getImages().get("pattern").getCodec(), "dtype", seen.getTensors().get("float64").getDtype(),
                 "problem", problemOf(() -> Worker.once(() -> server.control.getRun("no_such", null, null, null))));

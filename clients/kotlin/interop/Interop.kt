@@ -214,7 +214,7 @@ private class Scenarios(private val url: String, token: String) {
         val seen = attach(run).observation!!
         return mapOf(
             "profiles" to service.profiles, "image_codecs" to service.imageCodecs,
-            "success_rule" to benchmark.successRule, "rotation" to vector.rotation,
+            "success_rule" to benchmark.successRule, "rotation" to vector.parts?.get("all")?.rotation,
             "out_of_range" to vector.outOfRange, "mode" to run.mode, "policy" to run.policy.name,
             "codec" to seen.images.getValue("pattern").codec, "dtype" to seen.tensors.getValue("float64").dtype,
             "problem" to problemOf { control.getRun("no_such") },

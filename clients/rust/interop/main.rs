@@ -303,7 +303,7 @@ async fn later_version(control: &Configuration) -> Seen {
     let seen = attach(control, &run).await?.observation.expect("an observation");
     Ok(json!({
         "profiles": service.profiles, "image_codecs": service.image_codecs, "success_rule": benchmark.success_rule,
-        "rotation": vector.rotation, "out_of_range": vector.out_of_range, "mode": run.mode, "policy": run.policy.name,
+        "rotation": vector.parts.as_ref().expect("parts")["all"].rotation, "out_of_range": vector.out_of_range, "mode": run.mode, "policy": run.policy.name,
         "codec": seen.images["pattern"].codec, "dtype": seen.tensors["float64"].dtype,
         "problem": problem_of(once(control_api::get_run(control, "no_such", None, None, None).await)),
     }))

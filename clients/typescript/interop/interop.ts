@@ -209,7 +209,7 @@ class Scenario {
     const seen = decodeObservation(session.turn.observation!); // drops what it cannot know
     return {
       profiles: service.profiles, image_codecs: service.image_codecs, success_rule: benchmark.success_rule,
-      rotation: vector.rotation, out_of_range: vector.out_of_range, mode: run.mode, policy: run.policy.name,
+      rotation: vector.parts?.["all"]?.rotation, out_of_range: vector.out_of_range, mode: run.mode, policy: run.policy.name,
       codec: seen.images["pattern"].codec, dtype: session.turn.observation!.tensors["float64"].dtype,
       problem: await problemOf(this.server.run("no_such")),
     };

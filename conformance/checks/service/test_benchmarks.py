@@ -5,6 +5,7 @@ from itertools import permutations
 from typing import Any
 
 from conformance.client.check_context import CheckContext
+from conformance.oracle.vector_declarations import declaration_faults
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
@@ -81,6 +82,48 @@ def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
         expect.equal(read["benchmark_id"], benchmark_id, "benchmark_id")
         for name in _SUMMARY:
             expect.equal(summary[name], read[name], f"{name} of {benchmark_id}")
+
+
+def expect_declared(context: CheckContext, rule: str) -> None:
+    """Expect that no vector of a benchmark breaks the rule of conventions.md."""
+    for listed in read_benchmarks(context)[:_BENCHMARKS_READ]:
+        benchmark_id = listed["benchmark_id"]
+        get_benchmark = partial(
+            context.call, "get_benchmark", benchmark_id=benchmark_id
+        )
+        read = context.require(get_benchmark, 200, f"get_benchmark of {benchmark_id}")
+        spaces = {
+            "action": read["action_space"],
+            "state": read["observation_space"]["state"],
+        }
+        for group, space in spaces.items():
+            for name, vector in space.items():
+                faults = [
+                    text for id_, text in declaration_faults(vector) if id_ == rule
+                ]
+                what = f"the parts of the {group} {name} of {benchmark_id}"
+                expect.equal(faults, [], f"faults in {what}")
+
+
+@requirement("CONV-001")
+def test_conv_001_parts_hold_each_number_once(context: CheckContext) -> None:
+    """The benchmarks are read.
+
+    Expect every vector to have parts, which hold each of its numbers once.
+    """
+    expect_declared(context, "CONV-001")
+
+
+@requirement("CONV-002")
+def test_conv_002_rotations_have_their_size(context: CheckContext) -> None:
+    """The benchmarks are read. Expect four numbers in a quaternion, and so on."""
+    expect_declared(context, "CONV-002")
+
+
+@requirement("CONV-003")
+def test_conv_003_grippers_have_two_ends(context: CheckContext) -> None:
+    """The benchmarks are read. Expect two values at the ends of each gripper."""
+    expect_declared(context, "CONV-003")
 
 
 MANY_TASKS = ["score"] * 1000  # the most that a run may have

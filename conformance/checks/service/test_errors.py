@@ -169,19 +169,21 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
 
     Expect refusals of what there is not, and two workers with two sessions.
     """
-    several = {"max_workers": 2} if context.offers("sessions") else {}
-    run = context.submit("count", "count", **several)
+    most = context.worker_count(2)
+    run = context.submit("count", "count", max_workers=most)
     for operation_id, name, value in (
         ("get_run", "run_id", run.id),
         ("get_benchmark", "benchmark_id", "calibration"),
     ):
+        given: dict[str, Any] = {name: value}
         if value.swapcase() != value:
-            answer = context.call(operation_id, **{name: value.swapcase()})
+            other = given | {name: value.swapcase()}
+            answer = context.call(operation_id, **other)
             is_unknown = answer.code in ("not_found", "invalid_request")
             expect.true(is_unknown, f"a refusal of another {name}", answer.status)
-        expect.ok(context.call(operation_id, **{name: value}))
+        expect.ok(context.call(operation_id, **given))
     lower, upper = run.worker("worker-a"), run.worker("WORKER-A")
-    for worker in (lower, upper) if several else (lower,):
+    for worker in (lower, upper)[:most]:
         worker.session_id = expect.ok(worker.try_attach())["session_id"]
     expect.true(lower.session_id != upper.session_id, "two sessions")
     swapped = lower.session_id.swapcase()

@@ -1,5 +1,6 @@
-"""Sessions: attach, takeover, detach (ATT, DET)."""
+"""Sessions: attach, takeover, detach (ATT, CONV, DET)."""
 
+import re
 import time
 from collections import Counter
 from functools import partial
@@ -281,13 +282,17 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"action": {"delay_s": {"unit": "ms"}}}, "/assumes/action/delay_s"),
     ({"action": {"vector": {"rotation": "euler_xyz"}}}, "/assumes/action/vector"),
     ({"action": {"clipped": {"frame": "base"}}}, "/assumes/action/clipped"),
-    ({"action": {"clipped": {"relative": True}}}, "/assumes/action/clipped"),
+    ({"action": {"clipped": {"relative_to": "measured"}}}, "/assumes/action/clipped"),
+    ({"action": {"clipped": {"quantity": "position"}}}, "/assumes/action/clipped"),
+    ({"action": {"clipped": {"scale": 0.5}}}, "/assumes/action/clipped"),
+    # No vector of the benchmark declares a gripper.
+    ({"action": {"clipped": {"gripper_open": 0}}}, "/assumes/action/clipped"),
     # Any text is a unit or a frame, whatever the names of this API look like.
     ({"action": {"clipped": {"frame": "Welt, von oben"}}}, "/assumes/action/clipped"),
     ({"state": {"count": {"unit": "\U0001f916" * 64}}}, "/assumes/state/count"),
     ({"state": {"vector": {"size": 9}}}, "/assumes/state/vector"),
     ({"state": {"count": {"unit": "m"}}}, "/assumes/state/count"),
-    ({"state": {"clipped": {"relative": True}}}, "/assumes/state/clipped"),
+    ({"state": {"clipped": {"relative_to": "commanded"}}}, "/assumes/state/clipped"),
     (
         {"action": {"vector": {"size": 8}, "clipped": {"size": 3}}},
         "/assumes/action/clipped",
@@ -299,11 +304,28 @@ WRONG: list[tuple[dict[str, Any], str]] = [
     ({"action": {"constructor": {}}}, "/assumes/action/constructor"),
     ({"state": {"__class__": {}}}, "/assumes/state/__class__"),
 ]
+_PART = "/assumes/action/clipped/parts"
+WRONG_PARTS: list[tuple[dict[str, Any], str]] = [
+    ({"all": {"start": 1}}, f"{_PART}/all/start"),
+    ({"all": {"size": 1}}, f"{_PART}/all/size"),
+    ({"all": {"quantity": "position"}}, f"{_PART}/all/quantity"),
+    ({"all": {"unit": "m"}}, f"{_PART}/all/unit"),
+    ({"all": {"scale": 0.05}}, f"{_PART}/all/scale"),
+    ({"all": {"frame": "tool"}}, f"{_PART}/all/frame"),
+    ({"all": {"rotation": "yaw"}}, f"{_PART}/all/rotation"),
+    ({"all": {"relative_to": "measured"}}, f"{_PART}/all/relative_to"),
+    ({"all": {"gripper_open": 1}}, f"{_PART}/all/gripper_open"),
+    ({"all": {"gripper_closed": 0}}, f"{_PART}/all/gripper_closed"),
+    ({"all": {"start": 0, "size": 2, "unit": "rad"}}, f"{_PART}/all/unit"),
+    ({"position": {}}, f"{_PART}/position"),
+    ({"all": {}, "a/b": {"unit": "1"}}, f"{_PART}/a~1b"),
+    ({"constructor": {}}, f"{_PART}/constructor"),
+]
 
 
 @requirement("ATT-010")
 def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) -> None:
-    """Wrong assumptions of rate, size, unit, rotation, frame, of vectors not there.
+    """Wrong assumptions of the rate, of vectors and of parts, also of absent ones.
 
     Expect `convention_mismatch` pointing at the wrong value, and no session; the right
     rate is accepted.
@@ -316,15 +338,41 @@ def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) ->
     for assumes, pointer in WRONG:
         answer = worker.try_attach(assumes=assumes)
         expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
+    for parts, pointer in WRONG_PARTS:
+        answer = worker.try_attach(assumes={"action": {"clipped": {"parts": parts}}})
+        expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
     expect.equal(run.snapshot(), before, "the run afterwards")
 
 
-def assumptions(space: dict[str, Any]) -> dict[str, Any]:
-    """Give all possible assumptions about the vectors of a space."""
-    members = ("size", "unit", "rotation", "frame", "relative")
+CONVENTIONS = ("quantity", "unit", "frame", "rotation", "relative_to")
+
+
+def assumptions(space: dict[str, Any], *, by_part: bool) -> dict[str, Any]:
+    """Give all possible assumptions about the vectors of a space.
+
+    by_part: about each part by its name; otherwise about all parts at once, which is
+    possible where a vector has one.
+    """
+    if by_part:
+        members = ("start", "size", "scale", *CONVENTIONS)
+        return {
+            name: {
+                "size": vector["size"],
+                "parts": {
+                    part_name: {
+                        member: ({"scale": 1} | part)[member] for member in members
+                    }
+                    for part_name, part in vector["parts"].items()
+                },
+            }
+            for name, vector in space.items()
+        }
     return {
-        name: {member: vector[member] for member in members}
+        name: {"size": vector["size"]}
+        | {member: part[member] for member in CONVENTIONS}
         for name, vector in space.items()
+        for part in vector["parts"].values()
+        if len(vector["parts"]) == 1
     }
 
 
@@ -337,11 +385,77 @@ def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> Non
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.require(answer, 200, "get_benchmark")
     rate = {"control_rate_hz": benchmark["control_rate_hz"]}
-    action = {"action": assumptions(benchmark["action_space"])}
-    state = {"state": assumptions(benchmark["observation_space"]["state"])}
-    for assumes in ({}, rate, action, state, rate | action | state):
+    spaces = {
+        "action": benchmark["action_space"],
+        "state": benchmark["observation_space"]["state"],
+    }
+    whole: list[dict[str, Any]] = [
+        {name: assumptions(space, by_part=by_part) for name, space in spaces.items()}
+        for by_part in (True, False)
+    ]
+    for assumes in ({}, rate, *whole, rate | whole[0]):
         worker = context.submit("score").worker()
         expect.ok(worker.try_attach(assumes=assumes))
+
+
+@requirement("CONV-004")
+def test_conv_004_an_assumption_is_about_each_part(context: CheckContext) -> None:
+    """Assumptions beside `parts`, which the part of the vector confirms or contradicts.
+
+    Expect a session, or `convention_mismatch`, also where `parts` has the right value.
+    """
+    run = context.submit("score")
+    worker = run.worker()
+    worker.attach(assumes={"action": {"delay_s": {"unit": "s", "quantity": "time"}}})
+    detach_only_worker(worker)
+    for members in (
+        {"unit": "ms"},
+        {"quantity": "number"},
+        {"unit": "1", "parts": {"all": {"unit": "s"}}},
+    ):
+        answer = worker.try_attach(assumes={"action": {"delay_s": members}})
+        expect.refused(answer, "convention_mismatch")
+
+
+@requirement("CONV-005")
+def test_conv_005_each_contradiction_has_its_pointer(context: CheckContext) -> None:
+    """Several wrong values beside right ones, a part and a vector that are absent.
+
+    Expect a pointer at each wrong value and absent name, and at nothing else.
+    """
+    at = "/assumes/action/clipped"
+    parts = {"all": {"size": 2, "start": 1, "frame": "base"}, "x": {"unit": "1"}}
+    clipped = {"size": 3, "unit": "m", "rotation": "none", "parts": parts}
+    assumes = {"action": {"clipped": clipped, "y": {"unit": "1"}}}
+    answer = context.submit("score").worker().try_attach(assumes=assumes)
+    problem = expect.refused(answer, "convention_mismatch")
+    pointers = sorted(str(item["pointer"]) for item in problem["errors"])
+    wrong = ["parts/all/frame", "parts/all/start", "parts/x", "size", "unit"]
+    due = [*(f"{at}/{member}" for member in wrong), "/assumes/action/y"]
+    expect.equal(pointers, sorted(due), "pointers of `errors`")
+
+
+@requirement("CONV-006")
+def test_conv_006_detail_has_part_and_values(context: CheckContext) -> None:
+    """A part is assumed to have another unit and frame, and an action another quantity.
+
+    Expect the name of the part, the assumed and the declared value in each detail.
+    """
+    parts = {"all": {"unit": "ms", "frame": "tool"}}
+    assumes = {"action": {"delay_s": {"quantity": "length", "parts": parts}}}
+    answer = context.submit("score").worker().try_attach(assumes=assumes)
+    problem = expect.refused(answer, "convention_mismatch")
+    details = {str(item["pointer"]): str(item["detail"]) for item in problem["errors"]}
+    at = "/assumes/action/delay_s"
+    for pointer, texts in {
+        f"{at}/parts/all/unit": ("all", "ms", "s"),
+        f"{at}/parts/all/frame": ("all", "tool", "none"),
+        f"{at}/quantity": ("all", "length", "time"),
+    }.items():
+        detail = details.get(pointer, "")
+        words = re.findall(r"[\w/*^]+", detail)
+        missing = [text for text in texts if text not in words]
+        expect.equal(missing, [], f"missing in the detail {detail!r} at {pointer}")
 
 
 @requirement("ATT-012")

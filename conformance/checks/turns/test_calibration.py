@@ -70,25 +70,37 @@ def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> N
     expect.equal(sorted(codecs), announced, "image_codecs")
 
 
+def only_part(size: int, unit: str) -> dict[str, Any]:
+    """Give the part `all` of a vector of calibration.md."""
+    quantity = "time" if unit == "s" else "number"
+    plain = {"frame": "none", "rotation": "none", "relative_to": "none"}
+    return plain | {"start": 0, "size": size, "quantity": quantity, "unit": unit}
+
+
+def expect_vector(
+    vector: dict[str, Any], size: int, unit: str, out_of_range: str, what: str
+) -> None:
+    """Expect the size, the range and the only part of a vector."""
+    expect.equal(vector["size"], size, f"size of {what}")
+    expect.equal(vector["out_of_range"], out_of_range, f"out_of_range of {what}")
+    expect.equal(sorted(vector["parts"]), ["all"], f"names of the parts of {what}")
+    for member, value in only_part(size, unit).items():
+        part = vector["parts"]["all"]
+        expect.equal(part[member], value, f"{member} of the part of {what}")
+
+
 def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> None:
     """Expect the names, sizes and ranges of actions and observations."""
     actions, observations = benchmark["action_space"], benchmark["observation_space"]
     expect.equal(sorted(actions), sorted(ACTIONS), "names of the actions")
-    plain = {"rotation": "none", "frame": "none", "relative": False}
     for name, (size, unit, low, high, beyond) in ACTIONS.items():
         action = actions[name]
-        members = plain | {"size": size, "unit": unit, "out_of_range": beyond}
-        for member, value in members.items():
-            expect.equal(action[member], value, f"{member} of the action {name}")
+        expect_vector(action, size, unit, beyond, f"the action {name}")
         bounds = [action.get("minimum"), action.get("maximum")]
         expect.equal(bounds, [low, high], f"bounds of the action {name}")
     expect.equal(sorted(observations["state"]), sorted(STATES), "names of the states")
     for name, size in STATES.items():
-        members = plain | {"size": size, "unit": "1", "out_of_range": "unbounded"}
-        for member, value in members.items():
-            expect.equal(
-                observations["state"][name][member], value, f"{member} of {name}"
-            )
+        expect_vector(observations["state"][name], size, "1", "unbounded", name)
     if not context.offers("observations"):
         return
     channels = {
@@ -144,14 +156,13 @@ def calibration_manifest(
 
     benchmark: as it is described, which says what a Core server leaves out.
     """
-    plain = {"rotation": "none", "frame": "none", "relative": False}
     states = {
         name: (size, "1", None, None, "unbounded") for name, size in STATES.items()
     }
     actions, state = (
         {
-            name: plain
-            | {"size": size, "unit": unit, "out_of_range": beyond}
+            name: {"size": size, "parts": {"all": only_part(size, unit)}}
+            | {"out_of_range": beyond}
             | ({} if low is None else {"minimum": low, "maximum": high})
             for name, (size, unit, low, high, beyond) in vectors.items()
         }

@@ -2,6 +2,7 @@
 package api
 
 import (
+	"maps"
 	"math"
 	"regexp"
 
@@ -46,9 +47,19 @@ var submitShape = wire.Record([]string{"benchmark_id", "policy"}, map[string]wir
 
 var stopShape = wire.Record(nil, map[string]wire.Shape{"mode": wire.OneOf("abort", "drain")})
 
-var assumption = wire.Record(nil, map[string]wire.Shape{
-	"size": wire.Integer(1, math.MaxInt32), "unit": wire.Text(0, 64, nil), "rotation": name,
-	"frame": wire.Text(0, 64, nil), "relative": wire.Boolean, "gripper_open": anyNumber,
+// conventions are the members that an assumption may have of a vector and of a part.
+func conventions(more map[string]wire.Shape) wire.Shape {
+	members := map[string]wire.Shape{
+		"size": wire.Integer(1, math.MaxInt32), "quantity": name, "unit": wire.Text(0, 64, nil),
+		"scale": anyNumber, "frame": wire.Text(0, 64, nil), "rotation": name, "relative_to": name,
+		"gripper_open": anyNumber, "gripper_closed": anyNumber,
+	}
+	maps.Copy(members, more)
+	return wire.Record(nil, members)
+}
+
+var assumption = conventions(map[string]wire.Shape{
+	"parts": wire.MapOf(256, conventions(map[string]wire.Shape{"start": wire.Integer(0, math.MaxInt32)})),
 })
 
 var attachShape = wire.Record([]string{"attach_key"}, map[string]wire.Shape{

@@ -31,8 +31,8 @@ var (
 	CodecNames = []string{"raw", "png", "jpeg"}
 )
 
-// VectorSpace is an entry of the action or of the state space. A policy may assume its
-// size, unit, rotation, frame and relative; lowest and highest hold for every element.
+// VectorSpace is an entry of the action or of the state space, with one part, PartName.
+// A policy may assume its conventions; lowest and highest hold for every element.
 type VectorSpace struct {
 	Name            string
 	size            int
@@ -58,19 +58,32 @@ var StateSpace = []VectorSpace{
 	{"clipped", 2, "1", "unbounded", 0, 0, "clipped of the last executed action, clipped."},
 }
 
-// Assumable gives the value of a member that a policy may assume; nil where the space has
-// none, which contradicts any assumption (ATT-010).
+const PartName = "all"
+
+// Assumable gives the value of a member of the part that a policy may assume; nil where it
+// has none, which contradicts any assumption (ATT-010).
 func (s VectorSpace) Assumable(name string) any {
 	return map[string]any{
-		"size": float64(s.size), "unit": s.unit, "rotation": "none", "frame": "none",
-		"relative": false,
+		"start": 0.0, "size": float64(s.size), "quantity": s.quantity(), "unit": s.unit,
+		"scale": 1.0, "frame": "none", "rotation": "none", "relative_to": "none",
 	}[name]
 }
 
+func (s VectorSpace) quantity() string {
+	if s.unit == "s" {
+		return "time"
+	}
+	return "number"
+}
+
 func (s VectorSpace) object() wire.Object {
+	part := wire.Object{
+		{"start", 0}, {"size", s.size}, {"quantity", s.quantity()}, {"unit", s.unit},
+		{"frame", "none"}, {"rotation", "none"}, {"relative_to", "none"},
+	}
 	made := wire.Object{
-		{"size", s.size}, {"unit", s.unit}, {"rotation", "none"}, {"frame", "none"},
-		{"relative", false}, {"out_of_range", s.outOfRange}, {"description", s.description},
+		{"size", s.size}, {"parts", wire.Object{{PartName, part}}},
+		{"out_of_range", s.outOfRange}, {"description", s.description},
 	}
 	if s.outOfRange != "unbounded" {
 		made = append(made, wire.Member{"minimum", repeat(s.lowest, s.size)})

@@ -4,6 +4,7 @@ package runs
 
 import (
 	"crypto/rand"
+	"fmt"
 	"time"
 
 	"proctor-server-go/calibration"
@@ -167,14 +168,32 @@ func contradictions(assumes map[string]any) []wire.Fault {
 				found.Add(at, "the benchmark has no such entry")
 				continue
 			}
-			for member, value := range entries[name].(map[string]any) {
-				if space.Assumable(member) != value {
-					found.Add(wire.PointTo(at, member), "the benchmark says otherwise")
+			assumption := entries[name].(map[string]any)
+			compareMembers(found, at, assumption, space)
+			parts, _ := assumption["parts"].(map[string]any)
+			for _, name := range wire.SortedKeys(parts) {
+				partAt := wire.PointTo(at+"/parts", name)
+				if name != calibration.PartName {
+					found.Add(partAt, "the vector has no such part")
+					continue
 				}
+				compareMembers(found, partAt, parts[name].(map[string]any), space)
 			}
 		}
 	}
 	return found.Faults
+}
+
+// compareMembers compares what is assumed of the only part of a vector. Beside `parts` it is
+// about each part (CONV-004).
+func compareMembers(found *wire.Findings, at string, assumed map[string]any, space *calibration.VectorSpace) {
+	for _, member := range wire.SortedKeys(assumed) {
+		declared := space.Assumable(member)
+		if member != "parts" && declared != assumed[member] {
+			found.Add(wire.PointTo(at, member),
+				fmt.Sprintf("assumed %v, declared %v in the part %s", assumed[member], declared, calibration.PartName))
+		}
+	}
 }
 
 func spaceNamed(spaces []calibration.VectorSpace, name string) *calibration.VectorSpace {

@@ -232,7 +232,7 @@ static json later_version(Session& s) {
     auto const& vector = benchmark.action_space.at("vector");
     return {
         {"profiles", service.profiles}, {"image_codecs", service.image_codecs}, {"success_rule", benchmark.success_rule},
-        {"rotation", vector.rotation}, {"out_of_range", vector.out_of_range}, {"mode", or_null(run.mode)},
+        {"rotation", vector.parts->at("all").rotation}, {"out_of_range", vector.out_of_range}, {"mode", or_null(run.mode)},
         {"policy", run.policy.name}, {"codec", look.images.at("pattern").codec}, {"dtype", look.tensors.at("float64").dtype},
         {"problem", problem_of([&] { s.control.getRun("no_such", {}, {}, version); })},
     };

@@ -4,22 +4,19 @@
 
 #include <cstdint>
 #include <string>
+#include "VectorPart.h"
 #include <map>
 #include <vector>
 #include "../members.h"
 
 namespace proctor {
 
-/// One named vector of numbers, with every convention a policy could get wrong.
+/// One named vector of numbers, in parts: see [conventions](conventions.md#parts).
 struct VectorSpace {
     static constexpr char const* schema_name = "VectorSpace";
 
     std::int32_t size{};
-    std::string unit{}; // `rad`, `m`, `1`, or several joined by commas.
-    std::string rotation{};
-    std::string frame{}; // `world`, `base`, `tool`, `joint`, or `none`.
-    bool relative{}; // True when the values are increments.
-    std::optional<double> gripper_open{}; // The value that means fully open.
+    std::optional<std::map<std::string, VectorPart>> parts{}; // Name → what these numbers are. Only descriptions of earlier drafts have none.
     std::optional<std::vector<double>> minimum{};
     std::optional<std::vector<double>> maximum{};
     std::string out_of_range{};
@@ -28,11 +25,7 @@ struct VectorSpace {
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("size", self.size);
-        visitor.required("unit", self.unit);
-        visitor.required("rotation", self.rotation);
-        visitor.required("frame", self.frame);
-        visitor.required("relative", self.relative);
-        visitor.optional("gripper_open", self.gripper_open);
+        visitor.optional("parts", self.parts);
         visitor.optional("minimum", self.minimum);
         visitor.optional("maximum", self.maximum);
         visitor.required("out_of_range", self.out_of_range);

@@ -232,11 +232,12 @@ def scenario_later_version(server: Server, url: str) -> dict[str, Any]:
     service = server.ask(server.control.describe_service)
     benchmark = server.ask(lambda: server.control.get_benchmark("calibration"))
     vector = benchmark.action_space["vector"]
+    assert vector.parts is not None
     run = submit(server, ["echo"])
     seen = attach(server, run, "worker-0").observation
     return {
         "profiles": service.profiles, "image_codecs": service.image_codecs,
-        "success_rule": benchmark.success_rule, "rotation": vector.rotation,
+        "success_rule": benchmark.success_rule, "rotation": vector.parts["all"].rotation,
         "out_of_range": vector.out_of_range, "mode": run.mode, "policy": run.policy.name,
         "codec": seen.images["pattern"].codec, "dtype": seen.tensors["float64"].dtype,
         "problem": problem_of(lambda: server.once(lambda: server.control.get_run("no_such"))),

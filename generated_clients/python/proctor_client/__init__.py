@@ -57,6 +57,7 @@ from .models import ObservationSpace as ObservationSpace
 from .models import Observe as Observe
 from .models import Outcome as Outcome
 from .models import OutcomeCounts as OutcomeCounts
+from .models import PartAssumption as PartAssumption
 from .models import Player as Player
 from .models import PlayerView as PlayerView
 from .models import PolicyDescription as PolicyDescription
@@ -98,6 +99,7 @@ from .models import Tensor as Tensor
 from .models import TensorSpace as TensorSpace
 from .models import Timing as Timing
 from .models import Turn as Turn
+from .models import VectorPart as VectorPart
 from .models import VectorSpace as VectorSpace
 from .transport.proxy_route import BadProxy as BadProxy
 from .transport.proxy_route import ProxyRoute as ProxyRoute

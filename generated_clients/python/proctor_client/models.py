@@ -23,14 +23,27 @@ class Action(Message):
 
 
 class Assumption(Message):
+    """About a vector. All members but `size` and `parts` are about each of its parts (CONV-004)."""
+
     size: Annotated[int, Field(strict=True, ge=1)] | None = None
+    quantity: (
+        Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
+    ) = None
+    """A name of registry/quantities.yaml, or an extension."""
     unit: Annotated[str, Field(strict=True, max_length=64)] | None = None
+    scale: StrictFloat | None = None
+    frame: Annotated[str, Field(strict=True, max_length=64)] | None = None
     rotation: (
         Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
     ) = None
-    frame: Annotated[str, Field(strict=True, max_length=64)] | None = None
-    relative: StrictBool | None = None
+    """A name of registry/rotations.yaml, or an extension."""
+    relative_to: (
+        Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
+    ) = None
+    """A name of registry/relative_modes.yaml, or an extension."""
     gripper_open: StrictFloat | None = None
+    gripper_closed: StrictFloat | None = None
+    parts: Annotated[dict[str, PartAssumption], Field(max_length=256)] | None = None
 
 
 class Assumptions(Message):
@@ -540,6 +553,30 @@ class OutcomeCounts(Message):
     """Scored 0, because the last attempt was closed."""
     unscored: StrictInt
     """Without a result so far."""
+
+
+class PartAssumption(Message):
+    """About the part of this name."""
+
+    start: Annotated[int, Field(strict=True, ge=0)] | None = None
+    size: Annotated[int, Field(strict=True, ge=1)] | None = None
+    quantity: (
+        Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
+    ) = None
+    """A name of registry/quantities.yaml, or an extension."""
+    unit: Annotated[str, Field(strict=True, max_length=64)] | None = None
+    scale: StrictFloat | None = None
+    frame: Annotated[str, Field(strict=True, max_length=64)] | None = None
+    rotation: (
+        Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
+    ) = None
+    """A name of registry/rotations.yaml, or an extension."""
+    relative_to: (
+        Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
+    ) = None
+    """A name of registry/relative_modes.yaml, or an extension."""
+    gripper_open: StrictFloat | None = None
+    gripper_closed: StrictFloat | None = None
 
 
 class Player(Message):
@@ -1126,19 +1163,41 @@ class Turn(Message):
     timing: Timing
 
 
-class VectorSpace(Message):
-    """One named vector of numbers, with every convention a policy could get wrong."""
+class VectorPart(Message):
+    """Adjacent numbers of a vector, with every convention a policy could get wrong."""
 
+    start: Annotated[int, Field(strict=True, ge=0)]
+    """Index of its first number in the vector."""
     size: Annotated[int, Field(strict=True, ge=1)]
-    unit: StrictStr
-    """`rad`, `m`, `1`, or several joined by commas."""
+    quantity: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
+    """A name of registry/quantities.yaml, or an extension."""
+    unit: Annotated[
+        str, Field(strict=True, pattern=r"^[A-Za-z0-9][A-Za-z0-9_*\/^]{0,63}$")
+    ]
+    """A name of registry/units.yaml, or an extension."""
+    scale: StrictFloat | None = None
+    """A number times `scale` is in `unit`; 1 when absent."""
+    frame: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
+    """A name of registry/frames.yaml, or an extension."""
     rotation: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
-    frame: StrictStr
-    """`world`, `base`, `tool`, `joint`, or `none`."""
-    relative: StrictBool
-    """True when the values are increments."""
+    """A name of registry/rotations.yaml, or an extension."""
+    relative_to: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
+    """A name of registry/relative_modes.yaml, or an extension."""
     gripper_open: StrictFloat | None = None
     """The value that means fully open."""
+    gripper_closed: StrictFloat | None = None
+    """The value that means fully closed."""
+    description: StrictStr | None = None
+
+
+class VectorSpace(Message):
+    """One named vector of numbers, in parts: see [conventions](conventions.md#parts)."""
+
+    size: Annotated[int, Field(strict=True, ge=1)]
+    parts: (
+        Annotated[dict[str, VectorPart], Field(min_length=1, max_length=256)] | None
+    ) = None
+    """Name → what these numbers are. Only descriptions of earlier drafts have none."""
     minimum: Annotated[list[StrictFloat], Field(max_length=1000000)] | None = None
     maximum: Annotated[list[StrictFloat], Field(max_length=1000000)] | None = None
     out_of_range: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]

@@ -215,7 +215,7 @@ const scenarios: Record<string, (server: Server, url: string) => Promise<Seen>> 
     const seen = (await attach(server, run, "worker-0")).observation!;
     return {
       profiles: service.profiles, image_codecs: service.image_codecs, success_rule: benchmark.success_rule,
-      rotation: vector.rotation, out_of_range: vector.out_of_range, mode: run.mode, policy: run.policy.name,
+      rotation: vector.parts?.["all"]?.rotation, out_of_range: vector.out_of_range, mode: run.mode, policy: run.policy.name,
       codec: seen.images["pattern"].codec, dtype: seen.tensors["float64"].dtype,
       problem: await problemOf(() => server.once(() => server.control.getRun({ runId: "no_such" }))),
     };

@@ -9,13 +9,21 @@ export interface Action {
     values: Record<string, number[]>;
 }
 
+/** About a vector. All members but `size` and `parts` are about each of its parts (CONV-004). */
 export interface Assumption {
     size?: number;
+    /** A name of registry/quantities.yaml, or an extension. */
+    quantity?: string;
     unit?: string;
-    rotation?: string;
+    scale?: number;
     frame?: string;
-    relative?: boolean;
+    /** A name of registry/rotations.yaml, or an extension. */
+    rotation?: string;
+    /** A name of registry/relative_modes.yaml, or an extension. */
+    relative_to?: string;
     gripper_open?: number;
+    gripper_closed?: number;
+    parts?: Record<string, PartAssumption>;
 }
 
 /** What the policy takes for granted; refused when the benchmark says otherwise (ATT-010). For the profile `conventions`. */
@@ -481,6 +489,23 @@ export interface OutcomeCounts {
     abandoned: number;
     /** Without a result so far. */
     unscored: number;
+}
+
+/** About the part of this name. */
+export interface PartAssumption {
+    start?: number;
+    size?: number;
+    /** A name of registry/quantities.yaml, or an extension. */
+    quantity?: string;
+    unit?: string;
+    scale?: number;
+    frame?: string;
+    /** A name of registry/rotations.yaml, or an extension. */
+    rotation?: string;
+    /** A name of registry/relative_modes.yaml, or an extension. */
+    relative_to?: string;
+    gripper_open?: number;
+    gripper_closed?: number;
 }
 
 /** Who plays, by its own words; for the profile `attribution`. */
@@ -991,18 +1016,35 @@ export interface Turn {
     timing: Timing;
 }
 
-/** One named vector of numbers, with every convention a policy could get wrong. */
-export interface VectorSpace {
+/** Adjacent numbers of a vector, with every convention a policy could get wrong. */
+export interface VectorPart {
+    /** Index of its first number in the vector. */
+    start: number;
     size: number;
-    /** `rad`, `m`, `1`, or several joined by commas. */
+    /** A name of registry/quantities.yaml, or an extension. */
+    quantity: string;
+    /** A name of registry/units.yaml, or an extension. */
     unit: string;
-    rotation: string;
-    /** `world`, `base`, `tool`, `joint`, or `none`. */
+    /** A number times `scale` is in `unit`; 1 when absent. */
+    scale?: number;
+    /** A name of registry/frames.yaml, or an extension. */
     frame: string;
-    /** True when the values are increments. */
-    relative: boolean;
+    /** A name of registry/rotations.yaml, or an extension. */
+    rotation: string;
+    /** A name of registry/relative_modes.yaml, or an extension. */
+    relative_to: string;
     /** The value that means fully open. */
     gripper_open?: number;
+    /** The value that means fully closed. */
+    gripper_closed?: number;
+    description?: string;
+}
+
+/** One named vector of numbers, in parts: see [conventions](conventions.md#parts). */
+export interface VectorSpace {
+    size: number;
+    /** Name → what these numbers are. Only descriptions of earlier drafts have none. */
+    parts?: Record<string, VectorPart>;
     minimum?: number[];
     maximum?: number[];
     out_of_range: string;

@@ -30,6 +30,7 @@ from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     describe,
 )
+from reference_record.declared_parts import declared_parts
 
 
 def run_facts(
@@ -346,10 +347,11 @@ def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
     spaces = TextTable(("name", ">size", "unit", "description"))
     for group, vectors in (("action", benchmark.action_space), ("state", space.state)):
         for name, vector in vectors.items():
+            parts = declared_parts(vector.to_dict()).values()
             spaces.add(
                 f"{group}.{name}",
                 str(vector.size),
-                vector.unit,
+                ", ".join(dict.fromkeys(part.scaled_unit or "1" for part in parts)),
                 vector.description or "",
             )
     for name, image in space.images.items():

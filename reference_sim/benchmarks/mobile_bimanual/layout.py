@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from reference_sim.definition import Channel
+from reference_sim.vector_spaces import Channel, VectorPart, pose_parts
 
 CONTROL_RATE_HZ = 20
 SUBSTEPS = 20  # of the scene's timestep, 2.5 ms, in one control step
@@ -45,44 +45,59 @@ REACH_M = 1.6  # nothing farther from the base is a target for a hand
 _HAND_LOW = (-REACH_M, -REACH_M, 0.0, -1.0, -1.0, -1.0, -1.0)
 _HAND_HIGH = (REACH_M, REACH_M, REACH_M, 1.0, 1.0, 1.0, 1.0)
 
+_ARMS = tuple(
+    VectorPart(f"{side}_arm", 6, "joint_position", "rad", "joint") for side in SIDES
+)
+_GRIPPERS = tuple(
+    VectorPart(
+        side,
+        2,
+        "gripper",
+        "m",
+        gripper_open=FINGER_STROKE_M,
+        gripper_closed=0.0,
+        description="each finger's way from closed",
+    )
+    for side in SIDES
+)
 _GRIPPER = Channel(
     "gripper",
-    4,
-    "m",
+    _GRIPPERS,
     "each finger's way from closed: left hand's two, right hand's two",
     (0.0,) * 4,
     (FINGER_STROKE_M,) * 4,
-    gripper_open=FINGER_STROKE_M,
 )
+
+
+def _planar_parts(frame: str, relative_to: str) -> tuple[VectorPart, VectorPart]:
+    return (
+        VectorPart("position", 2, "position", "m", frame, relative_to=relative_to),
+        VectorPart("yaw", 1, "orientation", "rad", frame, "yaw", relative_to),
+    )
+
+
 _BASE_MOTION = Channel(
     "base_motion",
-    3,
-    "m,m,rad",
+    _planar_parts("base", "commanded"),
     "dx forward, dy to the left, dyaw counter-clockwise of the base's target",
     tuple(-step for step in BASE_STEP),
     BASE_STEP,
-    frame="base",
-    relative=True,
 )
 
 
 def _hand_target(side: str) -> Channel:
     return Channel(
         f"{side}_ee_pose",
-        7,
-        "m,1",
+        pose_parts("base"),
         f"absolute target of the {side} fingertips' middle: position, quaternion wxyz "
         "(normalised when executed), met as well as the arm can",
         _HAND_LOW,
         _HAND_HIGH,
-        frame="base",
-        rotation="quaternion_wxyz",
     )
 
 
 def _seen_pose(name: str, meaning: str, frame: str) -> Channel:
-    meaning = f"{meaning}: position, quaternion wxyz"
-    return Channel(name, 7, "m,1", meaning, frame=frame, rotation="quaternion_wxyz")
+    return Channel(name, pose_parts(frame), meaning)
 
 
 # Control mode → the vectors of each action. The gripper's and the base's parts are the
@@ -91,12 +106,10 @@ ACTION_CHANNELS = {
     "joint_position": (
         Channel(
             "joint_position",
-            12,
-            "rad",
+            _ARMS,
             "absolute targets, left arm's six, right arm's six",
             JOINT_LOW_RAD * 2,
             JOINT_HIGH_RAD * 2,
-            frame="joint",
         ),
         _GRIPPER,
         _BASE_MOTION,
@@ -109,27 +122,17 @@ ACTION_CHANNELS = {
     ),
 }
 STATE_CHANNELS = (
-    Channel(
-        "joint_position",
-        12,
-        "rad",
-        "measured, left arm's six, right arm's six",
-        frame="joint",
-    ),
+    Channel("joint_position", _ARMS, "measured, left arm's six, right arm's six"),
     Channel(
         "gripper",
-        4,
-        "m",
+        _GRIPPERS,
         "measured way of each finger from closed, left hand's two, right hand's two",
-        gripper_open=FINGER_STROKE_M,
     ),
     Channel(
         "base_pose",
-        3,
-        "m,m,rad",
+        _planar_parts("world", "none"),
         "x, y and yaw (-π…π) on the floor; at the origin it is docked at the work "
         "table, facing it",
-        frame="world",
     ),
     _seen_pose("left_ee_pose", "middle of the left fingertips", "base"),
     _seen_pose("right_ee_pose", "middle of the right fingertips", "base"),

@@ -22,12 +22,12 @@ from reference_sim.benchmarks.question_answering.items import (
 from reference_sim.definition import (
     BenchmarkDefinition,
     Json,
-    bounded,
     image_sizes,
     installed_version,
     without_pictures,
 )
 from reference_sim.interface import Simulator
+from reference_sim.vector_spaces import VectorPart, bounds, numbers, vector
 
 
 def _episodes() -> list[Json]:
@@ -47,12 +47,21 @@ def answer_space(last: int = len(LETTERS) - 1) -> Json:
     """
     none = "-1 where that is not the answer"
     return {
-        "choice": bounded(1, NO_ANSWER, last, out_of_range="refuse")
-        | {"description": f"0 for A, 1 for B and so on; {none}"},
-        "number": bounded(1, NO_ANSWER, NUMBER_MAX, out_of_range="refuse")
-        | {"description": f"a number; {none}"},
-        "point": bounded(2, NO_ANSWER, 1.0, out_of_range="refuse")
-        | {"description": f"x to the right, y down, from 0 to 1; {none}"},
+        "choice": vector(
+            VectorPart("all", 1, "choice", "1"),
+            description=f"0 for A, 1 for B and so on; {none}",
+            **bounds(1, NO_ANSWER, last, "refuse"),
+        ),
+        "number": numbers(
+            1,
+            description=f"a number; {none}",
+            **bounds(1, NO_ANSWER, NUMBER_MAX, "refuse"),
+        ),
+        "point": numbers(
+            2,
+            description=f"x to the right, y down, from 0 to 1; {none}",
+            **bounds(2, NO_ANSWER, 1.0, "refuse"),
+        ),
     }
 
 

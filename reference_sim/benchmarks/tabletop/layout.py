@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from reference_sim.definition import Channel
+from reference_sim.vector_spaces import Channel, VectorPart, pose_parts
 
 CONTROL_RATE_HZ = 20
 SUBSTEPS = 20  # of the scene's timestep, 2.5 ms, in one control step
@@ -30,38 +30,30 @@ POSE_FRAME = "world"  # origin under the arm, x forward, z up, z = 0 on the tabl
 
 
 def _pose(name: str, meaning: str) -> Channel:
-    frame, rotation = POSE_FRAME, "quaternion_wxyz"
-    meaning = f"{meaning}: position, quaternion wxyz"
-    return Channel(name, 7, "m,1", meaning, frame=frame, rotation=rotation)
+    return Channel(name, pose_parts(POSE_FRAME), meaning)
 
 
 def _position(name: str, meaning: str) -> Channel:
-    return Channel(name, 3, "m", meaning, frame=POSE_FRAME)
+    return Channel(name, (VectorPart("all", 3, "position", "m", POSE_FRAME),), meaning)
 
 
+def _length(name: str, meaning: str) -> Channel:
+    return Channel(name, (VectorPart("all", 1, "length", "m"),), meaning)
+
+
+_JOINTS = (VectorPart("all", 7, "joint_position", "rad", "joint"),)
+_GRIPPER = (VectorPart("all", 1, "gripper", "1", gripper_open=1.0, gripper_closed=0.0),)
 ACTION_CHANNELS = (
     Channel(
-        "joint_position",
-        7,
-        "rad",
-        "absolute targets",
-        JOINT_LOW_RAD,
-        JOINT_HIGH_RAD,
-        frame="joint",
+        "joint_position", _JOINTS, "absolute targets", JOINT_LOW_RAD, JOINT_HIGH_RAD
     ),
-    Channel("gripper", 1, "1", "0 closed, 1 open", (0.0,), (1.0,), gripper_open=1.0),
+    Channel("gripper", _GRIPPER, "0 closed, 1 open", (0.0,), (1.0,)),
 )
 # All tasks have these channels. A task parks the things that it does not use more than
 # 2 m away.
 STATE_CHANNELS = (
-    Channel(
-        "joint_position",
-        7,
-        "rad",
-        "measured, in the order of the action",
-        frame="joint",
-    ),
-    Channel("gripper", 1, "1", "measured opening, 0 closed, 1 open", gripper_open=1.0),
+    Channel("joint_position", _JOINTS, "measured, in the order of the action"),
+    Channel("gripper", _GRIPPER, "measured opening, 0 closed, 1 open"),
     _pose("ee_pose", "between the fingertips"),
     _pose("cube_pose", "the centre of the cube that is to be moved"),
     _pose("second_cube_pose", "the centre of the cube that is to be stacked upon"),
@@ -69,9 +61,9 @@ STATE_CHANNELS = (
     _pose("hole_pose", "the hole's axis along z, at the block's underside"),
     _pose("tray_pose", "the middle of the tray's underside"),
     _pose("handle_pose", "the middle of the drawer's handle, which opens along -y"),
-    Channel("drawer_opening", 1, "m", "0 shut, 0.16 as far as it goes"),
+    _length("drawer_opening", "0 shut, 0.16 as far as it goes"),
     _position("button_position", "the middle of the button's cap"),
-    Channel("button_travel", 1, "m", "0 released, 0.012 as far as it goes"),
+    _length("button_travel", "0 released, 0.012 as far as it goes"),
     _position("ball_position", "the centre of the ball that is to be reached"),
     _position("disc_position", "the middle of the disc that is to be pushed onto"),
 )

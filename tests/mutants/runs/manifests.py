@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from copy import deepcopy
 from typing import Any
 
 import msgspec
@@ -12,7 +13,7 @@ from reference_server.runs import (
 )
 from reference_server.runs.benchmarks import Benchmarks
 from reference_sim import benchmark_registry
-from tests.mutants import instead_of, mutant, put
+from tests.mutants import Row, instead_of, mutant, mutants, put
 
 
 @mutant("BEN-001", through=instead_of(Benchmarks, "summaries"))
@@ -77,3 +78,43 @@ async def offers_another_calibration(
     if benchmark_id == "calibration":
         body["max_attempts"] = 4
     return body
+
+
+@mutants(
+    Row(
+        "declares_an_orientation_that_overlaps",
+        ("CONV-001",),
+        "A policy reads the height of a pose as a part of its quaternion.",
+        ("ee_pose", "orientation", {"start": 2}),
+    ),
+    Row(
+        "declares_numbers_without_a_part",
+        ("CONV-001",),
+        "A policy has to guess what the first joint's number is.",
+        ("joint_position", "all", {"start": 1, "size": 6}),
+    ),
+    Row(
+        "declares_a_quaternion_as_angles",
+        ("CONV-002",),
+        "A policy reads the first three numbers of a quaternion as angles.",
+        ("ee_pose", "orientation", {"rotation": "euler_xyz"}),
+    ),
+    Row(
+        "declares_one_end_of_a_gripper",
+        ("CONV-003",),
+        "A policy has to guess by which number the gripper is closed.",
+        ("gripper", "all", {"gripper_closed": 1.0}),
+    ),
+)
+def declares_other_parts(change: tuple[str, str, dict[str, Any]]) -> None:
+    """The state of `tabletop` is declared with one part changed."""
+    right, (vector, part, members) = Benchmarks.view, change
+
+    async def wrong(self: Benchmarks, benchmark_id: str) -> Any:
+        shown = deepcopy(await right(self, benchmark_id))
+        if benchmark_id == "tabletop":
+            space = shown["observation_space"]["state"][vector]
+            space["parts"][part] |= members
+        return shown
+
+    put(Benchmarks, "view", wrong)

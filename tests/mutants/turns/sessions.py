@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -25,7 +25,7 @@ from reference_server.rules.run import Run, Session
 from reference_server.runs.service import RunService
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import ResourceManager, SessionResources
-from tests.mutants import Json, instead_of, mutant, put
+from tests.mutants import Json, Row, instead_of, mutant, mutants, put
 from tests.mutants.server_changes import (
     change_turn,
     instead_of_guard,
@@ -217,22 +217,81 @@ def counts_done_sessions_as_workers(
     return Refuse("worker_limit", "The run has all its workers.")
 
 
-@mutant("ATT-010", "ATT-017")
+@mutant("ATT-010", "ATT-017", "CONV-004", "CONV-005", "CONV-006")
 def ignores_assumed_conventions() -> None:
     """Radians are played as degrees, and scored."""
     replace_guard(lifecycle._conventions_agree, no_guard)
 
 
-@mutant("ATT-010", through=instead_of(action_space, "convention_errors"))
+@mutant("ATT-010", "CONV-005", through=instead_of(action_space, "convention_errors"))
 def ignores_assumed_vectors_that_are_absent(
     right: Any, assumes: Mapping[str, Any], manifest: Mapping[str, Any]
 ) -> Any:
     """A policy that steers a gripper plays on an arm without one."""
     errors = right(assumes, manifest)
-    return [error for error in errors if "no such name" not in error[1]]
+    return [error for error in errors if "no such vector" not in error[1]]
 
 
-@mutant("ATT-011", through=instead_of_guard(lifecycle._conventions_agree))
+@mutants(
+    Row(
+        "ignores_assumed_parts",
+        ("ATT-010", "CONV-005", "CONV-006"),
+        "A policy that sends a quaternion as x, y, z, w steers a hand elsewhere.",
+        lambda assumed: {k: v for k, v in assumed.items() if k != "parts"},
+    ),
+    Row(
+        "believes_the_parts_alone",
+        ("CONV-004", "CONV-005", "CONV-006"),
+        "A wrong unit of the whole vector is played where a part is named, too.",
+        lambda assumed: {"parts": assumed["parts"]} if "parts" in assumed else assumed,
+    ),
+    Row(
+        "ignores_what_is_assumed_of_all_parts",
+        ("ATT-010", "CONV-004", "CONV-005", "CONV-006"),
+        "A client that states the unit of its joints is refused nowhere.",
+        lambda assumed: {k: v for k, v in assumed.items() if k in ("size", "parts")},
+    ),
+)
+def compares_less(change: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> None:
+    """Some members of the assumption of a vector are not compared."""
+    right = action_space._vector_mismatches
+
+    def wrong(at: str, assumption: Mapping[str, Any], vector: Mapping[str, Any]) -> Any:
+        return right(at, change(assumption), vector)
+
+    put(action_space, "_vector_mismatches", wrong)
+
+
+@mutants(
+    Row(
+        "names_the_first_contradiction_alone",
+        ("CONV-005", "CONV-006"),
+        "A user corrects one convention after the other, with a run for each.",
+        lambda errors: errors[:1],
+    ),
+    Row(
+        "does_not_say_what_is_declared",
+        ("CONV-006",),
+        "The refusal says that a unit is wrong, and not which one is right.",
+        lambda errors: [(at, "is contradicted") for at, _ in errors],
+    ),
+)
+def reports_less(change: Callable[[Any], Any]) -> None:
+    """The refusal has less than the contradictions."""
+    right = action_space.convention_errors
+
+    def wrong(assumes: Mapping[str, Any], manifest: Mapping[str, Any]) -> Any:
+        return change(right(assumes, manifest))
+
+    put(action_space, "convention_errors", wrong)
+
+
+@mutant(
+    "ATT-011",
+    "CONV-005",
+    "CONV-006",
+    through=instead_of_guard(lifecycle._conventions_agree),
+)
 def refuses_all_assumed_conventions(
     _right: Any, _run: Run, command: Attach, _now: float
 ) -> Any:

@@ -1,14 +1,18 @@
 """What a benchmark's spaces say of actions and assumptions: breach by breach."""
 
+import json
 import math
 from typing import Any
 
 import pytest
 
 from reference_server.rules import action_space
+from tests.support.paths import SPEC
 from tests.support.server.runs import ACTION, make_run
 
 MANIFEST = make_run().manifest
+VECTORS = json.loads((SPEC / "vectors" / "conventions" / "parts.json").read_text())
+CASES: list[dict[str, Any]] = VECTORS["assumptions"]
 
 
 def pointers(breaches: action_space.SpaceErrors) -> list[str]:
@@ -116,34 +120,29 @@ def test_actions_with_a_clipped_number_are_counted_as_far_as_executed() -> None:
 
 
 def test_can_confirm_conventions() -> None:
-    assumes = {
-        "control_rate_hz": 10,
-        "action": {"arm": {"size": 2, "rotation": "none"}},
-        "state": {"joints": {"unit": "rad"}},
-    }
-    assert action_space.convention_errors(assumes, MANIFEST) == []
     nothing: dict[str, Any] = {"control_rate_hz": None, "action": None, "state": {}}
     assert action_space.convention_errors(nothing, MANIFEST) == []
-    assert action_space.convention_errors({}, MANIFEST) == []
+    parts = {"arm": {"size": 2, "parts": None}}
+    assert action_space.convention_errors({"action": parts}, MANIFEST) == []
 
 
-@pytest.mark.parametrize(
-    ("assumes", "wrong"),
-    [
-        ({"control_rate_hz": 20.0}, ["control_rate_hz"]),
-        ({"action": {"arm": {"size": 3}}}, ["action/arm/size"]),
-        ({"action": {"a/b~c": {}}}, ["action/a~1b~0c"]),
-        ({"action": {"arm": {"gripper_open": 1}}}, ["action/arm/gripper_open"]),
-        ({"state": {"joints": {"unit": "deg"}}}, ["state/joints/unit"]),
-        ({"state": {"arm": {}}}, ["state/arm"]),
-        (
-            {"action": {"leg": {}, "arm": {"size": 9}}},
-            ["action/leg", "action/arm/size"],
-        ),
-    ],
-)
-def test_cannot_assume_other_conventions(
-    assumes: dict[str, Any], wrong: list[str]
-) -> None:
-    found = pointers(action_space.convention_errors(assumes, MANIFEST))
-    assert found == [f"/assumes/{where}" for where in wrong]
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case["description"])
+def test_assumptions_are_compared_part_by_part(case: dict[str, Any]) -> None:
+    errors = action_space.convention_errors(case["assumes"], VECTORS["benchmark"])
+    assert sorted(pointers(errors)) == case["refused"]
+
+
+def test_a_contradiction_says_both_values_and_the_part() -> None:
+    """CONV-006: also where the assumption names no part."""
+    assumes = {
+        "control_rate_hz": 20,
+        "action": {"arm": {"unit": "deg", "parts": {"joints": {"gripper_open": 1}}}},
+        "state": {"joints": {"parts": {"left": {}}}, "legs": {}},
+    }
+    assert [text for _, text in action_space.convention_errors(assumes, MANIFEST)] == [
+        "assumed 20, declared 10.0",
+        'assumed "deg", declared "rad" in the part joints',
+        "assumed 1, declared null in the part joints",
+        "the vector has no such part, but joints",
+        "the benchmark has no such vector, but joints",
+    ]

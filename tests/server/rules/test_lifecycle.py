@@ -207,10 +207,12 @@ def test_a_takeover_needs_no_free_slot() -> None:
 def test_cannot_assume_other_conventions() -> None:
     right = {"control_rate_hz": 10, "action": {"arm": {"size": 2}}}
     assert decide(make_run(), Attach("w", "key", False, right), NOW) == Accept()
-    wrong = {"state": {"joints": {"unit": "deg"}}}
+    wrong = {"state": {"joints": {"parts": {"joints": {"unit": "deg"}}}}}
     refused = expect_refuse(make_run(), Attach("w", "key", False, wrong))
     assert (refused.code, refused.requirement) == ("convention_mismatch", "ATT-010")
-    assert [at for at, _ in refused.errors] == ["/assumes/state/joints/unit"]
+    assert [at for at, _ in refused.errors] == [
+        "/assumes/state/joints/parts/joints/unit"
+    ]
 
 
 POLICY = {"name": "p", "version": "1"}

@@ -108,8 +108,9 @@ def test_sizes_and_modes_offered() -> None:
     assert joints == {"joint_position": 12, "gripper": 4, "base_motion": 3}
     hands = benchmark_registry.resolve("mobile_bimanual_ee").manifest["action_space"]
     assert list(hands) == ["left_ee_pose", "right_ee_pose", "gripper", "base_motion"]
-    assert hands["left_ee_pose"]["rotation"] == "quaternion_wxyz"
-    assert hands["base_motion"]["relative"]
+    orientation = hands["left_ee_pose"]["parts"]["orientation"]
+    assert orientation["rotation"] == "quaternion_wxyz"
+    assert hands["base_motion"]["parts"]["yaw"]["relative_to"] == "commanded"
 
 
 def test_constants_agree_with_the_scene() -> None:

@@ -229,6 +229,11 @@ def test_the_default_return_criterion_requires_last_step() -> None:
             {"state": {"arm": {"unit": "m"}}},
             "state.arm: unknown name; the environment has observation",
         ),
+        (
+            "ValidEnv",
+            {"action": {"action": {"parts": {"a": {"size": 9}}}}},
+            "action.action: its parts have 9 numbers, the vector has ",
+        ),
         ("IsNotFinite", {"camera": {"name": "c"}}, "is not finite"),
         ("RendersNone", {"camera": {"name": "c"}}, "render gave NoneType"),
         (
@@ -254,15 +259,18 @@ def test_an_unavailable_camera_is_a_fault() -> None:
 
 
 def test_declared_conventions_override_the_space() -> None:
-    said = {"unit": "rad", "frame": "joint", "relative": True, "meaning": "A joint."}
+    said = {"unit": "rad", "frame": "joint", "meaning": "A joint."}
     space = look("ValidEnv", action={"action": said})["manifest"]["action_space"][
         "action"
     ]
-    assert {k: space[k] for k in ("unit", "frame", "relative", "description")} == {
+    assert space["description"] == "A joint."
+    (part,) = space["parts"].values()
+    assert part == {
+        "start": 0,
+        "size": space["size"],
         "unit": "rad",
         "frame": "joint",
-        "relative": True,
-        "description": "A joint.",
+        **dict.fromkeys(("quantity", "rotation", "relative_to"), "unspecified"),
     }
 
 

@@ -131,6 +131,19 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "environment = 'X'\n[action.a]\nrotation = 'x'",
             "action.a.rotation: unknown value x; there is none, quat",
         ),
+        ("environment = 'X'\naction.a.relative = true", "action.a: relative: now 'no"),
+        (
+            "environment = 'X'\naction.a.unit = 'm,rad'",
+            "action.a: unit: several units need parts",
+        ),
+        (
+            "environment = 'X'\naction.a = {unit = 'm', parts.b = {size = 1}}",
+            "action.a: unit: say it of each of the parts",
+        ),
+        (
+            "environment = 'X'\naction.a.parts.b.size = 0",
+            "action.a.parts.b.size: Input should be greater",
+        ),
         (
             "environment = 'X'\n[[image_sizes]]\nwidth = 0\nheight = 5",
             "image_sizes[0].w",

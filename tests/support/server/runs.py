@@ -3,6 +3,7 @@
 from typing import Any
 
 from reference_server.rules.run import Episode, Run, Session
+from reference_sim.vector_spaces import VectorPart
 
 NOW = 1000.0
 ACTION: dict[str, list[float]] = {"arm": [0.0, 0.5], "grip": [1.0], "head": [2.0]}
@@ -10,8 +11,10 @@ ACTION: dict[str, list[float]] = {"arm": [0.0, 0.5], "grip": [1.0], "head": [2.0
 
 def make_run(length: int = 3, *, run_type: type[Run] = Run, **changes: Any) -> Run:
     """A run as the rules see it; its episodes hold nothing but their number."""
-    vector = {"size": 2, "out_of_range": "unbounded", "rotation": "none"}
-    bounds = {"size": 1, "minimum": [0.0], "maximum": [1.0]}
+    joints = {"joints": VectorPart("joints", 2, "joint_position", "rad").declare(0)}
+    vector = {"size": 2, "out_of_range": "unbounded", "parts": joints}
+    number = {"all": VectorPart("all", 1, "number", "1").declare(0)}
+    bounds = {"size": 1, "minimum": [0.0], "maximum": [1.0], "parts": number}
     manifest = {
         "benchmark_id": "calibration",
         "control_rate_hz": 10.0,
@@ -24,7 +27,7 @@ def make_run(length: int = 3, *, run_type: type[Run] = Run, **changes: Any) -> R
             "grip": bounds | {"out_of_range": "refuse"},
             "head": bounds | {"out_of_range": "clip"},
         },
-        "observation_space": {"state": {"joints": vector | {"unit": "rad"}}},
+        "observation_space": {"state": {"joints": vector}},
         "episodes": [
             {"task": "score", "split": "even", "seed": i} for i in range(length)
         ],

@@ -61,6 +61,8 @@ INNER_PLACES: dict[str, list[tuple[str | int, ...]]] = {
         ("assumes", "action"),
         ("assumes", "state", "a"),
         ("assumes", "action", "a", "unit"),
+        ("assumes", "action", "a", "parts"),
+        ("assumes", "action", "a", "parts", "b", "unit"),
     ],
     "SubmitRun": [
         ("options", "tasks"),
@@ -387,8 +389,13 @@ ASSUMED = st.dictionaries(
         optional={
             "size": SCALARS | st.integers(1, 9),
             "unit": SCALARS,
-            "relative": SCALARS,
+            "relative_to": SCALARS,
             "gripper_open": SCALARS,
+            "parts": st.dictionaries(
+                st.text(max_size=3),
+                st.fixed_dictionaries({}, optional={"start": SCALARS, "x": SCALARS}),
+                max_size=2,
+            ),
         },
     ),
     max_size=3,
