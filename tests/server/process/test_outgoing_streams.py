@@ -6,6 +6,7 @@ import socket
 import struct
 import threading
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import httpcore
 import pytest
@@ -19,10 +20,18 @@ RESET = struct.pack("ii", 1, 0)
 QUESTIONS = {"ssl_object": None, "client_addr": None, "is_readable": True}
 
 
+@dataclass(frozen=True, slots=True)
+class ResettingServer:
+    """It resets each connection as soon as it is open, once it may."""
+
+    port: int
+    may_reset: threading.Event
+
+
 @pytest.fixture
-def resetting_port() -> Iterator[int]:
-    """The port of a server that resets each connection as soon as it is open."""
+def server() -> Iterator[ResettingServer]:
     listener = socket.create_server(("127.0.0.1", 0))
+    made = ResettingServer(listener.getsockname()[1], threading.Event())
 
     def reset_all() -> None:
         while True:
@@ -30,20 +39,23 @@ def resetting_port() -> Iterator[int]:
                 connection, _ = listener.accept()
             except OSError:
                 return
+            made.may_reset.wait()
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
             connection.close()
 
     thread = threading.Thread(target=reset_all)
     thread.start()
-    yield listener.getsockname()[1]
+    yield made
+    made.may_reset.set()
     listener.shutdown(socket.SHUT_RDWR)
     listener.close()
     thread.join()
 
 
-def test_a_lost_connection_answers_what_httpcore_asks(resetting_port: int) -> None:
+def test_a_lost_connection_answers_what_httpcore_asks(server: ResettingServer) -> None:
     async def ask() -> dict[str, object]:
-        stream = await OutgoingBackend().connect_tcp("127.0.0.1", resetting_port)
+        stream = await OutgoingBackend().connect_tcp("127.0.0.1", server.port)
+        server.may_reset.set()
         # The reset arrives: nothing else ends the read.
         with pytest.raises(httpcore.ReadError):
             await stream.read(1, timeout=10)
@@ -53,12 +65,14 @@ def test_a_lost_connection_answers_what_httpcore_asks(resetting_port: int) -> No
     assert uvloop.run(ask()) == QUESTIONS
 
 
-def test_a_reset_is_an_error_of_the_network(resetting_port: int) -> None:
+def test_a_reset_is_an_error_of_the_network(server: ResettingServer) -> None:
+    server.may_reset.set()
+
     async def ask() -> None:
         backend = OutgoingBackend()
         async with httpcore.AsyncConnectionPool(network_backend=backend) as pool:
             for _ in range(200):
                 with pytest.raises(httpcore.NetworkError):
-                    await pool.request("GET", f"http://127.0.0.1:{resetting_port}/")
+                    await pool.request("GET", f"http://127.0.0.1:{server.port}/")
 
     uvloop.run(ask())
