@@ -169,8 +169,7 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
 
     Expect refusals of what there is not, and two workers with two sessions.
     """
-    several = {"max_workers": 2} if context.offers("sessions") else {}
-    run = context.submit("count", "count", **several)
+    run = context.submit("count", "count", max_workers=context.worker_count(2))
     for operation_id, name, value in (
         ("get_run", "run_id", run.id),
         ("get_benchmark", "benchmark_id", "calibration"),
@@ -181,7 +180,7 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
             expect.true(is_unknown, f"a refusal of another {name}", answer.status)
         expect.ok(context.call(operation_id, **{name: value}))
     lower, upper = run.worker("worker-a"), run.worker("WORKER-A")
-    for worker in (lower, upper) if several else (lower,):
+    for worker in (lower, upper)[: context.worker_count(2)]:
         worker.session_id = expect.ok(worker.try_attach())["session_id"]
     expect.true(lower.session_id != upper.session_id, "two sessions")
     swapped = lower.session_id.swapcase()
