@@ -2,6 +2,7 @@
 
 import json
 import uuid
+from typing import Any
 
 import msgspec
 
@@ -174,11 +175,13 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
         ("get_run", "run_id", run.id),
         ("get_benchmark", "benchmark_id", "calibration"),
     ):
+        right: dict[str, Any] = {name: value}
         if value.swapcase() != value:
-            answer = context.call(operation_id, **{name: value.swapcase()})
+            wrong: dict[str, Any] = {name: value.swapcase()}
+            answer = context.call(operation_id, **wrong)
             is_unknown = answer.code in ("not_found", "invalid_request")
             expect.true(is_unknown, f"a refusal of another {name}", answer.status)
-        expect.ok(context.call(operation_id, **{name: value}))
+        expect.ok(context.call(operation_id, **right))
     lower, upper = run.worker("worker-a"), run.worker("WORKER-A")
     for worker in (lower, upper)[: context.worker_count(2)]:
         worker.session_id = expect.ok(worker.try_attach())["session_id"]
