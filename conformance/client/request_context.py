@@ -240,7 +240,7 @@ class RequestContext:
     def _require_offered(self, operation: Operation, body: Any) -> None:
         """Send nothing of a profile that the server does not announce.
 
-        What a check of another profile would have shown with it is not verified.
+        A check that needs it leaves its rule not verified.
         """
         used = [(operation.operation_id, operation.profile)]
         if isinstance(body, dict):

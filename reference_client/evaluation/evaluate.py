@@ -257,7 +257,7 @@ def _play(
                 say(f"Clipped: {board.clips.describe()}.")
             abandoned = score.counts.abandoned
             if tracking.is_used:
-                rows = control_client.episodes(run.run_id)
+                rows = control_client.episodes_if_listed(run.run_id)
                 record = partial(fetch_record, connection, retry_policy, run.run_id)
                 tracking.finish(score, rows, partial(draw_videos, record, rows))
             return score

@@ -85,7 +85,8 @@ class Session:
         """Waits while the run is at its worker limit, or an earlier session lives."""
         request = AttachWorker(
             attach_key=uuid.uuid4().hex,
-            takeover=takeover,
+            # The field is unknown to a server without the profile `sessions`.
+            takeover=takeover or None,
             assumes=assumes,
             player=slot.player,
         )

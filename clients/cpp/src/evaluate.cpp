@@ -112,7 +112,7 @@ public:
 private:
     std::unique_ptr<Session> attach() {
         AttachWorker request;
-        request.takeover = m_takeover;
+        if (m_takeover) request.takeover = true; // unknown to a server without `sessions`
         request.assumes = m_shared.options.assumes;
         // Once only: two programs that both take over would supersede each other forever.
         m_takeover = false;

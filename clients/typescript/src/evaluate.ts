@@ -180,7 +180,7 @@ class WorkerLoop {
   }
 
   private async attach(): Promise<Session> {
-    const { takeover } = this;
+    const takeover = this.takeover || undefined; // unknown to a server without `sessions`
     // Once only: two programs that both take over would supersede each other forever.
     this.takeover = false;
     return Session.attach(this.server, this.run, this.workerId, { takeover, assumes: this.options.assumes });

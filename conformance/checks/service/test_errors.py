@@ -170,21 +170,20 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
 
     Expect refusals of what there is not, and two workers with two sessions.
     """
-    most = context.worker_count(2)
-    run = context.submit("count", "count", max_workers=most)
+    run = context.submit("count", "count", max_workers=context.worker_count(2))
     for operation_id, name, value in (
         ("get_run", "run_id", run.id),
         ("get_benchmark", "benchmark_id", "calibration"),
     ):
-        given: dict[str, Any] = {name: value}
+        right: dict[str, Any] = {name: value}
         if value.swapcase() != value:
-            other = given | {name: value.swapcase()}
-            answer = context.call(operation_id, **other)
+            wrong: dict[str, Any] = {name: value.swapcase()}
+            answer = context.call(operation_id, **wrong)
             is_unknown = answer.code in ("not_found", "invalid_request")
             expect.true(is_unknown, f"a refusal of another {name}", answer.status)
-        expect.ok(context.call(operation_id, **given))
+        expect.ok(context.call(operation_id, **right))
     lower, upper = run.worker("worker-a"), run.worker("WORKER-A")
-    for worker in (lower, upper)[:most]:
+    for worker in (lower, upper)[: context.worker_count(2)]:
         worker.session_id = expect.ok(worker.try_attach())["session_id"]
     expect.true(lower.session_id != upper.session_id, "two sessions")
     swapped = lower.session_id.swapcase()

@@ -89,7 +89,7 @@ def status(args: Options, printer: Printer) -> int:
         )
         is_scored = run.progress.episodes_scored > 0
         score = control_client.score(run_id) if is_scored else None
-        episodes = control_client.episodes(run_id) if is_scored else []
+        episodes = control_client.episodes_if_listed(run_id) if is_scored else []
     value = _with_score(run, score) | {"players": players_of(episodes)}
     printer.answer(value, answer_tables.run_facts(run, score, episodes))
     state = run.state.value

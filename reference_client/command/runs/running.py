@@ -307,7 +307,7 @@ class _EvaluationCommand:
             args = self._args
             with connect(args.url, args.token, args, self._printer) as connected:
                 control_client = ControlClient(connected[0].control, connected[1])
-                self._episodes = control_client.episodes(score.run_id)
+                self._episodes = control_client.episodes_if_listed(score.run_id)
                 self._page = page_of_run(*connected, score.run_id)
                 if self._args.save is not None:
                     self._save(control_client, score)

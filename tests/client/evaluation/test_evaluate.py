@@ -7,6 +7,7 @@ the attempts of the episodes.
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 import time
 from collections import deque
@@ -15,6 +16,7 @@ from pathlib import Path
 import pytest
 
 from reference_client import Observation, ProctorError, evaluate
+from tests.support.client.command import ProctorCommand
 from tests.support.client.direct_client import ACCEPT_ANY, DirectClient
 from tests.support.client.evaluations import (
     ProgressRecorder,
@@ -62,6 +64,28 @@ def test_several_workers_play_every_episode_once(
     assert (scored[0], scored[-1]) == (0, 12)
     assert recorder.received[0].mean is None
     assert recorder.received[-1].mean == score.mean
+
+
+class CoreServer(ReferenceServer):
+    command = (sys.executable, "-m", "tests.support.kit.server_of_profiles")
+
+
+def test_a_server_of_core_alone_is_enough(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It refuses every field and operation of other profiles."""
+    with CoreServer(tmp_path, ONLY_PROFILES="core") as server:
+        score = evaluate(
+            GradedPolicy,
+            url=server.url,
+            token=TOKENS["alice"],
+            benchmark="calibration",
+            options={"tasks": ["score", "count", "score"]},
+        )
+        assert (score.counts.total, score.counts.unscored) == (3, 0)
+        proctor = ProctorCommand(server.url, capsys)
+        assert proctor("status", score.run_id, "--token", TOKENS["alice"]) == 0
+        assert "completed" in proctor.out
 
 
 def test_the_readme_policy_solves_every_task(server: ReferenceServer) -> None:

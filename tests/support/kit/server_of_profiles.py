@@ -1,7 +1,8 @@
 """The reference server without the profiles that ONLY_PROFILES does not name.
 
 `ONLY_PROFILES=core,lists python -m tests.support.kit.server_of_profiles`. Operations,
-fields, values and headers of other profiles are unknown to it, as levels.md has it.
+fields, values and headers of other profiles are unknown to it, as levels.md has it. Its
+description of `calibration` is that of the whole benchmark.
 """
 
 import dataclasses
@@ -15,7 +16,7 @@ from typing import Any
 from starlette.responses import Response
 
 from conformance.specification.document import load_spec
-from conformance.specification.profile_fields import profile_of_task, profiles_used
+from conformance.specification.profile_fields import profiles_used
 from reference_server.__main__ import main
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
@@ -53,27 +54,11 @@ def require_known(name: str, body: Any) -> None:
             raise Refused("invalid_request", "Unknown.", errors=errors)
 
 
-def changed_body(response: Response, change: Callable[[Any], None]) -> Response:
-    body = json.loads(bytes(response.body))
-    change(body)
+def announced(response: Response) -> Response:
+    """Give the description of a service of these profiles."""
+    service = json.loads(bytes(response.body)) | {"profiles": sorted(ANNOUNCED)}
     headers = {k: v for k, v in response.headers.items() if k != "content-length"}
-    return Response(json.dumps(body), response.status_code, headers)
-
-
-def without_echo(benchmark: dict[str, Any]) -> None:
-    if benchmark["benchmark_id"] == "calibration":
-        offered = [t for t in benchmark["tasks"] if profile_of_task(t) in ANNOUNCED]
-        benchmark["tasks"] = offered
-        if "observations" not in ANNOUNCED:
-            benchmark["observation_space"] |= {"images": {}, "tensors": {}}
-            benchmark |= {"image_sizes": [], "image_codecs": []}
-
-
-def announce(service: dict[str, Any]) -> None:
-    service["profiles"] = sorted(ANNOUNCED)
-
-
-CHANGES = {"describe_service": announce, "get_benchmark": without_echo}
+    return Response(json.dumps(service), response.status_code, headers)
 
 
 def stripped(name: str, handler: Handler) -> Handler:
@@ -84,8 +69,7 @@ def stripped(name: str, handler: Handler) -> Handler:
         response = await handler(call)
         if "waiting" not in ANNOUNCED and "etag" in response.headers:
             del response.headers["etag"]
-        change = CHANGES.get(name)
-        return changed_body(response, change) if change else response
+        return announced(response) if name == "describe_service" else response
 
     return handle
 
