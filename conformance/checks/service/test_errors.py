@@ -2,6 +2,7 @@
 
 import json
 import uuid
+from typing import Any
 
 import msgspec
 
@@ -169,17 +170,19 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
 
     Expect refusals of what there is not, and two workers with two sessions.
     """
-    several = {"max_workers": 2} if context.offers("sessions") else {}
+    several: dict[str, Any] = {"max_workers": 2} if context.offers("sessions") else {}
     run = context.submit("count", "count", **several)
-    for operation_id, name, value in (
-        ("get_run", "run_id", run.id),
-        ("get_benchmark", "benchmark_id", "calibration"),
-    ):
-        if value.swapcase() != value:
-            answer = context.call(operation_id, **{name: value.swapcase()})
+    named: list[tuple[str, dict[str, Any]]] = [
+        ("get_run", {"run_id": run.id}),
+        ("get_benchmark", {"benchmark_id": "calibration"}),
+    ]
+    for operation_id, right in named:
+        other: dict[str, Any] = {name: right[name].swapcase() for name in right}
+        if other != right:
+            answer = context.call(operation_id, **other)
             is_unknown = answer.code in ("not_found", "invalid_request")
-            expect.true(is_unknown, f"a refusal of another {name}", answer.status)
-        expect.ok(context.call(operation_id, **{name: value}))
+            expect.true(is_unknown, f"a refusal of {other}", answer.status)
+        expect.ok(context.call(operation_id, **right))
     lower, upper = run.worker("worker-a"), run.worker("WORKER-A")
     for worker in (lower, upper) if several else (lower,):
         worker.session_id = expect.ok(worker.try_attach())["session_id"]
