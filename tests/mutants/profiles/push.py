@@ -202,7 +202,8 @@ async def does_not_read_what_a_policy_assumes(
     right: Any, self: ProctorPolicy
 ) -> Description:
     """A policy that thinks in other units is scored as a bad one."""
-    return replace(await right(self), assumes=None)
+    described: Description = await right(self)
+    return replace(described, assumes=None)
 
 
 @mutant("PUSH-013")
