@@ -191,6 +191,16 @@ def tags_are_described(document: Json) -> Iterator[str]:
     yield from known ^ {tag for tags in used.values() for tag in tags}
 
 
+def profiles_are_said(document: Json) -> Iterator[str]:
+    """Viewers do not show `x-profile`: an operation says it, or its tag does."""
+    of_tags = {tag["name"]: tag["description"] for tag in document["tags"]}
+    for _, _, operation in operations(document):
+        texts = [operation["description"], *map(of_tags.get, operation["tags"])]
+        profile = operation.get("x-profile", "core")
+        if profile != "core" and f"`{profile}`" not in "".join(filter(None, texts)):
+            yield operation["operationId"]
+
+
 def operation_ids_are_snake_case(document: Json) -> Iterator[str]:
     for path, method, operation in operations(document):
         name = operation.get("operationId", "")
@@ -247,6 +257,7 @@ BREACHES = yaml.safe_load("""
 - [descriptions_are_short_and_link, tags 0 description, No link.]
 - [tags_are_described, paths /v1/runs get tags, [Nowhere]]
 - [tags_are_described, tags 0 name, Spare]
+- [profiles_are_said, paths /v1/runs get x-profile, other]
 - [operation_ids_are_snake_case, paths /v1/runs post operationId, submitRun]
 - [operation_ids_are_unique, paths /v1/runs post operationId, list_runs]
 - [no_value_is_lost_to_a_comma, components schemas Blob lost, null]
