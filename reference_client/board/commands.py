@@ -22,7 +22,7 @@ from reference_client.board.board_client import BoardClient
 from reference_client.board.history_check import RewrittenHistory
 from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
-from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.output.text_tables import Prose, TextTable, fact_table
 from reference_client.command.records.record_commands import usable
 from reference_client.command.runs import control
 from reference_client.command.server_connection import connect, explaining_state
@@ -37,7 +37,7 @@ from reference_record.pages.spreadsheet_cells import as_cell
 
 REWRITTEN = 1
 VERIFY = "verify"
-NAME_CHARS, LETTERS_SHOWN = 28, 4  # so that a row fits in 80 columns
+LETTERS_SHOWN = 4  # so that a row fits in 80 columns
 MANIFESTS_SHOWN = 5
 TRIES = 3  # entries may be published while they are compared
 CSV_COLUMNS = (
@@ -168,6 +168,7 @@ def ranking_tables(ranking: Ranking) -> list[TextTable | str]:
     table = TextTable(
         ("model", ">rank", "letters", ">score", ">success", ">runs", "level", "by"),
         dispensable=("level", "by", "runs"),
+        breaks_first=True,
     )
     for row in ranking.rows:
         table.add(*_cells(row))
@@ -178,10 +179,10 @@ def ranking_tables(ranking: Ranking) -> list[TextTable | str]:
 
 def _cells(row: RankedEntry) -> tuple[str, ...]:
     entry, score = row.entry, row.entry.score
-    interval, name = score.success_interval, entry.model_name
+    interval = score.success_interval
     more = " …" if len(row.letters) > LETTERS_SHOWN else ""
     return (
-        name if len(name) <= NAME_CHARS else f"{name[: NAME_CHARS - 1]}…",
+        entry.model_name,
         _rank(row),
         " ".join(row.letters[:LETTERS_SHOWN]) + more,
         f"{score.score:.3f}",
@@ -199,7 +200,7 @@ def _rank(row: RankedEntry) -> str:
     return str(low) if low == high else f"{low}–{high}"
 
 
-def _notes(ranking: Ranking) -> str:
+def _notes(ranking: Ranking) -> Prose:
     of = f"{ranking.benchmark_id}, manifest {ranking.manifest_sha256[:12]}"
     episodes = ranking.episodes_total
     noun = "entry" if ranking.ranked == 1 else "entries"
@@ -207,7 +208,7 @@ def _notes(ranking: Ranking) -> str:
     if ranking.ranked > 1:
         lines.append(
             "A rank is an interval: entries with a letter in common cannot be "
-            "distinguished\n"
+            "distinguished "
             f"(exact McNemar with Holm's correction, pairs: {ranking.comparisons}, "
             f"alpha {ranking.alpha:g})."
         )
@@ -218,13 +219,13 @@ def _notes(ranking: Ranking) -> str:
         lines.append(
             f"Entries that differ on fewer than {ranking.differing_min} episodes are "
             "never distinguished"
-            + (f";\n{enough} that all favour one are enough." if enough else ".")
+            + (f"; {enough} that all favour one are enough." if enough else ".")
         )
     flags = [row.entry for row in ranking.rows if row.entry.flag]
     lines += [
         f"{entry.model_name}: {entry.flag.reason}" for entry in flags if entry.flag
     ]
-    return "\n".join(lines)
+    return Prose("\n".join(lines))
 
 
 def csv_of(ranking: Ranking) -> str:

@@ -6,6 +6,8 @@ worse. Only what is worse is a reason against a release.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from proctor_client import ComparedRun, Comparison
@@ -15,23 +17,41 @@ from reference_record.comparison.difference_evidence import Evidence
 ROUNDING: Final = 1e-9  # CMP-008 has the same: no rounding decides
 
 
+@dataclass(frozen=True, slots=True)
+class _Group:
+    """Episodes that are compared together. task: None for all of them."""
+
+    task: str | None
+    difference: float
+    is_shown: bool = False
+
+
 def may_release(comparison: Comparison, run: ComparedRun) -> bool:
     """Whether all episodes are paired and nothing is worse beyond the tolerance.
 
     The protocol's `release` is false, too, where a run is better beyond the tolerance:
     it is the gate for a policy that has to stay the same on another chip.
     """
-    return run.complete and not _beyond(comparison, run)[0]
-
-
-def _beyond(comparison: Comparison, run: ComparedRun) -> tuple[list[str], list[str]]:
-    """The groups that are worse and those that are better beyond the tolerance."""
     limit = comparison.tolerance + ROUNDING
-    differences = {name: group.difference for name, group in run.by_task.items()}
-    groups = [("overall", run.difference or 0.0)]
-    groups += [(name, number or 0.0) for name, number in differences.items()]
-    worse = [name for name, difference in groups if difference > limit]
-    return worse, [name for name, difference in groups if difference < -limit]
+    return run.complete and all(one.difference <= limit for one in _groups(run))
+
+
+def _groups(run: ComparedRun, evidence: Evidence | None = None) -> list[_Group]:
+    """All episodes, then those of each task, with the evidence of a difference."""
+    whole = evidence is not None and evidence.overall.is_shown
+    groups = [_Group(None, run.difference or 0.0, whole)]
+    for task, group in run.by_task.items():
+        found = evidence.by_task.get(task) if evidence is not None else None
+        is_shown = found is not None and found.is_shown
+        groups.append(_Group(task, group.difference or 0.0, is_shown))
+    return groups
+
+
+def _names(groups: Sequence[_Group]) -> str:
+    """Where something differs: `overall and in push`; a task may have any name."""
+    tasks = ", ".join(one.task for one in groups if one.task is not None)
+    overall = ["overall"] if any(one.task is None for one in groups) else []
+    return " and ".join([*overall, *([f"in {tasks}"] if tasks else [])])
 
 
 def explain_release(
@@ -41,18 +61,19 @@ def explain_release(
     tolerance = f"{comparison.tolerance:g}"
     if not run.complete:
         return "no: not every episode is scored in both"
-    worse, better = _beyond(comparison, run)
+    groups, limit = _groups(run, evidence), comparison.tolerance + ROUNDING
+    worse = [one for one in groups if one.difference > limit]
+    better = [one for one in groups if one.difference < -limit]
     if not worse and not better:
         return f"yes: no difference exceeds {tolerance}"
     if not worse:
         return (
             f"yes: nothing is worse by more than {tolerance}; "
-            f"better by more: {', '.join(better)}"
+            f"better by more {_names(better)}"
         )
-    by_group = {"overall": evidence.overall} | evidence.by_task
-    if shown := [name for name in worse if by_group[name].is_shown]:
-        return f"no: worse by more than {tolerance} in {', '.join(shown)}"
+    if shown := [one for one in worse if one.is_shown]:
+        return f"no: worse by more than {tolerance} {_names(shown)}"
     return (
-        f"not decided: worse by more than {tolerance} in {', '.join(worse)}, "
+        f"not decided: worse by more than {tolerance} {_names(worse)}, "
         "but chance explains it; more episodes decide"
     )

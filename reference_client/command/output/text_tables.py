@@ -1,7 +1,8 @@
 """Tables of the command, as text, Markdown or LaTeX.
 
 On a terminal, a table drops the columns that its maker names as dispensable until it
-fits. Elsewhere, a line is never wrapped: programs read it.
+fits, and says which. One that would still have columns of a few letters is written as
+names and values, row by row. Elsewhere, a line is never wrapped: programs read it.
 """
 
 from __future__ import annotations
@@ -13,12 +14,17 @@ from dataclasses import dataclass, field
 from typing import Any, TextIO
 
 from pydantic_core import to_jsonable_python
-from rich.console import Console
+from rich.cells import cell_len
+from rich.console import Console, RenderableType
+from rich.padding import Padding
 from rich.table import Table
+from rich.text import Text
 
 from reference_client.printable_text import printable
 
 _UNBOUNDED = 100_000
+# A column of texts that is narrower than this is hard to read.
+_READABLE = 20
 _LATEX_SPECIAL = {
     "\\": r"\textbackslash{}",
     **{char: f"\\{char}" for char in "&%$#_{}"},
@@ -33,12 +39,14 @@ class TextTable:
     """Rows of texts under column names; a name that begins with > is right-aligned.
 
     dispensable: names of the columns that a narrow terminal drops, in this order.
-    has_header: without it, the rows are names and values.
+    has_header: without it, the rows are names and values. breaks_first: whether the
+    first column may be broken, which is otherwise an id, to be copied.
     """
 
     columns: Sequence[str]
     dispensable: Sequence[str] = ()
     has_header: bool = True
+    breaks_first: bool = False
     rows: list[tuple[str, ...]] = field(default_factory=list)
 
     def add(self, *cells: str) -> None:
@@ -55,8 +63,15 @@ class TextTable:
             [self.columns[i] for i in kept],
             [column for column in self.dispensable if column != name],
             self.has_header,
+            self.breaks_first,
             [tuple(row[i] for i in kept) for row in self.rows],
         )
+
+
+class Prose(str):
+    """Sentences, which a narrow terminal breaks between words."""
+
+    __slots__ = ()
 
 
 def fact_table(rows: Mapping[str, object]) -> TextTable:
@@ -91,7 +106,9 @@ class TablePrinter:
         for number, part in enumerate(parts):
             if number:
                 self.stream.write("\n")
-            if isinstance(part, str):
+            if isinstance(part, Prose):
+                self._write(Text(printable(part)))
+            elif isinstance(part, str):
                 self.stream.write(f"{printable(part)}\n")
             elif self._style == "text":
                 self._print_text(part)
@@ -101,12 +118,42 @@ class TablePrinter:
         self.stream.flush()
 
     def _print_text(self, table: TextTable) -> None:
-        width = self._console.width
         shown = table
-        while shown.dispensable and _width(self._console, shown) > width:
+        while shown.dispensable and self._excess(shown) > 0:
             shown = shown.without(shown.dispensable[0])
+        if not shown.has_header and self._breaks_a_word(shown):
+            for name, value in shown.rows:
+                self.stream.write(f"{name}\n")
+                self._write(Padding(Text(value, overflow="fold"), (0, 0, 0, 2)))
+            return
+        if shown.has_header and 0 < self._excess(shown) > _spare(shown):
+            for number, row in enumerate(table.rows):
+                self.stream.write("\n" * (number > 0) + f"{row[0]}\n")
+                facts = {
+                    f"  {name}": cell
+                    for name, cell in zip(table.names, row, strict=True)
+                }
+                del facts[f"  {table.names[0]}"]
+                self._write(_rich(fact_table(facts)))
+            return
+        self._write(_rich(shown))
+        if left_out := [name for name in table.names if name not in shown.names]:
+            self._write(f"not shown at this width: {', '.join(left_out)}")
+
+    def _excess(self, table: TextTable) -> int:
+        """How much wider a table is than the terminal; negative if it fits."""
+        return _width(self._console, table) - self._console.width
+
+    def _breaks_a_word(self, facts: TextTable) -> bool:
+        """Whether a value, such as an id, would be whole below its name alone."""
+        below = self._console.width - 2
+        beside = below - max(cell_len(name) for name, _ in facts.rows)
+        words = (word for _, value in facts.rows for word in value.split())
+        return any(beside < cell_len(word) <= below for word in words)
+
+    def _write(self, shown: RenderableType) -> None:
         with self._console.capture() as capture:
-            self._console.print(_rich(shown))
+            self._console.print(shown)
         lines = (line.rstrip() for line in capture.get().splitlines())
         self.stream.write("\n".join(lines) + "\n")
 
@@ -140,13 +187,20 @@ def _rich(table: TextTable) -> Table:
     for number, name in enumerate(table.columns):
         made.add_column(
             name.lstrip(">"),
-            no_wrap=number == 0,  # an id or a name, to be copied
+            no_wrap=number == 0 and not table.breaks_first,
             justify="right" if name.startswith(">") else "left",
             overflow="fold",
         )
     for row in table.rows:
         made.add_row(*row)
     return made
+
+
+def _spare(table: TextTable) -> int:
+    """How much narrower the widest text that may be broken can become."""
+    rows = [row[not table.breaks_first :] for row in (table.names, *table.rows)]
+    widest = max((cell_len(cell) for row in rows for cell in row), default=0)
+    return widest - _READABLE
 
 
 def _width(console: Console, table: TextTable) -> int:

@@ -69,8 +69,9 @@ def test_people_and_scripts_read_a_ranking(
     lines = proctor.out.splitlines()
     assert max(map(len, lines)) <= 80
     assert [line.split()[1] for line in lines[1:3]] == ["1–2", "1–2"]
-    assert lines[3].startswith("a name that is much too lon…")
+    assert lines[3].startswith("a name that is much too long for a")
     assert " 3  b " in lines[3]
+    assert lines[4] == "column"
     found = proctor.json("board", "calibration", *manifest)
     assert [row["rank"]["high"] for row in found["rows"]] == [2, 2, 3]
     assert proctor("board", "calibration", *manifest, "--csv") == 0

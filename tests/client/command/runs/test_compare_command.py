@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
+from reference_client.command.output.release import explain_release, may_release
+from reference_record.comparison.difference_evidence import Evidence, GroupEvidence
 from tests.support.client.command import ProctorCommand, options
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -51,10 +55,15 @@ def test_the_tolerance_decides_the_exit_code(proctor: ProctorCommand) -> None:
 @pytest.mark.parametrize(
     ("baseline", "played", "code", "reason"),
     [
-        ("0 1 1", "1 1 1", 0, "better by more: overall, score"),
+        ("0 1 1", "1 1 1", 0, "better by more overall and in score"),
         ("0 1 1", "1 1 0", 1, "not decided: worse by more than 0.05 in count"),
         ("0.5 1 1", "0.54 1 1", 0, "yes: no difference exceeds 0.05"),
-        ("1 1 1", "1 0 1", 1, "not decided: worse by more than 0.05 in overall, score"),
+        (
+            "1 1 1",
+            "1 0 1",
+            1,
+            "not decided: worse by more than 0.05 overall and in score",
+        ),
     ],
 )
 def test_only_what_is_worse_is_a_reason_against_a_release(
@@ -63,6 +72,21 @@ def test_only_what_is_worse_is_a_reason_against_a_release(
     """The protocol's own `release` asks for equality in both directions."""
     assert proctor("compare", run(proctor, baseline), run(proctor, played)) == code
     assert reason in " ".join(proctor.out.split())
+
+
+def test_a_task_may_be_called_overall() -> None:
+    """It is worse and shown to be, while the whole is better. Expect its name alone."""
+    task = SimpleNamespace(difference=0.5)
+    run: Any = SimpleNamespace(
+        complete=True, difference=-0.1, by_task={"overall": task}
+    )
+    comparison: Any = SimpleNamespace(tolerance=0.05)
+    nothing, worse = GroupEvidence(9, 0, 1.0), GroupEvidence(0, 9, 0.001)
+    evidence = Evidence(nothing, {"overall": worse})
+    assert not may_release(comparison, run)
+    said = explain_release(comparison, run, evidence)
+    assert said == "no: worse by more than 0.05 in overall"
+    assert explain_release(comparison, run, Evidence(worse, {})).startswith("not dec")
 
 
 def test_a_script_reads_the_specification_s_words(proctor: ProctorCommand) -> None:
@@ -88,7 +112,7 @@ def test_people_read_a_table(
     better = "difference -0.3333: baseline 1.0000, run 0.6667 (plus is better)"
     assert better in lines
     said = " ".join(lines)
-    assert "release not decided: worse by more than 0.05 in overall, score" in said
+    assert "release not decided: worse by more than 0.05 overall and in score" in said
     assert "chance explains it; more episodes decide" in said
     assert "scores 0 episodes better, 1 worse" in lines
     assert "successes 0 of the run alone, 1 of the baseline alone; p " in said
@@ -109,9 +133,9 @@ def test_chance_is_no_reason_against_a_release(proctor: ProctorCommand) -> None:
         ids.append(proctor.json(*made)["run_id"])
     base, once, often = ids
     assert proctor("compare", base, once) == 1
-    assert "not decided: worse by more than 0.05 in overall, count" in proctor.out
+    assert "not decided: worse by more than 0.05 overall and in count" in proctor.out
     assert proctor("compare", base, often) == 1
-    assert "no: worse by more than 0.05 in overall, score" in proctor.out
+    assert "no: worse by more than 0.05 overall and in score" in proctor.out
     assert "score, count" not in proctor.out
     found = proctor.json("compare", base, often)["evidence"][often]
     by_task = found["by_task"]

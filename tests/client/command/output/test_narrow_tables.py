@@ -1,0 +1,101 @@
+"""Tables in terminals of all widths: whatever is not shown is named, nothing is cut."""
+
+from __future__ import annotations
+
+import io
+from collections import Counter
+
+import pytest
+
+from reference_client.command.output.text_tables import (
+    Prose,
+    TablePrinter,
+    TextTable,
+    fact_table,
+)
+
+RUN_ID = "run_f70ade35e2bfd890a5ddcf79"
+MANIFEST = "7074439e7027e21aa4c7b9f42c132de7e3b317fda4ee01f7e9e70bca44670ffa"
+TITLE = "Mobile bimanual, commanded by end-effector poses"
+MODEL = "a model with a name that is rather long"
+
+
+def benchmarks() -> TextTable:
+    table = TextTable(("benchmark", "version", ">episodes", "title"))
+    table.add("mobile_bimanual_table_top_manip", "1", "60", TITLE)
+    table.add("tabletop", "2", "64", "Tabletop")
+    return table
+
+
+def ranking() -> TextTable:
+    table = TextTable(
+        ("model", ">rank", "level"), dispensable=("level",), breaks_first=True
+    )
+    table.add(MODEL, "1–2", "signed by a host")
+    return table
+
+
+def facts() -> TextTable:
+    return fact_table({"baseline played by": "P", "run": RUN_ID, "manifest": MANIFEST})
+
+
+SENTENCE = Prose("A rank is an interval: entries with a letter in common are equal.")
+
+
+def lines_of(
+    part: TextTable | str, columns: str, monkeypatch: pytest.MonkeyPatch
+) -> list[str]:
+    monkeypatch.setenv("COLUMNS", columns)
+    if not columns:
+        monkeypatch.delenv("COLUMNS")  # as in a pipe
+    stream = io.StringIO()
+    TablePrinter(stream).print([part])
+    return stream.getvalue().splitlines()
+
+
+@pytest.mark.parametrize("columns", ["20", "40", "60", "80", "200", ""])
+@pytest.mark.parametrize("part", [benchmarks(), ranking(), facts(), SENTENCE])
+def test_every_word_is_there_and_every_line_fits(
+    part: TextTable | str, columns: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lines = lines_of(part, columns, monkeypatch)
+    written = Counter("".join(lines))
+    cells, longest = [str(part)], 0
+    if isinstance(part, TextTable):
+        is_whole = not lines[-1].startswith("not shown")
+        shown = part if is_whole else part.without(*part.dispensable)
+        cells = [word for row in shown.rows for cell in row for word in cell.split()]
+        longest = len(part.rows[0][0])  # an id is not broken
+    assert not Counter("".join(cells).replace(" ", "")) - written
+    if columns:
+        assert max(map(len, lines)) <= max(int(columns), longest)
+
+
+def test_a_column_of_a_few_letters_is_not_shown(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    assert lines_of(benchmarks(), "40", monkeypatch)[:5] == [
+        "mobile_bimanual_table_top_manip",
+        "  version   1",
+        "  episodes  60",
+        "  title     Mobile bimanual, commanded",
+        "            by end-effector poses",
+    ]
+    assert len(lines_of(benchmarks(), "80", monkeypatch)) == 4
+    assert len(lines_of(benchmarks(), "", monkeypatch)) == 3
+
+
+def test_an_id_is_not_broken_where_it_fits(monkeypatch: pytest.MonkeyPatch) -> None:
+    narrow = lines_of(facts(), "40", monkeypatch)
+    assert narrow[2:4] == ["run", f"  {RUN_ID}"]
+    assert any(RUN_ID in line for line in lines_of(facts(), "60", monkeypatch))
+
+
+def test_columns_that_are_left_out_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert lines_of(ranking(), "50", monkeypatch)[2:] == [
+        "not shown at this width: level"
+    ]
+    assert lines_of(ranking(), "40", monkeypatch)[1:3] == [
+        "a model with a name that is rather   1–2",
+        "long",
+    ]
