@@ -54,5 +54,5 @@ def explain_release(
         return f"no: worse by more than {tolerance} in {', '.join(shown)}"
     return (
         f"not decided: worse by more than {tolerance} in {', '.join(worse)}, "
-        "but chance explains it; more episodes decide"
+        "but chance alone may explain it; more episodes decide"
     )
