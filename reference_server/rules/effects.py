@@ -274,7 +274,8 @@ def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
     EPI-009: if they held the last attempts, the run has completed and is not stopped.
     """
     sessions = list(run.workers.values()) if mode == "abort" else []
-    reason = f"Stopped by its submitter ({mode})."
+    after = ", after the episodes in progress" if mode == "drain" else ""
+    reason = f"Stopped by its submitter{after}."
     _end_sessions(run, sessions, "run_stopped", now_wall, counted=True)
     apply_event(run, "stop_abort" if mode == "abort" else "stop_drain", reason)
     return sessions

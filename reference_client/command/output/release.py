@@ -75,5 +75,5 @@ def explain_release(
         return f"no: worse by more than {tolerance} {_names(shown)}"
     return (
         f"not decided: worse by more than {tolerance} {_names(worse)}, "
-        "but chance explains it; more episodes decide"
+        "but chance alone may explain it; more episodes decide"
     )

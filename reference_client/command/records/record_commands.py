@@ -241,8 +241,8 @@ def _level_text(report: Report) -> str:
     """REC-031: the level, and what it rests on."""
     if report.signer is None:
         return (
-            f"reported: whose key {report.keyid} is, nothing says here; "
-            "see --key and --server"
+            f"reported: the owner of the key {report.keyid} is not known here; "
+            "--server URL and --key name owners"
         )
     return f"{', '.join(report.levels)}; key {report.keyid}"
 

@@ -55,13 +55,11 @@ def open_page(args: Options, printer: Printer) -> int:
     return DONE
 
 
-def page_of_run(
-    connection: Connection, retry_policy: RetryPolicy, run_id: str
-) -> str | None:
-    """The address of the run's page; None if the server has no pages."""
+def page_of(connection: Connection, retry_policy: RetryPolicy, path: str) -> str | None:
+    """The address of a page, such as `runs/ID`; None if the server has no pages."""
     if retry_policy.call(lambda: _status_of_pages(connection)) not in HAS_PAGES:
         return None
-    return f"{connection.url}/pages/runs/{quote(run_id, safe='')}"
+    return f"{connection.url}/pages/{quote(path)}"
 
 
 def _status_of_pages(connection: Connection) -> int:

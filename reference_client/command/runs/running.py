@@ -46,7 +46,7 @@ from reference_client.command.runs.control import (
     policy_of,
     submission_of,
 )
-from reference_client.command.runs.page_address import page_of_run
+from reference_client.command.runs.page_address import page_of
 from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import NOT_TRUSTED, ProctorError, RunFailed
@@ -308,7 +308,7 @@ class _EvaluationCommand:
             with connect(args.url, args.token, args, self._printer) as connected:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
-                self._page = page_of_run(*connected, score.run_id)
+                self._page = page_of(*connected, f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
         except ProctorError as error:

@@ -88,6 +88,8 @@ def test_an_entry_is_private_public_and_withdrawn(proctor: ProctorCommand) -> No
     run_id = play(proctor, 6, 22)
     entry = publish(proctor, run_id, "--private")
     assert (entry["model_name"], entry["is_public"]) == ("first_ones", False)
+    page = f"{proctor.url}/pages/entries/{entry['entry_id']}"
+    assert proctor.err == f"Page of the entry: {page}\n"
     manifest = ["--manifest", entry["manifest_sha256"]]
     assert proctor("board", "calibration", *manifest) == 0
     assert "no public entry" in proctor.out

@@ -290,7 +290,7 @@ def test_an_abort_ends_every_session() -> None:
     assert a.done
     assert b.done
     assert [e.attempt for e in run.episodes] == [2, 1, 1]
-    assert "abort" in (run.reason or "")
+    assert run.reason == "Stopped by its submitter."
 
 
 def test_a_resume_queues_the_run_and_forgives_faults() -> None:

@@ -27,7 +27,7 @@ GOOD = str(VECTORS / "good_replayed.proctor")
 @pytest.mark.parametrize(
     ("keys", "level"),
     [
-        ([], "reported: whose key"),
+        ([], "reported: the owner of the key"),
         ([HOST], "signed by the owner of SHA256:"),
         ([f"a lab={HOST}"], "signed by a lab; key"),
         (

@@ -113,7 +113,7 @@ def test_people_read_a_table(
     assert better in lines
     said = " ".join(lines)
     assert "release not decided: worse by more than 0.05 overall and in score" in said
-    assert "chance explains it; more episodes decide" in said
+    assert "chance alone may explain it; more episodes decide" in said
     assert "scores 0 episodes better, 1 worse" in lines
     assert "successes 0 of the run alone, 1 of the baseline alone; p " in said
     assert "score 2 1.000 0.500 -0.500" in lines
