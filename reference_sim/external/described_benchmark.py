@@ -30,6 +30,7 @@ from reference_sim.gymnasium.benchmark_file import (
     faults_of,
     legal_id,
 )
+from reference_sim.gymnasium.own_sources import hash_files
 from reference_sim.interface import TaskUnplayable
 
 ADAPTER = "external"
@@ -137,7 +138,8 @@ def definition(
         complete = _completed(benchmark, described, folder)
         manifest = _manifest(complete, declared, described, folder, command)
         _try(plan, manifest, waited)
-    except (ProgramFault, TaskUnplayable, msgspec.ValidationError) as error:
+    # A ValueError is of a declared file, or of a member of the description.
+    except (ProgramFault, TaskUnplayable, ValueError) as error:
         is_invalid = isinstance(error, msgspec.ValidationError)
         text = f"its description: {error}" if is_invalid else str(error)
         raise BadBenchmark(f"simulator {name}: {text}") from error
@@ -250,29 +252,19 @@ def _manifest(
             "command": list(command),
             "graded": declared.graded,
             "deterministic": declared.deterministic,
-            "files_sha256": _digests(command, complete.files, folder),
+            "sources": _sources(command, complete.files, folder),
         },
     }
 
 
-def _digests(
-    command: Iterable[str], folders: Sequence[str], folder: Path
-) -> dict[str, str]:
-    """Name → SHA-256 of each file that the command names or the entry declares.
-
-    folders: those that are declared; a folder stands for the files in it.
-    """
-    digests = {}
-    for name in (*command, *folders):
-        path = folder / name
-        is_folder = name in folders and path.is_dir()
-        for file in sorted(path.rglob("*")) if is_folder else [path]:
-            if is_file(file):
-                with file.open("rb") as opened:
-                    digest = hashlib.file_digest(opened, "sha256")
-                key = name if file == path else str(Path(name, file.relative_to(path)))
-                digests[key] = digest.hexdigest()
-    return digests
+def _sources(command: Iterable[str], files: Sequence[str], folder: Path) -> Json:
+    """Name → SHA-256 of each file that the command names or the entry declares."""
+    sources = hash_files(folder, files)
+    for word in command:
+        if is_file(folder / word):
+            with (folder / word).open("rb") as file:
+                sources[word] = hashlib.file_digest(file, "sha256").hexdigest()
+    return sources
 
 
 def _try(plan: Json, manifest: Json, on_wait: Callable[[], None]) -> None:

@@ -62,7 +62,7 @@ def test_a_command_line_is_a_benchmark() -> None:
     engine = manifest["simulator"]
     assert (engine["name"], engine["protocol"]) == ("breakable", 1)
     digest = hashlib.sha256(Path(SCRIPT).read_bytes()).hexdigest()
-    assert engine["files_sha256"][SCRIPT] == digest
+    assert engine["sources"][SCRIPT] == digest
     settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
     assert json.loads(json.dumps(settings))["success_scored_tasks"] == []
 
@@ -75,7 +75,7 @@ def test_a_file_says_otherwise_than_the_program(tmp_path: Path) -> None:
 version = "2"
 max_steps = 7
 max_faults = 9
-files = ["assets"]
+files = ["assets/*"]
 splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
 """
     ((benchmark_id, definition),) = definitions(write_toml(tmp_path, text)).items()
@@ -84,7 +84,7 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
     assert [manifest[n] for n in ("version", "max_steps", "max_faults")] == ["2", 7, 9]
     assert manifest["episodes_total"] == 3
     assert manifest["sealed_splits"] == ["test"]
-    assert "assets/cube.stl" in manifest["simulator"]["files_sha256"]
+    assert "assets/cube.stl" in manifest["simulator"]["sources"]
 
 
 @pytest.mark.parametrize(
@@ -100,7 +100,11 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         ('simulator = ["sleep", "9"]\nstart_timeout_s = 1', "to describe within 1 s"),
         (entry() + 'success = {info = "x"}', "success: not a key of a simulator"),
         (entry() + "[action.add]\nunit = 'm'", "action: not a key of a simulator"),
-        ('made_by = "a.py:B"\nfiles = ["a"]', "files: not a key of an environment"),
+        (entry() + 'files = ["*.stl"]', "*.stl: no file matches"),
+        (
+            'made_by = "a.py:B"\nstart_timeout_s = 1',
+            "start_timeout_s: not a key of an environment",
+        ),
         (entry() + 'made_by = "a.py:B"', "give one of environment"),
         (entry() + "max_step = 3", "unknown key max_step; did you mean max_steps"),
         (
