@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -30,7 +29,7 @@ from reference_sim.gymnasium.benchmark_file import (
     faults_of,
     legal_id,
 )
-from reference_sim.gymnasium.own_sources import hash_files
+from reference_sim.gymnasium.own_sources import hash_files, sha256_of
 from reference_sim.interface import TaskUnplayable
 
 ADAPTER = "external"
@@ -134,9 +133,10 @@ def definition(
         described = program.description.benchmark
         program.end()
         plan["benchmark"] = described
+        plan["sources"] = _sources(command, benchmark.files, folder)
         declared = msgspec.convert(described, _Described)
         complete = _completed(benchmark, described, folder)
-        manifest = _manifest(complete, declared, described, folder, command)
+        manifest = _manifest(complete, declared, plan, command)
         _try(plan, manifest, waited)
     # A ValueError is of a declared file, or of a member of the description.
     except (ProgramFault, TaskUnplayable, ValueError) as error:
@@ -211,14 +211,14 @@ def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark
 def _manifest(
     complete: Benchmark,
     declared: _Described,
-    described: Json,
-    folder: Path,
+    plan: Json,
     command: Sequence[str],
 ) -> Json:
     """The manifest of Definition.describe, without max_chunk."""
     for split in complete.splits:
         if unknown := set(split.tasks or ()) - set(declared.tasks):
             raise ProgramFault(f"split {split.name}: no task {', '.join(unknown)}")
+    described, sources = plan["benchmark"], plan["sources"]
     episodes = complete.episodes(declared.tasks)
     sealed = [split.name for split in complete.splits if split.is_sealed]
     space = described["observation_space"]
@@ -252,7 +252,7 @@ def _manifest(
             "command": list(command),
             "graded": declared.graded,
             "deterministic": declared.deterministic,
-            "sources": _sources(command, complete.files, folder),
+            "sources": sources,
         },
     }
 
@@ -262,8 +262,7 @@ def _sources(command: Iterable[str], files: Sequence[str], folder: Path) -> Json
     sources = hash_files(folder, files)
     for word in command:
         if is_file(folder / word):
-            with (folder / word).open("rb") as file:
-                sources[word] = hashlib.file_digest(file, "sha256").hexdigest()
+            sources[word] = sha256_of(folder / word)
     return sources
 
 

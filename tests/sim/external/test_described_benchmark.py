@@ -14,13 +14,14 @@ import numpy as np
 import pytest
 
 from reference_sim import benchmark_registry
+from reference_sim.external import LIBRARIES
 from reference_sim.external.external_simulator import ExternalSimulator
 from reference_sim.gymnasium import BadBenchmark, registration
+from reference_sim.gymnasium.own_sources import ChangedSource
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 from tests.support.paths import ROOT
 from tests.support.sim import breakable_simulator
 
-LIBRARIES = ROOT / "reference_sim" / "external" / "libraries"
 EXAMPLES = ROOT / "examples" / "simulators"
 SCRIPT = breakable_simulator.__file__
 PYTHON = f"{sys.executable} -S"
@@ -148,6 +149,19 @@ def test_a_description_that_is_not_whole_is_refused(
     with pytest.raises(BadBenchmark) as refused:
         definitions(write_toml(tmp_path, f"simulator = {json.dumps(command)}"))
     assert said in str(refused.value)
+
+
+def test_a_program_that_was_edited_is_not_played(tmp_path: Path) -> None:
+    """Its manifest has the hash of another file."""
+    shutil.copy(SCRIPT, tmp_path / "world.py")
+    command = ["env", f"PYTHONPATH={LIBRARIES}", sys.executable, "-S", "world.py"]
+    reference = write_toml(tmp_path, f"simulator = {json.dumps(command)}")
+    ((_, definition),) = definitions(reference).items()
+    settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
+    with (tmp_path / "world.py").open("a") as file:
+        file.write("# another one")
+    with pytest.raises(ChangedSource, match=r"world\.py has changed since the server"):
+        definition.make(settings)
 
 
 def test_shared_memory_has_the_pixels_that_data_has() -> None:
