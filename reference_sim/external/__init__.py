@@ -5,3 +5,7 @@ program and ends everything that it started, `program` exchanges frames with it,
 `external_simulator` plays it, and `described_benchmark` makes a benchmark of what it
 says about itself. `libraries` is for authors of programs: nothing here imports it.
 """
+
+from pathlib import Path
+
+LIBRARIES = Path(__file__).with_name("libraries")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -30,6 +29,7 @@ from reference_sim.gymnasium.benchmark_file import (
     faults_of,
     legal_id,
 )
+from reference_sim.gymnasium.own_sources import hash_files, sha256_of
 from reference_sim.interface import TaskUnplayable
 
 ADAPTER = "external"
@@ -133,11 +133,13 @@ def definition(
         described = program.description.benchmark
         program.end()
         plan["benchmark"] = described
+        plan["sources"] = _sources(command, benchmark.files, folder)
         declared = msgspec.convert(described, _Described)
         complete = _completed(benchmark, described, folder)
-        manifest = _manifest(complete, declared, described, folder, command)
+        manifest = _manifest(complete, declared, plan, command)
         _try(plan, manifest, waited)
-    except (ProgramFault, TaskUnplayable, msgspec.ValidationError) as error:
+    # A ValueError is of a declared file, or of a member of the description.
+    except (ProgramFault, TaskUnplayable, ValueError) as error:
         is_invalid = isinstance(error, msgspec.ValidationError)
         text = f"its description: {error}" if is_invalid else str(error)
         raise BadBenchmark(f"simulator {name}: {text}") from error
@@ -209,14 +211,14 @@ def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark
 def _manifest(
     complete: Benchmark,
     declared: _Described,
-    described: Json,
-    folder: Path,
+    plan: Json,
     command: Sequence[str],
 ) -> Json:
     """The manifest of Definition.describe, without max_chunk."""
     for split in complete.splits:
         if unknown := set(split.tasks or ()) - set(declared.tasks):
             raise ProgramFault(f"split {split.name}: no task {', '.join(unknown)}")
+    described, sources = plan["benchmark"], plan["sources"]
     episodes = complete.episodes(declared.tasks)
     sealed = [split.name for split in complete.splits if split.is_sealed]
     space = described["observation_space"]
@@ -250,29 +252,18 @@ def _manifest(
             "command": list(command),
             "graded": declared.graded,
             "deterministic": declared.deterministic,
-            "files_sha256": _digests(command, complete.files, folder),
+            "sources": sources,
         },
     }
 
 
-def _digests(
-    command: Iterable[str], folders: Sequence[str], folder: Path
-) -> dict[str, str]:
-    """Name → SHA-256 of each file that the command names or the entry declares.
-
-    folders: those that are declared; a folder stands for the files in it.
-    """
-    digests = {}
-    for name in (*command, *folders):
-        path = folder / name
-        is_folder = name in folders and path.is_dir()
-        for file in sorted(path.rglob("*")) if is_folder else [path]:
-            if is_file(file):
-                with file.open("rb") as opened:
-                    digest = hashlib.file_digest(opened, "sha256")
-                key = name if file == path else str(Path(name, file.relative_to(path)))
-                digests[key] = digest.hexdigest()
-    return digests
+def _sources(command: Iterable[str], files: Sequence[str], folder: Path) -> Json:
+    """Name → SHA-256 of each file that the command names or the entry declares."""
+    sources = hash_files(folder, files)
+    for word in command:
+        if is_file(folder / word):
+            sources[word] = sha256_of(folder / word)
+    return sources
 
 
 def _try(plan: Json, manifest: Json, on_wait: Callable[[], None]) -> None:

@@ -8,12 +8,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_sim.external.program import START_TIMEOUT_S, Program, ProgramFault
+from reference_sim.external.program import (
+    START_TIMEOUT_S,
+    Program,
+    ProgramFault,
+)
 from reference_sim.external.simulator_messages import (
     OBSERVATION_EXTRA_BYTES,
     DigestCall,
@@ -28,6 +33,7 @@ from reference_sim.external.simulator_messages import (
     StepDone,
     TensorValue,
 )
+from reference_sim.gymnasium.own_sources import DeclaredFiles
 from reference_sim.interface import Action, Observation, StepOutcome
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
@@ -44,8 +50,9 @@ DTYPES = {
 class ExternalSimulator:
     """`Simulator` of one program, which is started with it.
 
-    plan: `command`, `folder` and `start_timeout_s`; `benchmark`, what the program said
-    of itself when the server started. size: width and height of images.
+    plan: `command`, `folder` and `start_timeout_s`; `benchmark` and `sources`, which
+    are the description and the files' hashes of when the server started. size: width
+    and height of images.
     call_timeout_s, on_wait: see Program.
     """
 
@@ -57,6 +64,8 @@ class ExternalSimulator:
         call_timeout_s: float | None = None,
         on_wait: Callable[[], None] = lambda: None,
     ) -> None:
+        self._files = DeclaredFiles(Path(plan["folder"]), plan.get("sources", {}))
+        self._files.require_unchanged()
         self._benchmark = plan["benchmark"]
         self._width, self._height = size
         self._program = Program(
@@ -75,7 +84,8 @@ class ExternalSimulator:
         self.stages: tuple[str, ...] = ()
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
-        """Raises TaskUnplayable if the program says so (SIM-013)."""
+        """Raises TaskUnplayable if the program says so (SIM-013), and ChangedSource."""
+        self._files.require_unchanged()
         space = self._benchmark["observation_space"]
         self._sizes = {
             name: vector["size"]

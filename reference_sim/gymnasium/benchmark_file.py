@@ -39,7 +39,7 @@ _DEFAULT_EPISODES = 10
 _OF_ENVIRONMENTS = {"modules", "kwargs", "tasks", "success", "ends_on_success"} | {
     *("score", "rebuild_every_episode", "camera", "action", "state")
 }
-_OF_SIMULATORS = {"files", "start_timeout_s"}
+_OF_SIMULATORS = {"start_timeout_s"}
 SIMULATOR = "simulator:"  # before the command line of a program
 UNNAMED = "simulator"  # the id of a program's benchmark until the program names it
 

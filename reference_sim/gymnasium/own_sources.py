@@ -261,7 +261,7 @@ class DeclaredFiles:
                 if self._seen.get(name) == seen:
                     continue
                 self._seen.pop(name, None)
-                is_equal = _sha256_of(path) == sha256
+                is_equal = sha256_of(path) == sha256
             except OSError:
                 is_equal = False
             if not is_equal:
@@ -286,10 +286,10 @@ def hash_files(folder: Path, patterns: Sequence[str]) -> dict[str, str]:
         names |= {Path(name).as_posix() for name in matches}
     if len(names) > FILES_MAX:
         raise ValueError(f"{len(names)} files match; at most {FILES_MAX} may")
-    return {name: _sha256_of(folder / name) for name in sorted(names)}
+    return {name: sha256_of(folder / name) for name in sorted(names)}
 
 
-def _sha256_of(path: Path) -> str:
+def sha256_of(path: Path) -> str:
     with path.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 

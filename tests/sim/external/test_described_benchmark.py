@@ -14,13 +14,14 @@ import numpy as np
 import pytest
 
 from reference_sim import benchmark_registry
+from reference_sim.external import LIBRARIES
 from reference_sim.external.external_simulator import ExternalSimulator
 from reference_sim.gymnasium import BadBenchmark, registration
+from reference_sim.gymnasium.own_sources import ChangedSource
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 from tests.support.paths import ROOT
 from tests.support.sim import breakable_simulator
 
-LIBRARIES = ROOT / "reference_sim" / "external" / "libraries"
 EXAMPLES = ROOT / "examples" / "simulators"
 SCRIPT = breakable_simulator.__file__
 PYTHON = f"{sys.executable} -S"
@@ -62,7 +63,7 @@ def test_a_command_line_is_a_benchmark() -> None:
     engine = manifest["simulator"]
     assert (engine["name"], engine["protocol"]) == ("breakable", 1)
     digest = hashlib.sha256(Path(SCRIPT).read_bytes()).hexdigest()
-    assert engine["files_sha256"][SCRIPT] == digest
+    assert engine["sources"][SCRIPT] == digest
     settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
     assert json.loads(json.dumps(settings))["success_scored_tasks"] == []
 
@@ -75,7 +76,7 @@ def test_a_file_says_otherwise_than_the_program(tmp_path: Path) -> None:
 version = "2"
 max_steps = 7
 max_faults = 9
-files = ["assets"]
+files = ["assets/*"]
 splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
 """
     ((benchmark_id, definition),) = definitions(write_toml(tmp_path, text)).items()
@@ -84,7 +85,7 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
     assert [manifest[n] for n in ("version", "max_steps", "max_faults")] == ["2", 7, 9]
     assert manifest["episodes_total"] == 3
     assert manifest["sealed_splits"] == ["test"]
-    assert "assets/cube.stl" in manifest["simulator"]["files_sha256"]
+    assert "assets/cube.stl" in manifest["simulator"]["sources"]
 
 
 @pytest.mark.parametrize(
@@ -100,7 +101,11 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         ('simulator = ["sleep", "9"]\nstart_timeout_s = 1', "to describe within 1 s"),
         (entry() + 'success = {info = "x"}', "success: not a key of a simulator"),
         (entry() + "[action.add]\nunit = 'm'", "action: not a key of a simulator"),
-        ('made_by = "a.py:B"\nfiles = ["a"]', "files: not a key of an environment"),
+        (entry() + 'files = ["*.stl"]', "*.stl: no file matches"),
+        (
+            'made_by = "a.py:B"\nstart_timeout_s = 1',
+            "start_timeout_s: not a key of an environment",
+        ),
         (entry() + 'made_by = "a.py:B"', "give one of environment"),
         (entry() + "max_step = 3", "unknown key max_step; did you mean max_steps"),
         (
@@ -144,6 +149,19 @@ def test_a_description_that_is_not_whole_is_refused(
     with pytest.raises(BadBenchmark) as refused:
         definitions(write_toml(tmp_path, f"simulator = {json.dumps(command)}"))
     assert said in str(refused.value)
+
+
+def test_a_program_that_was_edited_is_not_played(tmp_path: Path) -> None:
+    """Its manifest has the hash of another file."""
+    shutil.copy(SCRIPT, tmp_path / "world.py")
+    command = ["env", f"PYTHONPATH={LIBRARIES}", sys.executable, "-S", "world.py"]
+    reference = write_toml(tmp_path, f"simulator = {json.dumps(command)}")
+    ((_, definition),) = definitions(reference).items()
+    settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
+    with (tmp_path / "world.py").open("a") as file:
+        file.write("# another one")
+    with pytest.raises(ChangedSource, match=r"world\.py has changed since the server"):
+        definition.make(settings)
 
 
 def test_shared_memory_has_the_pixels_that_data_has() -> None:

@@ -74,8 +74,8 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "environment = 'X'\nsuccess_rule = 'anystep'",
             "unknown value anystep; did you mean any_step? There is any_step, last_st",
         ),
-        ("", 'give either environment = "ID" or made_by = "FILE.py:NAME"'),
-        ("environment = 'X'\nmade_by = 'a:b'", "give either environment"),
+        ("", 'give one of environment = "ID", made_by = "FILE.py:NAME"'),
+        ("environment = 'X'\nmade_by = 'a:b'", "give one of environment"),
         ("made_by = 'a.py'", "made_by: String should match pattern"),
         ("environment = 'X'\nbenchmark_id = 'My'", "benchmark_id: String should match"),
         (
