@@ -100,3 +100,18 @@ def test_a_server_of_core_alone_is_conformant(tmp_path: Path) -> None:
     assert kit.report["levels"]["service"].startswith("10 profiles missing")
     assert (tmp_path / "badge-core.svg").exists()
     assert kit.last_line == "conformant"
+
+
+@pytest.mark.release("a server and a kit for each profile of Service")
+@pytest.mark.parametrize("profile", SERVICE)
+def test_a_profile_needs_only_those_that_it_names(tmp_path: Path, profile: str) -> None:
+    """The server has Core, the profile and its needs. Expect nothing to be violated."""
+    names = ("core", profile, *load_spec().document["x-needs"].get(profile, ()))
+    kit = run_kit(
+        tmp_path,
+        *("--not-durable", "--quick", "--profile", ",".join(names)),
+        *("--start-cmd", f"{sys.executable} {SERVER}"),
+        ONLY_PROFILES=",".join(names),
+    )
+    assert kit.code == 0, kit.output
+    assert not kit.rules_with("failed") | kit.rules_with("kit_error")
