@@ -57,6 +57,12 @@ UNDECODABLE_PATHS: tuple[str, ...] = (
 UNDECODABLE_PATHS += ("/v1/benchmarks/%e0", "/v1/runs?cursor=%ff", "/v1/runs?limit=%zz")
 DEEP = 10**6
 MANY_UNKNOWN = (10, 40)
+# Profile → where a submission has a field of it, and such a submission.
+_FIELDS_OF_PROFILES: dict[str, tuple[str, dict[str, Any]]] = {
+    "attribution": ("/any_policy", {"any_policy": True}),
+    "sealed_seeds": ("/options/sealed", {"options": {"sealed": True}}),
+    "subsets": ("/select", {"select": {"tasks": ["score"]}}),
+}
 
 
 def expect_nothing_executed(worker: WorkerClient, executed: int = 1) -> None:
@@ -134,7 +140,8 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
 
 @requirement("ERR-003")
 def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
-    """An unknown member, at the top of every body and inside it; many of them.
+    """An unknown member, at the top of every body and inside it; many of them; members
+    of profiles that are not announced.
 
     Expect `invalid_request` pointing at it, and nothing executed.
     """
@@ -161,6 +168,14 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     body = context.submit_body(options={"surprise": 1})
     answer = submit(context, body)
     expect.refused(answer, "invalid_request", pointer="/options/surprise")
+    for profile, (pointer, members) in _FIELDS_OF_PROFILES.items():
+        if not context.offers(profile):
+            answer = submit(context, context.submit_body() | members)
+            expect.refused(answer, "invalid_request", pointer=pointer)
+    if not context.offers("attribution"):
+        player = {"name": context.submit_body()["policy"]["name"]}
+        answer = worker.run.worker("another").try_attach(player=player)
+        expect.refused(answer, "invalid_request", pointer="/player")
     expect_nothing_executed(worker)
 
 

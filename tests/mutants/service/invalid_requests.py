@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 from starlette.requests import Request
 
-from reference_server.http import codec
+from reference_server.http import codec, handlers
 from reference_server.http.bodies import (
     bounded_parsing,
     repeated_members,
@@ -106,6 +106,13 @@ def ignores_unknown_members(right: Any, model: Any, data: Any) -> Any:
             if described != data:
                 return right(model, described)
         raise
+
+
+@mutant("ERR-003")
+def accepts_fields_of_a_profile_that_it_does_not_announce() -> None:
+    """A client that relies on a part of a benchmark gets the whole one elsewhere."""
+    profiles = tuple(name for name in handlers.PROFILES if name != "subsets")
+    put(handlers, "PROFILES", profiles)
 
 
 @mutant("ENC-013", through=instead_of(repeated_members, "refuse_repeated_json"))
