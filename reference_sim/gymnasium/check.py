@@ -109,7 +109,7 @@ class BenchmarkCheck:
         for name in sorted(self._files_read - declared.keys()):
             self._draft.warnings.append(
                 f"reads {name}, which is not in the manifest, so a change of it is not "
-                f"noticed: add files = [{json.dumps(name)}] to the benchmark file"
+                f"noticed: name it in a benchmark file, files = [{json.dumps(name)}]"
             )
 
     def _add_finding(self, kind: str, task: str, text: str) -> None:

@@ -31,6 +31,8 @@ GYMNASIUM_VERSION = gymnasium.__version__
 
 # The lines that a class needs, to be copied.
 _NEEDED = """
+    import gymnasium
+
     class {name}(gymnasium.Env):
         action_space = gymnasium.spaces.Box(-1, 1, (2,))
         observation_space = gymnasium.spaces.Box(-10, 10, (4,))

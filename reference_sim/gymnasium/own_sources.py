@@ -164,9 +164,11 @@ class OwnSources:
     # Which files
 
     def _is_own(self, file: Path) -> bool:
-        file = file.resolve()
-        if (root := _versioned_folder(file)) is None:
+        # Debian links files of the standard library to files elsewhere.
+        root = _versioned_folder(file.absolute()) or _versioned_folder(file.resolve())
+        if root is None:
             return True
+        file = file.resolve()
         return any(
             file.is_relative_to(folder) and folder.is_relative_to(root)
             for folder in self._folders

@@ -104,7 +104,9 @@ def examine(benchmark: Benchmark, folder: Path, say: Say) -> Json:
     if benchmark.camera is not False:
         with suppress(rendering.RenderingUnavailable):
             rendering.find_backend()  # MuJoCo reads it while it is imported
-    request = {"benchmark": benchmark.model_dump(mode="json"), "folder": str(folder)}
+    # The model refuses a key of another kind of benchmark only where it is stated.
+    stated = benchmark.model_dump(mode="json", exclude_unset=True)
+    request = {"benchmark": stated, "folder": str(folder)}
     with tempfile.TemporaryFile() as stderr:
         process = _start(stderr)
         doing = "starting"

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import asyncio
 import os
+import sysconfig
 import textwrap
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
+import reference_sim
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.definition import Json
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import read
+from reference_sim.gymnasium.own_sources import OwnSources
 from reference_sim.process.pool import SimulatorFault, SimulatorPool
 from tests.support.sim.shared_processes import shared_pool
 
@@ -131,6 +134,33 @@ def test_the_manifest_has_every_file_that_was_executed_or_declared(lab: Path) ->
     simulator = report["manifest"]["simulator"]
     assert set(simulator["sources"]) == SOURCES
     assert {"numpy", "gymnasium", "pillow"} == set(simulator["packages"])
+
+
+@pytest.mark.parametrize(
+    ("path", "is_own"),
+    [
+        ("lab/world.py", True),
+        ("elsewhere/robots.py", True),
+        ("lab/.venv/lib/python3.11/site-packages/robots.py", False),
+        ("usr/lib/python3/dist-packages/robots.py", False),
+        ("usr/lib/python3/dist-packages/sitecustomize.py", False),  # a link
+        (sysconfig.get_path("stdlib") + "/json/__init__.py", False),
+        (reference_sim.__file__, False),
+        (pytest.__file__, False),
+    ],
+)
+def test_a_file_is_own_unless_a_package_python_or_this_project_versions_it(
+    tmp_path: Path, path: str, is_own: bool
+) -> None:
+    file = tmp_path / path
+    file.parent.mkdir(parents=True, exist_ok=True)
+    if file.name == "sitecustomize.py":
+        (tmp_path / "etc").mkdir()
+        (tmp_path / "etc" / file.name).touch()
+        file.symlink_to(tmp_path / "etc" / file.name)
+    sources = OwnSources()
+    sources._folders = [tmp_path / "lab"]
+    assert sources._is_own(file) is is_own
 
 
 def test_a_change_of_any_of_them_is_another_benchmark(lab: Path) -> None:
