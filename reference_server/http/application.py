@@ -87,16 +87,26 @@ class Endpoint:
         """A revoked token ends a wait with a refusal, and a stream where it is."""
         check = partial(check_caller, request, operation, self._tokens)
         response: Response | None = None
+        has_begun = False
+
+        async def send_and_note(message: Message) -> None:
+            nonlocal has_begun
+            await send(message)  # a head may have to wait for an earlier response
+            has_begun = True
+
         try:
             async with self._open_requests.enter(check) as open_request:
                 response = await perform(
                     request, operation, self._tokens, self._max_body, self._hosts
                 )
                 open_request.check_content = getattr(response, "check_content", None)
-                await response(request.scope, request.receive, send)
-        except RequestEnded:
+                await response(request.scope, request.receive, send_and_note)
+        except RequestEnded as ended:
+            if response is None or not has_begun:
+                refuse = operation.refusal_response or problem_response
+                await refuse(ended.refused)(request.scope, request.receive, send)
             # A body of a known length stays short, and so its reader sees that.
-            if response is not None and "content-length" not in response.headers:
+            elif "content-length" not in response.headers:
                 await send({"type": "http.response.body", "body": b""})
 
     def _not_allowed(self, method: str) -> Response:

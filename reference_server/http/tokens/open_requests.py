@@ -23,6 +23,10 @@ LOOK_S = 1.0
 class RequestEnded(Exception):
     """The caller may send this request no more; its answer is not complete."""
 
+    def __init__(self, refused: Refused) -> None:
+        super().__init__(str(refused))
+        self.refused = refused
+
 
 class OpenRequest:
     """One request. check: raises Refused once it may not go on."""
@@ -31,6 +35,7 @@ class OpenRequest:
         self._check, self._limit = check, limit
         # Whether what is sent may still be read, such as that of a deleted run.
         self.check_content: Callable[[], Awaitable[object]] | None = None
+        self.refused: Refused | None = None  # why it has ended
 
     async def look(self) -> None:
         """End the request if it may not go on."""
@@ -40,6 +45,7 @@ class OpenRequest:
                 await self.check_content()
         except Refused as refused:
             log.info("an open request ends: %s", refused)
+            self.refused = refused
             with suppress(RuntimeError):  # it has ended meanwhile
                 self._limit.reschedule(asyncio.get_running_loop().time())
         except StoreFailed:
@@ -67,8 +73,8 @@ class OpenRequests:
                     )
                 yield request
         except TimeoutError as error:
-            if limit.expired():
-                raise RequestEnded from error
+            if request.refused is not None:
+                raise RequestEnded(request.refused) from error
             raise
         finally:
             self._open.discard(request)

@@ -94,11 +94,11 @@ def test_a_node_with_room_takes_what_waits_at_another(cluster: Cluster) -> None:
 
 
 def test_a_resumed_run_waits_at_the_node_that_knows_its_sessions(
-    cluster: Cluster,
+    cluster: Cluster, used: UsedDatabase
 ) -> None:
     """Another node would not know what ended them (DET-002, DET-005)."""
     first, second = cluster.clients
-    resumed, at_second = fill(cluster)
+    resumed, at_second = fill(cluster, used)
     turn = predict(first, resumed, attach(first, resumed)).raise_for_status().json()
     stop(first, resumed)
     wait_for_state(first, submit(first, "score"), "ready")
@@ -129,17 +129,26 @@ def wait_for_change(
     return threads.submit(client.get, f"/v1/runs/{run_id}", headers=headers)
 
 
-def fill(cluster: Cluster) -> list[str]:
-    """Give every node the one run that it plays."""
+def fill(cluster: Cluster, used: UsedDatabase) -> list[str]:
+    """Give every node the one run that it plays; the ids are in the order of nodes.
+
+    A node may still offer its place to a run of an earlier test as it gets the new one,
+    which the other node takes then.
+    """
     run_ids = [submit(client, "score") for client in cluster.clients]
     for client, run_id in zip(cluster.clients, run_ids, strict=True):
         wait_for_state(client, run_id, "ready")
-    return run_ids
+    query = "SELECT run_id, url FROM runs JOIN nodes ON owner = node_id"
+    urls = {str(run_id): str(url) for run_id, url in used.execute(query)}
+    order = [node.url for node in cluster.nodes]
+    return sorted(run_ids, key=lambda run_id: order.index(urls[run_id]))
 
 
-def test_places_in_the_queue_count_what_waits_at_every_node(cluster: Cluster) -> None:
+def test_places_in_the_queue_count_what_waits_at_every_node(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
     """Expect it in the answer to each submission, at every node and in every list."""
-    fill(cluster)
+    fill(cluster, used)
     run_ids = []
     for number in range(6):
         body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
@@ -156,8 +165,10 @@ def test_places_in_the_queue_count_what_waits_at_every_node(cluster: Cluster) ->
         assert positions(client, *run_ids) == [None, 1, 2, 3, 4, 5]
 
 
-def test_who_waits_sees_a_change_of_the_queue_at_another_node(cluster: Cluster) -> None:
-    fill(cluster)
+def test_who_waits_sees_a_change_of_the_queue_at_another_node(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
+    fill(cluster, used)
     first, second = cluster.clients
     ahead, behind = submit(first, "score"), submit(second, "score")
 
@@ -169,10 +180,10 @@ def test_who_waits_sees_a_change_of_the_queue_at_another_node(cluster: Cluster) 
 
 
 def test_who_waits_for_a_run_follows_it_to_the_node_that_takes_it(
-    cluster: Cluster,
+    cluster: Cluster, used: UsedDatabase
 ) -> None:
     """A long poll at each node, over the one that had the run and the one that has."""
-    playing = fill(cluster)
+    playing = fill(cluster, used)
     first, second = cluster.clients
     run_id = submit(first, "score")
     with ThreadPoolExecutor(2) as threads:
@@ -187,9 +198,11 @@ def test_who_waits_for_a_run_follows_it_to_the_node_that_takes_it(
         stop(client, run_id)
 
 
-def test_the_next_run_is_that_of_one_server(cluster: Cluster) -> None:
+def test_the_next_run_is_that_of_one_server(
+    cluster: Cluster, used: UsedDatabase
+) -> None:
     """Only one of the nodes gets a place again and again: it takes the oldest."""
-    playing = fill(cluster)[1]
+    playing = fill(cluster, used)[1]
     first, second = cluster.clients
     run_ids = [submit((first, second, first)[n % 3], "score") for n in range(6)]
     for number, run_id in enumerate(run_ids):
@@ -201,21 +214,21 @@ def test_the_next_run_is_that_of_one_server(cluster: Cluster) -> None:
 
 
 def test_an_account_that_has_places_at_every_node_gives_one_back(
-    cluster: Cluster,
+    cluster: Cluster, used: UsedDatabase
 ) -> None:
     """Of alice's runs none is played; bob has none, and his waits at one node."""
-    fill(cluster)
+    fill(cluster, used)
     with cluster.nodes[0].client("bob") as bob:
         run_id = submit(bob, "score")
         wait_for_state(bob, run_id, "ready")
 
 
 def test_places_go_to_the_account_that_has_fewest_at_all_nodes(
-    cluster: Cluster,
+    cluster: Cluster, used: UsedDatabase
 ) -> None:
     """Bob's run is younger than alice's. His waits at one node, hers at the other."""
     first, second = cluster.clients
-    playing = fill(cluster)
+    playing = fill(cluster, used)
     for client, run_id in zip(cluster.clients, playing, strict=True):
         attach(client, run_id)
     older = submit(second, "score")
@@ -299,13 +312,13 @@ def test_resumes_at_the_same_moment_open_no_run_too_many(
 
 
 def test_an_event_stream_follows_a_run_to_the_node_that_takes_it(
-    cluster: Cluster,
+    cluster: Cluster, used: UsedDatabase
 ) -> None:
     """One stream at the node that had the run, one that it is passed on from.
 
     Expect the same events in both, each once, without a reader that reconnects.
     """
-    playing = fill(cluster)
+    playing = fill(cluster, used)
     first, second = cluster.clients
     run_id = submit(first, "score", "score")
     with ThreadPoolExecutor(2) as threads:
@@ -349,10 +362,10 @@ def read_events(
 
 
 def test_a_run_that_waits_at_a_paused_node_is_let_in_by_another(
-    cluster: Cluster,
+    cluster: Cluster, used: UsedDatabase
 ) -> None:
     """When the node goes on, it has lost the run for good."""
-    playing = fill(cluster)
+    playing = fill(cluster, used)
     first, second = cluster.clients
     run_id = submit(first, "score")
     pause(cluster.nodes[0])

@@ -63,7 +63,12 @@ async def is_gone() -> None:
 
 
 class Exchange:
-    """A request to an endpoint; `send` never returns after the first part."""
+    """A request to an endpoint; `send` never returns after the first part.
+
+    is_held: whether the first head is not sent, behind a response that nobody reads.
+    """
+
+    is_held = False
 
     def __init__(
         self, handler: Handler, tokens: Tokens, requests: OpenRequests, method: str
@@ -84,6 +89,9 @@ class Exchange:
         raise AssertionError
 
     async def _send(self, message: Message) -> None:
+        if self.is_held:
+            self.is_held = False
+            await asyncio.Event().wait()
         self.messages.append(message)
         if message.get("body") == b"first":
             self.has_begun.set()
@@ -135,6 +143,32 @@ def test_a_revoked_token_ends_what_is_open(
         tokens.replace_those_of_file({})
         await asyncio.wait_for(performing, TIMEOUT_S)
         assert (exchange.status, exchange.is_whole) == (status, is_whole)
+
+    asyncio.run(story())
+
+
+@pytest.mark.parametrize(
+    "handler", [stream_for_ever, partial(download, check=is_there)]
+)
+def test_what_ends_before_its_head_is_sent_is_refused(
+    handler: Handler, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect one whole refusal, and no body without a head."""
+    monkeypatch.setattr(open_requests, "LOOK_S", 0.001)
+
+    async def story() -> None:
+        tokens = Tokens({})
+        tokens.replace_those_of_file(dict([parse_entry("a:read:t", "entry")]))
+        exchange = Exchange(handler, tokens, OpenRequests(), "GET")
+        exchange.is_held = True
+        performing = asyncio.create_task(exchange.perform())
+        await asyncio.sleep(0.01)
+        assert not performing.done()
+        assert exchange.messages == []
+        tokens.replace_those_of_file({})
+        await asyncio.wait_for(performing, TIMEOUT_S)
+        assert (exchange.status, exchange.is_whole) == (401, True)
+        assert len(exchange.messages) == 2
 
     asyncio.run(story())
 
