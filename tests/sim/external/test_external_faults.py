@@ -16,6 +16,7 @@ import pytest
 
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
+from tests.support.paths import ROOT
 from tests.support.processes import descendants
 from tests.support.sim import breakable_simulator
 from tests.support.sim.shared_processes import shared_pool
@@ -153,6 +154,7 @@ async def test_a_program_has_a_directory_of_its_own_and_no_secrets(
         await handle.play([ACTION], observe_all=False)
     log = capfd.readouterr().err
     assert "SECRETS=[]" in log
+    assert str(ROOT) not in log.partition("PYTHONPATH=")[2].partition("\n")[0]
     directory = Path(log.partition("TMPDIR=")[2].partition("\n")[0])
     assert directory.name.startswith("proctor-simulator-")
     await wait_in_loop(lambda: not directory.exists(), 20.0)

@@ -313,6 +313,7 @@ def leaves_daemons_and_ends(_request: Json, _reply: Json) -> Json:
 def leaves_files(_request: Json, reply: Json) -> Json:
     Path(os.environ["TMPDIR"], "left.bin").write_bytes(bytes(1000))
     sys.stderr.write(f"TMPDIR={os.environ['TMPDIR']}\n")
+    sys.stderr.write(f"PYTHONPATH={os.environ.get('PYTHONPATH', '')}\n")
     sys.stderr.write(f"SECRETS={[n for n in os.environ if 'PROCTOR' in n]}\n")
     return reply
 
