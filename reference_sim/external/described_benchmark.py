@@ -12,7 +12,7 @@ from msgspec import Meta
 from pydantic import ValidationError
 
 from reference_sim.definition import BenchmarkDefinition, Json
-from reference_sim.external.external_simulator import DTYPES, ExternalSimulator
+from reference_sim.external.external_simulator import DTYPES, ExternalSimulator, make
 from reference_sim.external.program import (
     START_TIMEOUT_S,
     Program,
@@ -29,7 +29,7 @@ from reference_sim.gymnasium.benchmark_file import (
     faults_of,
     legal_id,
 )
-from reference_sim.gymnasium.own_sources import hash_files, sha256_of
+from reference_sim.gymnasium.own_sources import DeclaredFiles, hash_files, sha256_of
 from reference_sim.interface import TaskUnplayable
 
 ADAPTER = "external"
@@ -122,22 +122,23 @@ def definition(
         "folder": str(folder),
         "start_timeout_s": start_timeout_s,
     }
-    waited = _Progress(say, command)
     try:
         program = Program(
             plan["command"],
             plan["folder"],
             start_timeout_s=start_timeout_s,
-            on_wait=waited,
+            on_wait=_Progress(say, command),
         )
-        described = program.description.benchmark
-        program.end()
-        plan["benchmark"] = described
-        plan["sources"] = _sources(command, benchmark.files, folder)
-        declared = msgspec.convert(described, _Described)
-        complete = _completed(benchmark, described, folder)
-        manifest = _manifest(complete, declared, plan, command)
-        _try(plan, manifest, waited)
+        try:
+            described = program.description.benchmark
+            plan["benchmark"] = described
+            plan["sources"] = _sources(command, benchmark.files, folder)
+            declared = msgspec.convert(described, _Described)
+            complete = _completed(benchmark, described, folder)
+            manifest = _manifest(complete, declared, plan, command)
+            _try(program, plan, manifest)
+        finally:
+            program.close()
     # A ValueError is of a declared file, or of a member of the description.
     except (ProgramFault, TaskUnplayable, ValueError) as error:
         is_invalid = isinstance(error, msgspec.ValidationError)
@@ -160,10 +161,6 @@ def _definition_of(
             "plan": plan,
             "success_scored_tasks": scored,
         }
-
-    def make(chosen: Mapping[str, Any]) -> ExternalSimulator:
-        size = (chosen["width"], chosen["height"])
-        return ExternalSimulator(chosen["plan"], size)
 
     return BenchmarkDefinition(
         describe,
@@ -266,27 +263,23 @@ def _sources(command: Iterable[str], files: Sequence[str], folder: Path) -> Json
     return sources
 
 
-def _try(plan: Json, manifest: Json, on_wait: Callable[[], None]) -> None:
+def _try(program: Program, plan: Json, manifest: Json) -> None:
     """One step of the first task, so that a host sees a fault before a user does."""
     size = manifest["image_sizes"][0]
-    simulator = ExternalSimulator(
-        plan, (size["width"], size["height"]), call_timeout_s=60.0, on_wait=on_wait
-    )
+    files = DeclaredFiles(Path(plan["folder"]), plan["sources"])
+    simulator = ExternalSimulator(program, files, (size["width"], size["height"]))
     first = manifest["tasks"][0]
-    try:
-        simulator.reset(first, 0, manifest["splits"][0])
-        simulator.observe()
-        simulator.step(
-            {
-                name: _middle(space)
-                for name, space in manifest["action_space"].items()
-                if first in space.get("tasks", (first,))
-            }
-        )
-        simulator.observe()
-        simulator.state_bytes()
-    finally:
-        simulator.close()
+    simulator.reset(first, 0, manifest["splits"][0])
+    simulator.observe()
+    simulator.step(
+        {
+            name: _middle(space)
+            for name, space in manifest["action_space"].items()
+            if first in space.get("tasks", (first,))
+        }
+    )
+    simulator.observe()
+    simulator.state_bytes()
 
 
 def _middle(space: Mapping[str, Any]) -> list[float]:

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference_sim.external.program import (
-    START_TIMEOUT_S,
     Program,
     ProgramFault,
 )
@@ -48,39 +47,17 @@ DTYPES = {
 
 
 class ExternalSimulator:
-    """`Simulator` of one program, which is started with it.
+    """`Simulator` of one program.
 
-    plan: `command`, `folder` and `start_timeout_s`; `benchmark` and `sources`, which
-    are the description and the files' hashes of when the server started. size: width
-    and height of images.
-    call_timeout_s, on_wait: see Program.
+    files: those of its manifest. size: width and height of images.
     """
 
     def __init__(
-        self,
-        plan: Mapping[str, Any],
-        size: tuple[int, int],
-        *,
-        call_timeout_s: float | None = None,
-        on_wait: Callable[[], None] = lambda: None,
+        self, program: Program, files: DeclaredFiles, size: tuple[int, int]
     ) -> None:
-        self._files = DeclaredFiles(Path(plan["folder"]), plan.get("sources", {}))
-        self._files.require_unchanged()
-        self._benchmark = plan["benchmark"]
+        self._program, self._files = program, files
+        self._benchmark = program.description.benchmark
         self._width, self._height = size
-        self._program = Program(
-            plan["command"],
-            plan["folder"],
-            start_timeout_s=plan.get("start_timeout_s") or START_TIMEOUT_S,
-            call_timeout_s=call_timeout_s,
-            on_wait=on_wait,
-        )
-        if self._program.description.benchmark != self._benchmark:  # SIM-009
-            self._program.end()
-            raise ProgramFault(
-                f"{self._program.name} describes another benchmark than when the "
-                "server started: start the server again"
-            )
         self.stages: tuple[str, ...] = ()
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
@@ -89,7 +66,7 @@ class ExternalSimulator:
         space = self._benchmark["observation_space"]
         self._sizes = {
             name: vector["size"]
-            for name, vector in space["state"].items()
+            for name, vector in space.get("state", {}).items()
             if task in vector.get("tasks", (task,))
         }
         self._images = _names_of(space.get("images", {}), task)
@@ -234,6 +211,24 @@ def _names_of(spaces: Mapping[str, Any], task: str) -> list[str]:
 def make(
     settings: Mapping[str, Any], on_wait: Callable[[], None] = lambda: None
 ) -> ExternalSimulator:
-    """The simulator of these settings; see described_benchmark."""
-    size = (settings["width"], settings["height"])
-    return ExternalSimulator(settings["plan"], size, on_wait=on_wait)
+    """Start the program of these settings, which described_benchmark makes.
+
+    Raises ChangedSource and ProgramFault if it is not what the server has described.
+    """
+    plan = settings["plan"]
+    files = DeclaredFiles(Path(plan["folder"]), plan["sources"])
+    files.require_unchanged()
+    program = Program(
+        plan["command"],
+        plan["folder"],
+        start_timeout_s=plan["start_timeout_s"],
+        call_timeout_s=None,  # the server has the time of a turn
+        on_wait=on_wait,
+    )
+    if program.description.benchmark != plan["benchmark"]:  # SIM-009
+        program.end()
+        raise ProgramFault(
+            f"{program.name} describes another benchmark than when the server started: "
+            "start the server again"
+        )
+    return ExternalSimulator(program, files, (settings["width"], settings["height"]))

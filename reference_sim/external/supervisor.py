@@ -118,11 +118,7 @@ class Supervisor:
         command, ends = self._command, self._descriptors
         self._errors, theirs = os.pipe()
         os.set_blocking(self._errors, False)
-        environment = {
-            name: value
-            for name, value in os.environ.items()
-            if not name.startswith("PROCTOR_")  # tokens and keys are not for it
-        } | {"TMPDIR": self._directory}
+        environment = _environment() | {"TMPDIR": self._directory}
         try:
             os.chdir(self._folder)
             for end in ends:
@@ -204,6 +200,17 @@ class Supervisor:
             if not self._reap():
                 return
             time.sleep(0.002)
+
+
+def _environment() -> dict[str, str]:
+    """The environment without tokens and keys, and without this project's packages.
+
+    The program may be of another Python, which must not import the server's packages.
+    """
+    kept = {n: v for n, v in os.environ.items() if not n.startswith("PROCTOR_")}
+    root = __file__.rsplit("/", 3)[0]
+    paths = [p for p in kept.pop("PYTHONPATH", "").split(":") if p not in ("", root)]
+    return kept | ({"PYTHONPATH": ":".join(paths)} if paths else {})
 
 
 def _children() -> list[int]:

@@ -9,7 +9,7 @@ import json
 from typing import Any
 
 from conformance.specification.document import SPEC_DIRECTORY, load_spec
-from conformance.specification.ledger import PROFILES
+from conformance.specification.ledger import OF_OTHER_PROGRAMS, PROFILES
 from conformance.specification.rule_documents import rule_documents
 from tools.diagrams import lifecycle_diagram, lifecycle_table
 from tools.site.kit_reports import KitReports
@@ -212,7 +212,7 @@ def implementations_page(reports: KitReports) -> str:
     rows = [
         [f"`{profile}`", *(_share(one["rules"], profile) for one in judged.values())]
         for profile in profiles
-        if profile != "policy"
+        if profile not in OF_OTHER_PROGRAMS
     ]
     lines += ["## By profile\n\nRules verified, of those that apply.\n"]
     lines.append(table(["profile", *judged], rows))

@@ -16,6 +16,7 @@ import pytest
 
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
+from tests.support.paths import ROOT
 from tests.support.processes import descendants
 from tests.support.sim import breakable_simulator
 from tests.support.sim.shared_processes import shared_pool
@@ -38,6 +39,7 @@ class Mark:
         program = [sys.executable, "-S", breakable_simulator.__file__, *arguments]
         command = ["env", f"SIMULATOR_TEST={self.value}", *program]
         plan: dict[str, Any] = {"command": command, "folder": str(Path.cwd())}
+        plan |= {"sources": {}, "start_timeout_s": 60.0}
         plan["benchmark"] = breakable_simulator.WORLD.benchmark
         settings: dict[str, Any] = {"codec": "raw", "width": 8, "height": 6}
         settings |= {"adapter": "external", "plan": plan, "success_scored_tasks": []}
@@ -152,9 +154,21 @@ async def test_a_program_has_a_directory_of_its_own_and_no_secrets(
         await handle.play([ACTION], observe_all=False)
     log = capfd.readouterr().err
     assert "SECRETS=[]" in log
+    assert str(ROOT) not in log.partition("PYTHONPATH=")[2].partition("\n")[0]
     directory = Path(log.partition("TMPDIR=")[2].partition("\n")[0])
     assert directory.name.startswith("proctor-simulator-")
     await wait_in_loop(lambda: not directory.exists(), 20.0)
+
+
+async def test_a_program_that_describes_another_benchmark_is_not_played() -> None:
+    pool = shared_pool(spares=0)
+    await pool.start()
+    try:
+        with pytest.raises(SimulatorFault, match="describes another benchmark than"):
+            await pool.acquire(Mark("another").config("SIM-009"))
+    finally:
+        await pool.close()
+    await wait_in_loop(lambda: not Mark("another").processes(), 20.0)
 
 
 async def test_the_end_of_a_simulator_process_ends_its_program() -> None:

@@ -289,6 +289,15 @@ def kills_itself(_request: Json, _reply: Json) -> Json:
     return {}
 
 
+@breaks("dies_once", "step")
+def dies_in_the_first_process(_request: Json, reply: Json) -> Json:
+    flag = Path("has_died")
+    if WORLD.steps == 5 and not flag.exists():
+        flag.touch()
+        os._exit(9)
+    return reply
+
+
 @breaks("forks", "step")
 def leaves_daemons_and_ends(_request: Json, _reply: Json) -> Json:
     """Two children and an orphan, each in a session of its own."""
@@ -304,6 +313,7 @@ def leaves_daemons_and_ends(_request: Json, _reply: Json) -> Json:
 def leaves_files(_request: Json, reply: Json) -> Json:
     Path(os.environ["TMPDIR"], "left.bin").write_bytes(bytes(1000))
     sys.stderr.write(f"TMPDIR={os.environ['TMPDIR']}\n")
+    sys.stderr.write(f"PYTHONPATH={os.environ.get('PYTHONPATH', '')}\n")
     sys.stderr.write(f"SECRETS={[n for n in os.environ if 'PROCTOR' in n]}\n")
     return reply
 
