@@ -104,7 +104,8 @@ def examine(benchmark: Benchmark, folder: Path, say: Say) -> Json:
     if benchmark.camera is not False:
         with suppress(rendering.RenderingUnavailable):
             rendering.find_backend()  # MuJoCo reads it while it is imported
-    request = {"benchmark": benchmark.model_dump(mode="json"), "folder": str(folder)}
+    given = benchmark.model_dump(mode="json", exclude_unset=True)
+    request = {"benchmark": given, "folder": str(folder)}
     with tempfile.TemporaryFile() as stderr:
         process = _start(stderr)
         doing = "starting"
