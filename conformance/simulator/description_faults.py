@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from conformance.oracle.vector_declarations import declaration_faults
 from conformance.specification.document import load_spec, schema_faults
 
 _NAMES = {"type": "array", "minItems": 1, "items": {"type": "string"}}
@@ -70,4 +71,6 @@ def _faults_of(where: str, name: str, spaces: Any) -> Iterator[str]:
         for bound in ("minimum", "maximum"):
             if not faults and len(space.get(bound, [0] * (size or 0))) != (size or 0):
                 faults.append(f"{bound} has another size than {size}")
+        if name == "VectorSpace" and not faults:
+            faults += [f"{rule}: {text}" for rule, text in declaration_faults(space)]
         yield from (f"{where}.{key}: {fault}" for fault in faults)

@@ -27,8 +27,8 @@ class PointWorld(proctor_simulator.Simulator):
         },
         "observation_space": {
             "state": {
-                "position": vector(2, "m", frame="world"),
-                "target": vector(2, "m", frame="world"),
+                "position": vector(2, "m", quantity="position", frame="world"),
+                "target": vector(2, "m", quantity="position", frame="world"),
             },
             "images": {"top": {"channels": 3, "description": "from above"}},
             "tensors": {},

@@ -31,6 +31,7 @@ from reference_sim.gymnasium.benchmark_file import (
 )
 from reference_sim.gymnasium.own_sources import DeclaredFiles, hash_files, sha256_of
 from reference_sim.interface import TaskUnplayable
+from reference_sim.vector_spaces import VectorPart
 
 ADAPTER = "external"
 _MAX_ATTEMPTS = _MAX_FAULTS = 3
@@ -45,18 +46,38 @@ Count = Annotated[int, Meta(ge=1)]
 Names = Annotated[list[str], Meta(min_length=1)]
 
 
+class _Part(msgspec.Struct):
+    start: Annotated[int, Meta(ge=0)]
+    size: Count
+    quantity: str
+    unit: str
+    frame: str
+    rotation: str
+    relative_to: str
+    scale: float | None = None
+    gripper_open: float | None = None
+    gripper_closed: float | None = None
+
+
 class _Vector(msgspec.Struct):
     size: Count
-    unit: str
-    rotation: str
-    frame: str
-    relative: bool
+    parts: dict[str, _Part]
     out_of_range: Literal["refuse", "clip", "unbounded"]
     minimum: list[float] | None = None
     maximum: list[float] | None = None
     tasks: Names | None = None
 
     def __post_init__(self) -> None:
+        reached = 0
+        for name, part in sorted(self.parts.items(), key=lambda item: item[1].start):
+            if part.start != reached:
+                raise ValueError(f"part {name} starts at {part.start}, not {reached}")
+            members = msgspec.structs.asdict(part)
+            del members["start"]
+            VectorPart(name, **members)  # raises ValueError for what cannot be
+            reached += part.size
+        if reached != self.size:
+            raise ValueError(f"the parts have {reached} numbers, not {self.size}")
         for bounds in (self.minimum, self.maximum):
             if bounds is not None and len(bounds) != self.size:
                 raise ValueError(f"{len(bounds)} bounds for size {self.size}")

@@ -22,9 +22,10 @@ type World struct {
 	isReset          bool
 }
 
-func vector(size int, unit, frame string, bounds ...[]any) Map {
-	space := Map{"size": size, "unit": unit, "rotation": "none", "frame": frame,
-		"relative": false, "out_of_range": "unbounded"}
+func vector(size int, quantity, unit, frame string, bounds ...[]any) Map {
+	part := Map{"start": 0, "size": size, "quantity": quantity, "unit": unit, "frame": frame,
+		"rotation": "none", "relative_to": "none"}
+	space := Map{"size": size, "parts": Map{"all": part}, "out_of_range": "unbounded"}
 	if len(bounds) == 2 {
 		space["minimum"], space["maximum"] = bounds[0], bounds[1]
 		space["out_of_range"] = "clip"
@@ -38,11 +39,11 @@ var benchmark = Map{
 	"simulator":    Map{"name": "go_world", "version": "1"},
 	"tasks":        []any{"reach"},
 	"max_steps":    60,
-	"action_space": Map{"velocity": vector(2, "1", "none", []any{-1.0, -1.0}, []any{1.0, 1.0})},
+	"action_space": Map{"velocity": vector(2, "number", "1", "none", []any{-1.0, -1.0}, []any{1.0, 1.0})},
 	"observation_space": Map{
 		"state": Map{
-			"position": vector(2, "m", "world"),
-			"target":   vector(2, "m", "world"),
+			"position": vector(2, "position", "m", "world"),
+			"target":   vector(2, "position", "m", "world"),
 		},
 		"images": Map{"top": Map{"channels": 3, "description": "from above"}},
 	},

@@ -114,18 +114,32 @@ class Simulator {
   virtual std::string digest() { throw std::logic_error("digest is not written"); }
 };
 
-// A VectorSpace: without rotation and frame, absolute. With bounds, numbers beyond
-// them are executed as the nearest allowed ones.
-inline Map vector(int size, std::string unit = "1", Numbers minimum = {}, Numbers maximum = {},
-                  std::string frame = "none") {
-  Map space{{"size", size}, {"unit", std::move(unit)}, {"rotation", "none"},
-            {"frame", std::move(frame)}, {"relative", false}};
+// A VectorPart: `size` numbers from index `start`, of one meaning.
+inline Map part(int start, int size, std::string quantity, std::string unit,
+                std::string frame = "none", std::string rotation = "none",
+                std::string relative_to = "none") {
+  return {{"start", start}, {"size", size}, {"quantity", std::move(quantity)},
+          {"unit", std::move(unit)}, {"frame", std::move(frame)},
+          {"rotation", std::move(rotation)}, {"relative_to", std::move(relative_to)}};
+}
+
+// A VectorSpace of parts by name. With bounds, numbers beyond them are executed as the
+// nearest allowed ones.
+inline Map vector(int size, Map parts, Numbers minimum = {}, Numbers maximum = {}) {
+  Map space{{"size", size}, {"parts", std::move(parts)}};
   space.push_back({"out_of_range", minimum.empty() ? "unbounded" : "clip"});
   if (!minimum.empty()) {
     space.push_back({"minimum", minimum});
     space.push_back({"maximum", maximum});
   }
   return space;
+}
+
+// A VectorSpace of one part, `all`: absolute numbers without a rotation.
+inline Map vector(int size, std::string unit = "1", Numbers minimum = {}, Numbers maximum = {},
+                  std::string frame = "none", std::string quantity = "number") {
+  Map all = part(0, size, std::move(quantity), std::move(unit), std::move(frame));
+  return vector(size, Map{{"all", std::move(all)}}, std::move(minimum), std::move(maximum));
 }
 
 namespace detail {

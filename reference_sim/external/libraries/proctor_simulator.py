@@ -72,13 +72,30 @@ class Simulator:
 
 
 def vector(
-    size: int, unit: str = "1", minimum: Any = None, maximum: Any = None, **more: Any
+    size: int,
+    unit: str = "1",
+    minimum: Any = None,
+    maximum: Any = None,
+    *,
+    parts: Any = None,
+    quantity: str = "number",
+    frame: str = "none",
+    rotation: str = "none",
+    relative_to: str = "none",
+    **more: Any,
 ) -> Dict[str, Any]:
-    """A VectorSpace: by default without rotation and frame, absolute; with bounds,
-    numbers beyond them are executed as the nearest allowed ones."""
-    space: Dict[str, Any] = {"size": size, "unit": unit}
-    space.update(rotation="none", frame="none")
-    space.update(relative=False, out_of_range="unbounded")
+    """A VectorSpace. With bounds, numbers beyond them are executed as the nearest
+    allowed ones. parts: {name: {"size": 3, "quantity": …}} where not all numbers have
+    these conventions: what a part does not say is said here."""
+    ours = {"quantity": quantity, "unit": unit, "frame": frame}
+    ours.update(rotation=rotation, relative_to=relative_to)
+    declared: Dict[str, Any] = {}
+    start = 0
+    for name, part in (parts or {"all": {"size": size}}).items():
+        declared[name] = {"start": start, **ours, **part}
+        start += part["size"]
+    space: Dict[str, Any] = {"size": size, "parts": declared}
+    space["out_of_range"] = "unbounded"
     if minimum is not None:
         space.update(minimum=minimum, maximum=maximum, out_of_range="clip")
     space.update(more)

@@ -114,7 +114,7 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
             "split a: no task x",
         ),
         (entry("protocol_2"), "speaks protocol 2, and 1 was offered"),
-        (entry("SIM-008"), "its description: Object missing required field `unit`"),
+        (entry("SIM-008"), "its description: Object missing required field `parts`"),
         (entry("SIM-015"), "sent a state of"),
     ],
 )

@@ -143,8 +143,8 @@ def takes_the_last_protocol(request: Json, reply: Json) -> Json:
 
 
 @breaks("SIM-008", "describe")
-def declares_no_unit(_request: Json, reply: Json) -> Json:
-    WORLD.benchmark["action_space"]["add"].pop("unit", None)
+def declares_no_parts(_request: Json, reply: Json) -> Json:
+    WORLD.benchmark["action_space"]["add"].pop("parts", None)
     return reply
 
 
