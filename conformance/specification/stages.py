@@ -71,7 +71,7 @@ _BY_ID = {
     **dict.fromkeys(("ATT-005", "ATT-019", "PRED-002", "DET-005"), 5),
     **dict.fromkeys(("EPI-003", "EPI-004", "EPI-010", "EPI-011", "EPI-012"), 5),
     **dict.fromkeys(("ATT-003", "ATT-010", "ATT-017", "EPI-009"), LAST),
-    **dict.fromkeys(("DET-002", "DET-004", "RES-003", "STOP-001"), LAST),
+    **dict.fromkeys(("DET-002", "DET-004", "RES-003", "STOP-001", "STOP-005"), LAST),
 }
 
 

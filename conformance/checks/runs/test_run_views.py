@@ -196,7 +196,7 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     expect.equal(run.get()["created_at"], created_at, "created_at at last")
     for read, before_stop in zip(results(run), listed, strict=False):
         if read is None:
-            raise SetUpFailed("a result is lost; see STOP-001, RES-001")
+            raise SetUpFailed("a result is lost; see STOP-005, RES-001")
         finished_at = before_stop["finished_at"]
         expect.equal(read["finished_at"], finished_at, "finished_at at last")
     worker = submit_and_attach(context, "delay")

@@ -34,7 +34,10 @@ from reference_server.views import board_views
 from tests.mutants import Json, instead_of, mutant, put
 
 
-@mutant("BRD-001", "BRD-004", "BRD-013", through=instead_of(entry_changes, "publish"))
+@mutant(
+    *("BRD-001", "BRD-004", "BRD-013", "BRD-024"),
+    through=instead_of(entry_changes, "publish"),
+)
 def keeps_the_description_of_an_entry(
     right: Any, fresh: BoardEntry, stored: BoardEntry | None, description: Json
 ) -> Any:
@@ -69,6 +72,14 @@ def shows_the_success_rate_as_the_score(right: Any, *arguments: Any) -> Any:
     view = right(*arguments)
     score = view["score"]
     return view | {"score": score | {"score": score["success_rate"]}}
+
+
+@mutant("BRD-024", through=instead_of(board_views, "entry_view"))
+def shows_the_notes_of_an_entry_on_one_line(right: Any, *arguments: Any) -> Any:
+    """A list in the notes of a submitter becomes one long line."""
+    view = right(*arguments)
+    notes = view.get("notes")
+    return view | ({"notes": " ".join(notes.split())} if notes else {})
 
 
 @mutant("BRD-003", through=instead_of(entry_changes, "_shown_of"))

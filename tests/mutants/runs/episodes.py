@@ -11,7 +11,7 @@ from reference_server.rules import (
     effects,
 )
 from reference_server.rules.run import Episode, Run, Session, SessionEnd
-from reference_server.views import turn_view
+from reference_server.views import run_views, turn_view
 from tests.mutants import Json, instead_of, mutant, put
 from tests.mutants.server_changes import (
     change_turn,
@@ -156,13 +156,24 @@ def shows_the_seed_to_the_policy(right: Any, session: Session, episode: Episode)
     return right(session, episode) | {"seed": episode.seed}
 
 
-@mutant("EPI-004", "EPI-009", "STOP-001", through=instead_of(effects, "stop"))
+@mutant("EPI-004", "EPI-009", "STOP-005", through=instead_of(effects, "stop"))
 def loses_scores_on_abort(right: Any, run: Run, mode: str, now_wall: float) -> Any:
     """A stop discards results that took hours."""
     sessions = right(run, mode, now_wall)
     if mode == "abort":
         _unscore(run)
     return sessions
+
+
+@mutant("STOP-001", through=instead_of(run_views, "run_view"))
+def shows_an_episode_in_play_after_a_stop(right: Any, run: Any, *others: Any) -> Any:
+    """Whoever waits for a run to come to rest waits for ever."""
+    view = right(run, *others)
+    progress = view["progress"]
+    if view["state"] == "stopped" and progress["episodes_pending"]:
+        progress["episodes_in_progress"] += 1
+        progress["episodes_pending"] -= 1
+    return view
 
 
 @mutant("LIFE-303", "STOP-003", "STOP-004", through=instead_of(effects, "stop"))
