@@ -64,6 +64,14 @@ def _calibration(**options: Any) -> dict[str, Any]:
     return dict(benchmark_registry.resolve("calibration", options).manifest)
 
 
+def _calibration_of_core() -> dict[str, Any]:
+    """Calibration as a server without any profile of Service may offer it."""
+    whole = _calibration()
+    spaces = whole["observation_space"] | {"images": {}, "tensors": {}}
+    tasks = ["score", "count", "delay"]
+    return whole | {"tasks": tasks, "observation_space": spaces}
+
+
 def cases() -> list[dict[str, Any]]:
     """All cases, each with the benchmark that a server describes."""
     described: dict[str, dict[str, Any]] = {
@@ -73,6 +81,9 @@ def cases() -> list[dict[str, Any]]:
             max_steps=7,
             max_attempts=1,
             max_faults=2,
+        ),
+        "`calibration` of a Core server, without images and tensors.": (
+            _calibration_of_core()
         ),
         "The smallest sample; its second seed is 2^53 - 1.": PLAIN,
         "The same with texts, choices of a server, no sealed split: the same digest.": (

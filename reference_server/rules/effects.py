@@ -269,7 +269,7 @@ def lose_sessions(run: Run) -> None:
 
 
 def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
-    """Returns the sessions that the stop ended (STOP-001, STOP-002).
+    """Returns the sessions that the stop ended (STOP-001, STOP-002, STOP-005).
 
     EPI-009: if they held the last attempts, the run has completed and is not stopped.
     """

@@ -13,7 +13,7 @@ Json = dict[str, Any]
 
 
 def entry_view(entry: BoardEntry, attempts: int) -> Json:
-    """Schema BoardEntry (BRD-003); attempts: of its account until now."""
+    """Schema BoardEntry (BRD-003, BRD-024); attempts: of its account until now."""
     view = {
         "entry_id": entry.entry_id,
         "run_id": entry.run_id,

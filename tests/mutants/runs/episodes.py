@@ -167,7 +167,7 @@ def loses_scores_on_abort(right: Any, run: Run, mode: str, now_wall: float) -> A
 
 @mutant("STOP-001", through=instead_of(run_views, "run_view"))
 def shows_an_episode_in_play_after_a_stop(right: Any, run: Any, *others: Any) -> Any:
-    """Whoever waits for a run to come to rest waits for ever."""
+    """A program that waits until no episode is in play waits for ever."""
     view = right(run, *others)
     progress = view["progress"]
     if view["state"] == "stopped" and progress["episodes_pending"]:
