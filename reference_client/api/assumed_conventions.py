@@ -1,4 +1,4 @@
-"""Compares the assumptions of a policy with a benchmark, part by part, as a server does.
+"""Compares the assumptions of a policy with a benchmark, as a server does it.
 
 So a policy that is wrong in one part leaves no run behind. The rules are CONV-004 to
 CONV-006 of spec/conventions.md. It sends nothing.
