@@ -123,7 +123,7 @@ def evaluate(
         run_id=run_id,
         benchmark=benchmark,
         takeover=takeover,
-        assumes=parse_strictly(Assumptions, "assumes", assumes),
+        assumes=parse_strictly(Assumptions, "assumes", assumes or _assumes_of(policy)),
         retry_timeout_s=retry_timeout_s,
         check_benchmark=_check_of(policy),
         episodes=episodes,
@@ -295,6 +295,10 @@ def _check_of(policy: Callable[[], Policy]) -> Callable[[Benchmark], None] | Non
     if isinstance(policy, PolicyServerClient | LerobotPolicies):
         return policy.check
     return None
+
+
+def _assumes_of(policy: Callable[[], Policy]) -> Mapping[str, Any] | None:
+    return policy.assumes if isinstance(policy, LerobotPolicies) else None
 
 
 def _name_of(policy: Callable[[], Policy]) -> str:

@@ -26,9 +26,10 @@ from proctor_client import (
     Service,
     SubmitRun,
 )
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 from pydantic_core import to_jsonable_python
 
+from reference_client.api.assumed_conventions import check_assumptions
 from reference_client.errors import ProctorError
 from reference_client.evaluation.declared_policy import (
     DeclaredPolicy,
@@ -111,8 +112,10 @@ class EvaluationPlan:
             benchmark = control_client.check(self.submission.benchmark_id)
             if self.check_benchmark is not None:
                 self.check_benchmark(benchmark)
-            prepare()
             described = _as_json(benchmark)
+            if self.assumes is not None:
+                check_assumptions(self.assumes.to_dict(), described)
+            prepare()
             if self.dry_turn:
                 play_dry_turn(described)
             run = control_client.submit(self.submission)
@@ -243,13 +246,26 @@ def parse_strictly(
         made = model.from_dict(given)
     except ValidationError as error:
         raise ValueError(f"{name}: {_fault_texts(error)}") from error
-    names = [field.alias or own for own, field in model.model_fields.items()]
-    for member in given:
-        if member not in names:
-            meant = did_you_mean(member, names)
-            raise ValueError(f"{name} has no member {member!r:.60}{meant}")
+    _refuse_unknown(name, made)
     if made.to_dict() != given:
         raise ValueError(
             f"{name} has members that the protocol does not define: {given}"
         )
     return made
+
+
+def _refuse_unknown(name: str, message: BaseModel) -> None:
+    """Raises ValueError for a member of no schema, at any depth."""
+    fields = type(message).model_fields
+    names = [field.alias or own for own, field in fields.items()]
+    for member in message.model_extra or {}:
+        meant = did_you_mean(member, names)
+        raise ValueError(f"{name} has no member {member!r:.60}{meant}")
+    for member in fields:
+        value = getattr(message, member)
+        if isinstance(value, BaseModel):
+            _refuse_unknown(f"{name}.{member}", value)
+        elif isinstance(value, dict):
+            for key, item in value.items():
+                if isinstance(item, BaseModel):
+                    _refuse_unknown(f"{name}.{member}.{key}", item)

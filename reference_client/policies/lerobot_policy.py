@@ -12,7 +12,7 @@ import contextlib
 import copy
 import logging
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -48,6 +48,11 @@ class LerobotPolicies:
         """Set the benchmark. Raises BadMapping if the policy does not fit it."""
         self.say(self.config.describe(self.mapping(benchmark)))
         self._benchmark = benchmark
+
+    @property
+    def assumes(self) -> Mapping[str, Any] | None:
+        """The conventions that the mapping assumes."""
+        return self._overrides.assumes if self._overrides else None
 
     def mapping(self, benchmark: Benchmark) -> PolicyMapping:
         return self.config.mapping(benchmark, self._overrides)

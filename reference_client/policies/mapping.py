@@ -2,7 +2,8 @@
 
 A TOML file. `[observation]` has an entry for each key of the policy's request,
 `[action]` locates the numbers in its answer, and `[action.values]` assigns them to the
-vectors of the action space. For policy servers, `[reset]` is the message before an
+vectors of the action space. `[assumes]` has the conventions for which these numbers are
+right (schema Assumptions). For policy servers, `[reset]` is the message before an
 episode, and `[server]` says how they are spoken to. Every member is explained in
 docs/evaluate/policies/policies.md. Nothing in such a file is executed.
 """
@@ -164,7 +165,10 @@ class ActionVector:
 
 @dataclass(frozen=True, slots=True)
 class PolicyMapping:
-    """A mapping, as read from a file."""
+    """A mapping, as read from a file.
+
+    assumes: schema Assumptions, as the file has it; compared and sent by the client.
+    """
 
     name: str
     tree: Mapping[str, Node]
@@ -174,6 +178,7 @@ class PolicyMapping:
     vectors: Mapping[str, ActionVector]
     first_message: Mapping[str, Node] | None = None
     server: Mapping[str, Any] = field(default_factory=dict)
+    assumes: Mapping[str, Any] | None = None
 
     @property
     def entries(self) -> Mapping[str, RequestEntry]:
@@ -204,7 +209,8 @@ class PolicyMapping:
         is_partial: bool = False,
     ) -> Self:
         """The mapping of a parsed TOML document. Raises BadMapping."""
-        _check_known(name, document, {"observation", "action", "reset", "server"})
+        known = {"observation", "action", "reset", "server", "assumes"}
+        _check_known(name, document, known)
         if is_partial:
             action = {"values": {}} | document.get("action", {})
             document = {"observation": {}} | dict(document) | {"action": action}
@@ -233,6 +239,7 @@ class PolicyMapping:
             server=_table(
                 f"{name}: server", document.get("server", {}), may_be_empty=True
             ),
+            assumes=document.get("assumes"),
         )
 
     def check(self, benchmark: Benchmark) -> None:

@@ -10,8 +10,10 @@ import sys
 from collections.abc import Sequence
 
 import uvicorn
+from proctor_client import Assumptions
 from proctor_client.transport.copied_text import token_of
 
+from reference_client.evaluation.parameters import parse_strictly
 from reference_client.policies import BadMapping, BadPolicy, load, read_mapping
 from reference_client.policies.policy_http_app import PolicyApp
 from reference_record.command_line.click_commands import (
@@ -57,9 +59,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         args = parse_options(build_command(), arguments)
         mapping = read_mapping(args.policy, args.mapping)
         make = load(args.policy, mapping)
+        given = None if mapping is None else mapping.assumes
+        assumes = parse_strictly(Assumptions, "[assumes]", given)
         # A policy that fails to load is reported here, not to a client.
         first = [make()]
-    except (BadPolicy, BadMapping, WrongUsage) as error:
+    except (BadPolicy, BadMapping, WrongUsage, ValueError) as error:
         sys.stderr.write(f"proctor: {error}\n")
         return 2
     key = token_of("PROCTOR_POLICY_KEY")
@@ -68,6 +72,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         args.name or args.policy,
         max_sessions=args.max_sessions,
         key=key,
+        assumes=None if assumes is None else assumes.to_dict(),
     )
     sys.stderr.write(f"Serving policy at http://{args.host}:{args.port}\n")
     uvicorn.run(

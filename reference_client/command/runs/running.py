@@ -100,7 +100,8 @@ def run(args: Options, printer: Printer) -> int:
         mapping = read_mapping(args.policy, args.mapping)
         server = _policy_server(args, mapping, printer)
         check_benchmark = None if mapping is None else mapping.check
-        plan = _plan(args, server, check_benchmark if server is None else server.check)
+        check = check_benchmark if server is None else server.check
+        plan = _plan(args, server, check, _assumed(args, mapping))
     except (ValueError, BadMapping) as error:
         raise UsageError(str(error)) from error
     if args.save is not None:
@@ -487,6 +488,7 @@ def _plan(
     args: Options,
     server: PolicyServerClient | LerobotPolicies | None,
     check_benchmark: Callable[[Benchmark], None] | None,
+    assumes: Assumptions | None,
 ) -> EvaluationPlan:
     if args.worker_ids:
         if args.workers is not None:
@@ -506,7 +508,7 @@ def _plan(
         run_id=args.run_id,
         benchmark=args.benchmark,
         takeover=args.takeover,
-        assumes=parse_strictly(Assumptions, "--assumes", args.assumes),
+        assumes=assumes,
         retry_timeout_s=RETRY_TIMEOUT_S
         if args.retry_timeout_s is None
         else args.retry_timeout_s,
@@ -514,6 +516,15 @@ def _plan(
         dry_turn=not args.no_dry_turn,
         episodes=args.episodes,
     )
+
+
+def _assumed(args: Options, mapping: PolicyMapping | None) -> Assumptions | None:
+    """The conventions of --assumes, or of the mapping. Raises ValueError."""
+    if mapping is None or mapping.assumes is None:
+        return parse_strictly(Assumptions, "--assumes", args.assumes)
+    if args.assumes:
+        raise UsageError("--assumes and [assumes] of the mapping are exclusive")
+    return parse_strictly(Assumptions, f"{mapping.name}: assumes", mapping.assumes)
 
 
 def _policy_name(

@@ -12,9 +12,10 @@ from typing import Any
 
 import msgspec
 import urllib3
-from proctor_client import Benchmark
+from proctor_client import Assumptions, Benchmark
 from proctor_client.transport.copied_text import token_of
 
+from reference_client.api.assumed_conventions import check_assumptions
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.errors import ProctorError
@@ -60,6 +61,12 @@ class PolicyServerClient:
         session_limit = reported.get("max_sessions")
         if not isinstance(session_limit, int) or session_limit < 1:
             raise self.failed("violates the schema of describe_policy in policy.yaml")
+        if (assumes := reported.get("assumes")) is not None:
+            try:
+                document = Assumptions.from_dict(assumes).to_dict()
+            except ValueError as error:
+                raise self.failed(f"assumes what no schema has: {error}") from error
+            check_assumptions(document, self._benchmark)
 
     def described_name(self, retry_timeout_s: float = FIRST_CONTACT_S) -> str | None:
         """The name in describe_policy. Raises ProctorError without an answer."""

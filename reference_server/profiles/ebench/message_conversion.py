@@ -23,10 +23,34 @@ ReadLastCommand: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]
 
 NUMBERS_MAX = 4096  # in one action; no robot has more
 LIFT2 = "manip/lift2/R5a"  # as EBench's client finds it in its table of robots
-_JOINTS = {"joint_position": 12, "gripper": 4, "base_motion": 3}
-_POSES = {"left_ee_pose": 7, "right_ee_pose": 7, "gripper": 4, "base_motion": 3}
-_SEALED_SEED = -1  # a number, as EBench's client wants; no episode has it
 _HANDS = ("left_ee_pose", "right_ee_pose")
+_ABSOLUTE_POSE = {
+    "size": 7,
+    "frame": "base",
+    "relative_to": "none",
+    "parts": {
+        "position": {"start": 0, "size": 3, "unit": "m"},
+        "orientation": {"start": 3, "size": 4, "rotation": "quaternion_wxyz"},
+    },
+}
+_BOTH_MODES = {
+    "gripper": {"size": 4, "quantity": "gripper", "unit": "m", "gripper_closed": 0.0},
+    "base_motion": {
+        "size": 3,
+        "frame": "base",
+        "relative_to": "commanded",
+        "parts": {
+            "position": {"start": 0, "size": 2, "unit": "m"},
+            "yaw": {"start": 2, "size": 1, "unit": "rad", "rotation": "yaw"},
+        },
+    },
+}
+# The conventions for which actions of lift2 are converted (schema Assumptions).
+_JOINTS = _BOTH_MODES | {
+    "joint_position": {"size": 12, "unit": "rad", "relative_to": "none"}
+}
+_POSES = _BOTH_MODES | dict.fromkeys(_HANDS, _ABSOLUTE_POSE)
+_SEALED_SEED = -1  # a number, as EBench's client wants; no episode has it
 _STATES = {"joint_position": "joints", "gripper": "gripper", "base_pose": "base"}
 _CAMERAS = {
     "head": "top_camera",
@@ -52,16 +76,24 @@ def read_actions(
     Refused.
     """
     sizes = {name: entry["size"] for name, entry in manifest["action_space"].items()}
+    is_joints, is_poses = _is_lift2(manifest, _JOINTS), _is_lift2(manifest, _POSES)
     made: list[Values] = []
     for action, pointer in zip(chunk, at, strict=True):
         if not isinstance(action, dict) or "action" not in action:
             raise _invalid_action(pointer, "must be a dict with a member `action`")
         before = _previous_command(made, last)
-        if sizes in (_JOINTS, _POSES):
-            made.append(_lift2_action(action, sizes == _POSES, before, pointer))
+        if is_joints or is_poses:
+            made.append(_lift2_action(action, is_poses, before, pointer))
         else:
             made.append(_plain_action(action, sizes, pointer))
     return made
+
+
+def _is_lift2(manifest: Mapping[str, Any], assumed: Mapping[str, Any]) -> bool:
+    """Whether these vectors, of these conventions, are the action space."""
+    return manifest["action_space"].keys() == assumed.keys() and not (
+        action_space.convention_errors({"action": assumed}, manifest)
+    )
 
 
 def check_length(chunk: Sequence[Any], max_chunk: int, at: Sequence[str]) -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from reference_client import Observation, ProctorError
 from reference_client.evaluation.dry_turn import NOTE, play_dry_turn
+from reference_sim.vector_spaces import VectorPart, pose_parts, vector
 
 BENCHMARK: dict[str, Any] = {
     "benchmark_id": "arm",
@@ -21,12 +22,14 @@ BENCHMARK: dict[str, Any] = {
         "state": {
             "joints": {
                 "size": 2,
-                "rotation": "none",
+                "parts": {
+                    "all": VectorPart("all", 2, "joint_position", "rad").declare(0)
+                },
                 "minimum": [-1.0, 0.0],
                 "maximum": [1.0, 4.0],
             },
-            "pose": {"size": 4, "rotation": "quaternion_wxyz"},
-            "force": {"size": 3, "rotation": "none"},
+            "pose": vector(*pose_parts("world"), minimum=[1] * 7, maximum=[3] * 7),
+            "force": {"size": 3, "rotation": "none"},  # as earlier drafts had it
         },
         "images": {"front": {"channels": 3, "description": ""}},
         "tensors": {
@@ -60,7 +63,7 @@ def test_the_observation_has_the_declared_names_and_shapes() -> None:
     (seen,) = policy.seen
     assert {name: vector.tolist() for name, vector in seen.state.items()} == {
         "joints": [0.0, 2.0],
-        "pose": [1.0, 0.0, 0.0, 0.0],
+        "pose": [2.0, 2.0, 2.0, 1.0, 0.0, 0.0, 0.0],
         "force": [0.0, 0.0, 0.0],
     }
     assert seen.images["front"].shape == (6, 8, 3)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from base64 import b64decode, b64encode
 from collections.abc import Mapping, Sequence
+from copy import deepcopy
 from typing import Any
 
 import numpy as np
@@ -297,3 +298,25 @@ def test_the_robot_of_every_track_is_known() -> None:
         good = {"action": [hand([0.0] * 7, (0, 0))] * 2 if poses else SIXTEEN}
         [action] = convert_actions(good, manifest=manifest)
         assert set(action) == set(manifest["action_space"])
+
+
+@pytest.mark.parametrize(
+    ("vector", "part", "member", "value"),
+    [
+        ("joint_position", "left_arm", "unit", "deg"),
+        ("gripper", "left", "gripper_closed", 0.01),
+        ("base_motion", "yaw", "unit", "deg"),
+        ("base_motion", "position", "relative_to", "measured"),
+    ],
+)
+def test_a_benchmark_of_other_conventions_is_another_robot(
+    vector: str, part: str, member: str, value: Any
+) -> None:
+    """Its vectors are sent one after another, and are not converted."""
+    other = deepcopy(JOINTS)
+    other["action_space"][vector]["parts"][part][member] = value
+    body = {"action": [0.0] * 16, "base_motion": [0.0, 0.0, 90.0]}
+    assert convert_actions(body)[0]["base_motion"][2] == pytest.approx(math.pi / 2)
+    assert refused_pointer(body, manifest=other) == "/0/0/action"
+    (values,) = convert_actions({"action": [90.0] * 19}, manifest=other)
+    assert values["base_motion"] == [90.0] * 3

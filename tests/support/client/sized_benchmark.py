@@ -7,15 +7,8 @@ from typing import Any
 
 from proctor_client import Benchmark
 
+from reference_sim.vector_spaces import numbers
 from tests.support.kit.null_servers import BENCHMARK
-
-VECTOR = {
-    "unit": "1",
-    "rotation": "none",
-    "frame": "none",
-    "relative": False,
-    "out_of_range": "unbounded",
-}
 
 
 def benchmark_of(
@@ -28,9 +21,9 @@ def benchmark_of(
     """state, action: name → size. images: name → channels."""
     document: dict[str, Any] = BENCHMARK | {
         "max_chunk": max_chunk,
-        "action_space": {name: VECTOR | {"size": n} for name, n in action.items()},
+        "action_space": {name: numbers(n) for name, n in action.items()},
         "observation_space": {
-            "state": {name: VECTOR | {"size": n} for name, n in state.items()},
+            "state": {name: numbers(n) for name, n in state.items()},
             "images": {
                 name: {"channels": n, "description": name} for name, n in images.items()
             },
