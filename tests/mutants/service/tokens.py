@@ -54,7 +54,7 @@ async def shows_runs_to_every_account(
     return await right(self, run_id)
 
 
-@mutant("AUTH-003", "RUN-010", through=instead_of(Handlers, "get_run"))
+@mutant("AUTH-003", "ERR-021", "RUN-010", through=instead_of(Handlers, "get_run"))
 async def answers_for_unknown_runs(right: Any, self: Handlers, call: Any) -> Any:
     """A run that was never submitted seems to wait."""
     try:
