@@ -161,20 +161,15 @@ def test_a_member_that_stands_twice_is_found_wherever_it_is(
     for is_ascii in (True, False):
         body = written(tree, style, is_ascii).encode()
         assert is_refused(refuse_repeated_json, body, msgspec.json) is repeats(tree)
-    packed = (
-        msgspec.msgpack.encode(tree, enc_hook=lambda one: dict(one.pairs))
-        if not repeats(tree)
-        else b""
-    )
-    if packed:
+    if not repeats(tree):
+        packed = msgspec.msgpack.encode(tree, enc_hook=lambda one: dict(one.pairs))
         assert not is_refused(refuse_repeated_msgpack, packed, msgspec.msgpack)
 
 
 def is_refused(refuse: Any, body: bytes, library: Any) -> bool:
     try:
         refuse(body, library.decode(body))
-    except ValueError as error:
-        assert "stands twice" in str(error)
+    except ValueError:
         return True
     return False
 
