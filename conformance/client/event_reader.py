@@ -36,6 +36,7 @@ _RETRY_S = 0.2
 # A flood ends here: more than any run of the kit makes its server send.
 _STREAMED_BYTES_MAX = 2**24
 _LINE_BYTES_MAX = 2**20
+_KINDS_SHOWN = 20
 _END_OF_LINE = re.compile(rb"\r\n|\n|\r")
 
 
@@ -219,7 +220,10 @@ class EventReader:
                     f"an event {what}", describe_answer(received), received.exchange
                 )
             if received is None:
-                kinds = ", ".join(event.kind for event in events) or "no event"
+                kinds = ", ".join(event.kind for event in events[-_KINDS_SHOWN:])
+                if len(events) > _KINDS_SHOWN:
+                    kinds = f"{len(events)} events, at last {kinds}"
+                kinds = kinds or "no event"
                 observed = f"{kinds} in {within_s:g} s"
                 raise TooLate(f"an event {what}", within_s, _DUE_S, observed)
             events.append(received)

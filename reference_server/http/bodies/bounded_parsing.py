@@ -100,7 +100,7 @@ def read_structure(
 def _refuse_repeated(body: bytes, media_type: str, structure: Any) -> None:
     with codec.refuse_malformed(body, media_type):
         if media_type == MSGPACK:
-            repeated_members.refuse_repeated_msgpack(body)
+            repeated_members.refuse_repeated_msgpack(body, structure)
         else:
             repeated_members.refuse_repeated_json(body, structure)
 

@@ -1,12 +1,15 @@
 """Members that stand twice in an object, which decoders pass over (ENC-013, ENC-014).
 
 Two readers of such a body may see two values. A decoder keeps one member of each name:
-so a body has a repeated member if it has more members than its decoded structure.
+so a body has a repeated member if it has more members than its decoded structure. That
+is counted member by member only where the structure, encoded again, does not show at
+once that the body has nothing more: counting costs more than to decode.
 """
 
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from typing import Any
 
 import msgspec
@@ -35,7 +38,11 @@ def count_members(structure: Any) -> int:
 
 def refuse_repeated_json(body: bytes, structure: Any) -> None:
     """ENC-013: raise ValueError if a member stands twice in a short JSON body."""
-    # Each member has a colon, and texts may have more.
+    # Each member has a colon, and texts may have more, as many in both without escapes.
+    if b"\\" not in body:
+        again = _encoded(msgspec.json.encode, structure)
+        if again is not None and again.count(b":") == body.count(b":"):
+            return
     if body.count(b":") > count_members(structure):
         json.loads(body, object_pairs_hook=_members)
 
@@ -48,8 +55,21 @@ def _members(pairs: list[tuple[str, Any]]) -> None:
         names.add(name)
 
 
-def refuse_repeated_msgpack(body: bytes | msgspec.Raw, depth: int = 0) -> None:
+def refuse_repeated_msgpack(body: bytes, structure: Any) -> None:
     """ENC-014: raise ValueError if a key stands twice in a short MessagePack body."""
+    if _encoded(msgspec.msgpack.encode, structure) != body:
+        _read_maps(body, 0)
+
+
+def _encoded(encode: Callable[[Any], bytes], structure: Any) -> bytes | None:
+    """The structure, encoded again; None if that is not possible."""
+    try:
+        return encode(structure)
+    except (TypeError, ValueError, OverflowError, RecursionError):
+        return None
+
+
+def _read_maps(body: bytes | msgspec.Raw, depth: int) -> None:
     first = bytes(memoryview(body)[:1])[0]
     if depth > DEPTH_MAX:
         return
@@ -67,7 +87,7 @@ def refuse_repeated_msgpack(body: bytes | msgspec.Raw, depth: int = 0) -> None:
         return  # a key is not a string, and the schema refuses it
     for part in parts:
         if is_container(part):
-            refuse_repeated_msgpack(part, depth + 1)
+            _read_maps(part, depth + 1)
 
 
 def is_map(first: int) -> bool:

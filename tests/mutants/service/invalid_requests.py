@@ -121,7 +121,7 @@ def lets_the_last_of_equal_members_count(_right: Any, body: bytes, _: Any) -> No
 
 
 @mutant("ENC-014", through=instead_of(repeated_members, "refuse_repeated_msgpack"))
-def lets_the_last_of_equal_keys_count(_right: Any, body: Any, _depth: int = 0) -> None:
+def lets_the_last_of_equal_keys_count(_right: Any, body: bytes, _: Any) -> None:
     """A proxy that reads MessagePack checks other values than the server executes."""
 
 

@@ -7,12 +7,19 @@ import json
 import zlib
 from typing import Any
 
+import msgspec
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from starlette.requests import Request
 
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, Twice, pack
 from reference_server.generated import models
 from reference_server.http.bodies.bounded_parsing import WHOLE_BYTES_MAX, read_structure
+from reference_server.http.bodies.repeated_members import (
+    refuse_repeated_json,
+    refuse_repeated_msgpack,
+)
 from reference_server.http.codec import JSON, MSGPACK, decode, media_type_of
 from reference_server.rules.refusal import Refused
 from tests.support.profiles.ebench_client import dump_pickle
@@ -126,6 +133,67 @@ def test_a_member_that_stands_twice_is_refused(where: str, size: int) -> None:
         with pytest.raises(Refused, match="stands twice") as caught:
             read_structure(models.Predict, body, media_type)
         assert caught.value.code == "malformed_body"
+
+
+class Pairs:
+    """An object whose names may be equal."""
+
+    def __init__(self, pairs: list[tuple[str, Any]]) -> None:
+        self.pairs = pairs
+
+
+NAMES = st.sampled_from(["a", "b:", "é", 'q"', "\\", "\u2028"])
+TREES = st.recursive(
+    st.sampled_from([1, 0.5, -0.0, 2**63, None, True, "", "a:b", 'x"', "é\n", "\\:"]),
+    lambda inner: (
+        st.lists(st.tuples(NAMES, inner), max_size=4).map(Pairs)
+        | st.lists(st.lists(st.tuples(NAMES, inner), max_size=3).map(Pairs), max_size=3)
+    ),
+    max_leaves=12,
+)
+
+
+@given(tree=TREES, style=st.sampled_from([(", ", ": "), (",", ":"), (" , ", " :\t")]))
+def test_a_member_that_stands_twice_is_found_wherever_it_is(
+    tree: Any, style: tuple[str, str]
+) -> None:
+    """In any spelling. Expect a refusal for these bodies, and for no other one."""
+    for is_ascii in (True, False):
+        body = written(tree, style, is_ascii).encode()
+        assert is_refused(refuse_repeated_json, body, msgspec.json) is repeats(tree)
+    if not repeats(tree):
+        packed = msgspec.msgpack.encode(tree, enc_hook=lambda one: dict(one.pairs))
+        assert not is_refused(refuse_repeated_msgpack, packed, msgspec.msgpack)
+
+
+def is_refused(refuse: Any, body: bytes, library: Any) -> bool:
+    try:
+        refuse(body, library.decode(body))
+    except ValueError:
+        return True
+    return False
+
+
+def repeats(tree: Any) -> bool:
+    if isinstance(tree, Pairs):
+        names = [name for name, _ in tree.pairs]
+        return len(set(names)) < len(names) or any(repeats(v) for _, v in tree.pairs)
+    return isinstance(tree, list) and any(map(repeats, tree))
+
+
+def written(tree: Any, style: tuple[str, str], is_ascii: bool) -> str:
+    comma, colon = style
+    if isinstance(tree, Pairs):
+        members = (
+            json.dumps(name, ensure_ascii=is_ascii)
+            + colon
+            + written(value, style, is_ascii)
+            for name, value in tree.pairs
+        )
+        return "{" + comma.join(members) + "}"
+    if isinstance(tree, list):
+        return "[" + comma.join(written(v, style, is_ascii) for v in tree) + "]"
+    return json.dumps(tree, ensure_ascii=is_ascii)
 
 
 def test_a_short_json_body_names_the_member() -> None:

@@ -65,7 +65,7 @@ async def is_gone() -> None:
 class Exchange:
     """A request to an endpoint; `send` never returns after the first part.
 
-    is_held: whether the first head is not sent, behind a response that no client reads.
+    is_held: whether the first head is not sent, behind a response that is not read.
     """
 
     is_held = False
