@@ -185,7 +185,7 @@ def sends_doubles(_request: Json, reply: Json) -> Json:
 
 @breaks("SIM-019", "observe")
 def moves_when_it_draws(_request: Json, reply: Json) -> Json:
-    WORLD.sum += 0.01
+    WORLD.sum += 0.01 * (WORLD.steps > 0)
     return reply
 
 
