@@ -27,10 +27,10 @@ class PointWorld : public ps::Simulator {
         {"control_rate_hz", 10.0},
         {"digest", true},
         {"shared_memory", true},
-        {"action_space", ps::Map{{"velocity", ps::vector(2, "1", {-1, -1}, {1, 1})}}},
+        {"action_space", ps::Map{{"velocity", ps::numbers(2, {-1, -1}, {1, 1})}}},
         {"observation_space",
-         ps::Map{{"state", ps::Map{{"position", ps::vector(2, "m", {}, {}, "world", "position")},
-                                   {"target", ps::vector(2, "m", {}, {}, "world", "position")}}},
+         ps::Map{{"state", ps::Map{{"position", in_plane()},
+                                   {"target", in_plane()}}},
                  {"images", ps::Map{{"top", camera("from above")}, {"near", camera("zoomed")}}},
                  {"tensors", ps::Map{}}}},
         {"image_sizes", ps::List{ps::Map{{"width", 64}, {"height", 64}},
@@ -70,6 +70,9 @@ class PointWorld : public ps::Simulator {
   }
 
  private:
+  static ps::Map in_plane() {
+    return ps::vector({{"xy", ps::part(2, "position", "m", "world")}});
+  }
   static ps::Map camera(const char* text) {
     return {{"channels", 3}, {"description", text}};
   }

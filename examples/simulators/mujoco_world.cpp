@@ -73,11 +73,10 @@ class PuckWorld : public ps::Simulator {
         {"control_rate_hz", 10.0},
         {"digest", true},
         {"shared_memory", true},
-        {"action_space", ps::Map{{"velocity", ps::vector(2, "m/s", {-1, -1}, {1, 1}, "world",
-                                               "linear_velocity")}}},
+        {"action_space", ps::Map{{"velocity", ps::vector({{"xy", ps::part(2, "linear_velocity", "m/s", "world")}}, {-1, -1}, {1, 1})}}},
         {"observation_space",
-         ps::Map{{"state", ps::Map{{"position", ps::vector(2, "m", {}, {}, "world", "position")},
-                                   {"target", ps::vector(2, "m", {}, {}, "world", "position")}}},
+         ps::Map{{"state", ps::Map{{"position", in_plane()},
+                                   {"target", in_plane()}}},
                  {"images", ps::Map{{"top", ps::Map{{"channels", 3},
                                                     {"description", "from above"}}}}}}},
         {"image_sizes", ps::List{ps::Map{{"width", 128}, {"height", 128}},
@@ -124,6 +123,9 @@ class PuckWorld : public ps::Simulator {
   }
 
  private:
+  static ps::Map in_plane() {
+    return ps::vector({{"xy", ps::part(2, "position", "m", "world")}});
+  }
   ps::NumbersByName state() const {
     return {{"position", {data_->qpos[0], data_->qpos[1]}},
             {"target", {data_->mocap_pos[0], data_->mocap_pos[1]}}};

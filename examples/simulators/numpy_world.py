@@ -9,7 +9,7 @@ from typing import Any, Dict, List
 
 import numpy as np
 import proctor_simulator
-from proctor_simulator import vector
+from proctor_simulator import part, vector
 
 NEAR_M, STEP_M = 0.05, 0.05
 
@@ -23,12 +23,12 @@ class PointWorld(proctor_simulator.Simulator):
         "max_steps": 60,
         "control_rate_hz": 10,
         "action_space": {
-            "velocity": vector(2, "1", [-1, -1], [1, 1], description="share of 5 cm")
+            "velocity": vector(2, [-1, -1], [1, 1], description="shares of 5 cm")
         },
         "observation_space": {
             "state": {
-                "position": vector(2, "m", quantity="position", frame="world"),
-                "target": vector(2, "m", quantity="position", frame="world"),
+                "position": vector({"xy": part(2, "position", "m", "world")}),
+                "target": vector({"xy": part(2, "position", "m", "world")}),
             },
             "images": {"top": {"channels": 3, "description": "from above"}},
             "tensors": {},

@@ -22,9 +22,9 @@ class StillLife : public ps::Simulator {
   }
 
   ps::Value benchmark() override {
-    ps::Map images, state{{"joint_position", ps::vector(kJoints)},
-                          {"gripper", ps::vector(kGrippers)},
-                          {"base", ps::vector(kBase)}};
+    ps::Map images, state{{"joint_position", ps::numbers(kJoints)},
+                          {"gripper", ps::numbers(kGrippers)},
+                          {"base", ps::numbers(kBase)}};
     for (std::size_t i = 0; has_cameras_ && i < kCameras.size(); ++i)
       images.push_back({kCameras[i], ps::Map{{"channels", 3}, {"description", "A table."}}});
     const ps::Numbers low(kJoints, -1), high(kJoints, 1), low_4(4, -1), high_4(4, 1);
@@ -36,8 +36,8 @@ class StillLife : public ps::Simulator {
         {"digest", true},
         {"shared_memory", true},
         {"splits", ps::List{ps::Map{{"name", "test"}, {"episodes", 2000}, {"first_seed", 1}}}},
-        {"action_space", ps::Map{{"joint_position", ps::vector(kJoints, "1", low, high)},
-                                 {"gripper", ps::vector(4, "1", low_4, high_4)}}},
+        {"action_space", ps::Map{{"joint_position", ps::numbers(kJoints, low, high)},
+                                 {"gripper", ps::numbers(4, low_4, high_4)}}},
         {"observation_space", ps::Map{{"state", state}, {"images", images}}},
         {"image_sizes", ps::List{ps::Map{{"width", kWidth}, {"height", kHeight}}}}};
   }

@@ -22,14 +22,16 @@ type World struct {
 	isReset          bool
 }
 
-func vector(size int, quantity, unit, frame string, bounds ...[]any) Map {
-	part := Map{"start": 0, "size": size, "quantity": quantity, "unit": unit, "frame": frame,
-		"rotation": "none", "relative_to": "none"}
-	space := Map{"size": size, "parts": Map{"all": part}, "out_of_range": "unbounded"}
-	if len(bounds) == 2 {
-		space["minimum"], space["maximum"] = bounds[0], bounds[1]
-		space["out_of_range"] = "clip"
-	}
+// A vector of two numbers in one part.
+func pair(quantity, unit, frame string) Map {
+	part := Map{"start": 0, "size": 2, "quantity": quantity, "unit": unit,
+		"frame": frame, "rotation": "none", "relative_to": "none"}
+	return Map{"size": 2, "parts": Map{"xy": part}, "out_of_range": "unbounded"}
+}
+
+func bounded(space Map) Map {
+	space["minimum"], space["maximum"] = []any{-1.0, -1.0}, []any{1.0, 1.0}
+	space["out_of_range"] = "clip"
 	return space
 }
 
@@ -39,11 +41,11 @@ var benchmark = Map{
 	"simulator":    Map{"name": "go_world", "version": "1"},
 	"tasks":        []any{"reach"},
 	"max_steps":    60,
-	"action_space": Map{"velocity": vector(2, "number", "1", "none", []any{-1.0, -1.0}, []any{1.0, 1.0})},
+	"action_space": Map{"velocity": bounded(pair("number", "1", "none"))},
 	"observation_space": Map{
 		"state": Map{
-			"position": vector(2, "position", "m", "world"),
-			"target":   vector(2, "position", "m", "world"),
+			"position": pair("position", "m", "world"),
+			"target":   pair("position", "m", "world"),
 		},
 		"images": Map{"top": Map{"channels": 3, "description": "from above"}},
 	},

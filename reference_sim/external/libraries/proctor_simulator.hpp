@@ -114,18 +114,24 @@ class Simulator {
   virtual std::string digest() { throw std::logic_error("digest is not written"); }
 };
 
-// A VectorPart: `size` numbers from index `start`, of one meaning.
-inline Map part(int start, int size, std::string quantity, std::string unit,
+// Adjacent numbers of one meaning; spec/conventions.md has the words.
+inline Map part(int size, std::string quantity = "number", std::string unit = "1",
                 std::string frame = "none", std::string rotation = "none",
                 std::string relative_to = "none") {
-  return {{"start", start}, {"size", size}, {"quantity", std::move(quantity)},
-          {"unit", std::move(unit)}, {"frame", std::move(frame)},
-          {"rotation", std::move(rotation)}, {"relative_to", std::move(relative_to)}};
+  return {{"size", size}, {"quantity", std::move(quantity)}, {"unit", std::move(unit)},
+          {"frame", std::move(frame)}, {"rotation", std::move(rotation)},
+          {"relative_to", std::move(relative_to)}};
 }
 
-// A VectorSpace of parts by name. With bounds, numbers beyond them are executed as the
-// nearest allowed ones.
-inline Map vector(int size, Map parts, Numbers minimum = {}, Numbers maximum = {}) {
+// A VectorSpace of named parts, one after the other. With bounds, numbers beyond them
+// are executed as the nearest allowed ones.
+inline Map vector(Map parts, Numbers minimum = {}, Numbers maximum = {}) {
+  int size = 0;
+  for (auto& [name, declared] : parts) {
+    const int start = size;
+    size += int(declared["size"].number());
+    std::get<Map>(declared.content).push_back({"start", start});
+  }
   Map space{{"size", size}, {"parts", std::move(parts)}};
   space.push_back({"out_of_range", minimum.empty() ? "unbounded" : "clip"});
   if (!minimum.empty()) {
@@ -135,11 +141,9 @@ inline Map vector(int size, Map parts, Numbers minimum = {}, Numbers maximum = {
   return space;
 }
 
-// A VectorSpace of one part, `all`: absolute numbers without a rotation.
-inline Map vector(int size, std::string unit = "1", Numbers minimum = {}, Numbers maximum = {},
-                  std::string frame = "none", std::string quantity = "number") {
-  Map all = part(0, size, std::move(quantity), std::move(unit), std::move(frame));
-  return vector(size, Map{{"all", std::move(all)}}, std::move(minimum), std::move(maximum));
+// A VectorSpace of numbers that measure nothing.
+inline Map numbers(int size, Numbers minimum = {}, Numbers maximum = {}) {
+  return vector(Map{{"all", part(size)}}, std::move(minimum), std::move(maximum));
 }
 
 namespace detail {

@@ -71,31 +71,36 @@ class Simulator:
         """Free what the end of the program does not free."""
 
 
-def vector(
+def part(
     size: int,
-    unit: str = "1",
-    minimum: Any = None,
-    maximum: Any = None,
-    *,
-    parts: Any = None,
     quantity: str = "number",
+    unit: str = "1",
     frame: str = "none",
+    *,
     rotation: str = "none",
     relative_to: str = "none",
     **more: Any,
 ) -> Dict[str, Any]:
-    """A VectorSpace. With bounds, numbers beyond them are executed as the nearest
-    allowed ones. parts: {name: {"size": 3, "quantity": …}} where not all numbers have
-    these conventions: what a part does not say is said here."""
-    ours = {"quantity": quantity, "unit": unit, "frame": frame}
-    ours.update(rotation=rotation, relative_to=relative_to)
-    declared: Dict[str, Any] = {}
-    start = 0
-    for name, part in (parts or {"all": {"size": size}}).items():
-        declared[name] = {"start": start, **ours, **part}
-        start += part["size"]
-    space: Dict[str, Any] = {"size": size, "parts": declared}
-    space["out_of_range"] = "unbounded"
+    """Adjacent numbers of one meaning; spec/conventions.md has the words."""
+    space: Dict[str, Any] = {"size": size, "quantity": quantity, "unit": unit}
+    space.update(frame=frame, rotation=rotation, relative_to=relative_to)
+    space.update(more)
+    return space
+
+
+def vector(
+    parts: Any, minimum: Any = None, maximum: Any = None, **more: Any
+) -> Dict[str, Any]:
+    """A VectorSpace of {name: part}, one after the other, or of so many numbers.
+
+    With bounds, numbers beyond them are executed as the nearest allowed ones.
+    """
+    if isinstance(parts, int):
+        parts = {"all": part(parts)}
+    space: Dict[str, Any] = {"size": 0, "parts": {}, "out_of_range": "unbounded"}
+    for name, declared in parts.items():
+        space["parts"][name] = dict(declared, start=space["size"])
+        space["size"] += declared["size"]
     if minimum is not None:
         space.update(minimum=minimum, maximum=maximum, out_of_range="clip")
     space.update(more)

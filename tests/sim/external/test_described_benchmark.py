@@ -22,6 +22,7 @@ from reference_sim.gymnasium.own_sources import ChangedSource, DeclaredFiles
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 from tests.support.paths import ROOT
 from tests.support.sim import breakable_simulator
+from tests.support.sim.breakable_simulator import part, vector
 
 EXAMPLES = ROOT / "examples" / "simulators"
 SCRIPT = breakable_simulator.__file__
@@ -114,7 +115,7 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
             "split a: no task x",
         ),
         (entry("protocol_2"), "speaks protocol 2, and 1 was offered"),
-        (entry("SIM-008"), "its description: Object missing required field `parts`"),
+        (entry("SIM-008"), "its description: Object missing required field `unit`"),
         (entry("SIM-015"), "sent a state of"),
     ],
 )
@@ -135,8 +136,20 @@ def test_a_program_that_cannot_be_played_is_refused(
         ({"success_rule": "best"}, "success_rule: unknown value best"),
         ({"image_sizes": []}, "images and no image_sizes"),
         (
-            {"action_space": {"a": {"size": 2, "unit": "1", "minimum": [0]}}},
-            "Object missing required field",
+            {"action_space": {"a": {"size": 2, "out_of_range": "clip"}}},
+            "Object missing required field `parts`",
+        ),
+        (
+            {"action_space": {"a": vector({"b": part(3, rotation="yaw")})}},
+            "yaw has 1 numbers, the part has 3",
+        ),
+        (
+            {"action_space": {"a": vector(2) | {"size": 3}}},
+            "the parts have 2 numbers, not 3",
+        ),
+        (
+            {"action_space": {"a": vector(2, minimum=[0, 0], maximum=[1])}},
+            "1 bounds for size 2",
         ),
     ],
 )

@@ -21,7 +21,9 @@ LIBRARIES = Path(__file__).parents[3] / "reference_sim" / "external" / "librarie
 sys.path.insert(0, str(LIBRARIES))
 
 import proctor_simulator  # noqa: E402
-from proctor_simulator import _LENGTH, _Session, _write, unpack, vector  # noqa: E402
+from proctor_simulator import _LENGTH, _Session, _write, part, unpack, vector  # noqa: E402
+
+__all__ = ["WORLD", "part", "vector"]
 
 Json = dict[str, Any]
 REPLIES = os.dup(1)
@@ -40,7 +42,7 @@ class CountingWorld(proctor_simulator.Simulator):
             "graded": True,
             "digest": True,
             "shared_memory": True,
-            "action_space": {"add": vector(1, "1", [0.0], [0.1])},
+            "action_space": {"add": vector(1, [0.0], [0.1])},
             "observation_space": {
                 "state": {"sum": vector(1), "left": vector(1) | {"tasks": ["count"]}},
                 "images": {"bar": {"channels": 1, "description": "the sum"}},
@@ -143,8 +145,8 @@ def takes_the_last_protocol(request: Json, reply: Json) -> Json:
 
 
 @breaks("SIM-008", "describe")
-def declares_no_parts(_request: Json, reply: Json) -> Json:
-    WORLD.benchmark["action_space"]["add"].pop("parts", None)
+def declares_no_unit(_request: Json, reply: Json) -> Json:
+    WORLD.benchmark["action_space"]["add"]["parts"]["all"].pop("unit", None)
     return reply
 
 
@@ -185,7 +187,7 @@ def sends_doubles(_request: Json, reply: Json) -> Json:
 
 @breaks("SIM-019", "observe")
 def moves_when_it_draws(_request: Json, reply: Json) -> Json:
-    WORLD.sum += 0.01
+    WORLD.sum += 0.01 * (WORLD.steps > 0)
     return reply
 
 
