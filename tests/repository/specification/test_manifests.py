@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from typing import Any
 
 import msgspec
@@ -19,6 +20,7 @@ from reference_record.benchmark_manifest import (
     without_sealed_seeds,
 )
 from reference_sim import benchmark_registry
+from tests.support.paths import SPEC
 from tools import manifest_vectors
 
 CASES = json.loads(manifest_vectors.PATH.read_text())["cases"]
@@ -62,3 +64,11 @@ def test_a_run_keeps_the_digest_that_it_has_shown() -> None:
 @pytest.mark.parametrize("spaces", [5, [1], {"arm": 5}, {"arm": {"parts": [1]}}])
 def test_spaces_of_unknown_origin_have_some_digest(spaces: Any) -> None:
     assert manifest_sha256({"action_space": spaces, "observation_space": spaces})
+
+
+def test_the_overview_shows_the_digest_of_today() -> None:
+    """Its run has the options of the first vector, which are the defaults."""
+    shown = re.findall(
+        '"manifest_sha256": "([0-9a-f]{64})"', (SPEC / "overview.md").read_text()
+    )
+    assert set(shown) == {CASES[0]["manifest_sha256"]}
