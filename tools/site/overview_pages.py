@@ -77,6 +77,7 @@ rules/index
 operations/index
 spec/security
 spec/extensions
+spec/registry/README
 spec/VERSIONING
 spec/CONFORMANCE
 spec/CHANGELOG
