@@ -19,6 +19,7 @@ CANNED_ANSWERS_PASS = frozenset(
         *("SVC-001", "SVC-002", "VER-001", "BEN-001", "BEN-003", "BEN-004"),
         *("RUN-001", "RUN-002", "RUN-016", "ATT-001", "ATT-011"),
         *("PRED-023", "ERR-012", "ENC-001", "LIFE-204"),
+        *("RUN-033", "CONV-001", "CONV-002", "CONV-003"),
     }
 )
 
@@ -103,7 +104,7 @@ def test_cannot_judge_a_server_that_dies(tmp_path: Path, processes: str) -> None
         (["--profil", "core"], "Did you mean one of: '--profile'"),
         (
             ["--url", "http://x", "--profile", "limit"],
-            "; did you mean limits? known: core",
+            "; did you mean limits or lists? known: core",
         ),
         (["--url", "http://x", "--only", "NOPE-001"], "no rule id"),
         (["--url", "http://x", "--profile", "fast"], "known: core"),

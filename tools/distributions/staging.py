@@ -19,7 +19,10 @@ VERSION: str = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"][
 ]
 _MODE = 0o644
 # The files of spec/ that an installed kit reads; only authors of servers need vectors.
-_SPECIFICATION = ("*.md", "*.yaml", "profiles/*.md", "profiles/*.yaml")
+_SPECIFICATION = (
+    *("*.md", "*.yaml", "profiles/*.md", "profiles/*.yaml"),
+    *("registry/*.md", "registry/*.yaml"),
+)
 
 
 class CannotBuild(Exception):

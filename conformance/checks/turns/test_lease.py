@@ -257,17 +257,19 @@ def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
 
 @requirement("LEASE-013")
 def test_lease_013_can_send_heartbeats_when_done(context: CheckContext) -> None:
-    """A session that is done sends heartbeats, while another worker plays its run and
-    when that is completed. Expect a lease each time.
+    """A session that is done sends heartbeats, while another worker plays its run, if
+    it may have two, and when that is completed. Expect a lease each time.
     """
-    run = context.submit("score", "score", max_workers=2)
-    worker, done = run.worker(), run.worker()
-    worker.attach()
-    done.attach()
+    count_of_workers = context.worker_count(2)
+    run = context.submit(*["score"] * count_of_workers, max_workers=count_of_workers)
+    *others, done = [run.worker() for _ in range(count_of_workers)]
+    for worker in (*others, done):
+        worker.attach()
     if not done.play()["done"]:
         raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
     expect.ok(done.try_heartbeat())
-    worker.play()
+    for worker in others:
+        worker.play()
     for _ in range(2):
         expect.ok(done.try_heartbeat())
 

@@ -52,6 +52,7 @@ def test_sealed_records_are_replayed_when_their_seeds_are_opened(
 ) -> None:
     """Also the record of a run of a part; both are verified before."""
     monkeypatch.chdir(tmp_path)  # another machine, which does not have the secret
+    monkeypatch.setenv("COLUMNS", "200")  # a row of a table is a line
     with ReferenceServer(tmp_path) as server, server.client() as client:
         whole = save_record(client, tmp_path)
         part = save_record(client, tmp_path, select={"splits": ["odd"]})

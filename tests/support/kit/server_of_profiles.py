@@ -48,6 +48,8 @@ def require_known(name: str, body: Any) -> None:
     """Raise Refused if a body has a field or a value of a profile that is missing."""
     own = FIELDS.get(name, {})
     used = [*profiles_used(name, body), *((f"/{k}", own[k]) for k in own if k in body)]
+    if "sealed" in (body.get("options") or {}):
+        used.append(("/options/sealed", "sealed_seeds"))
     for pointer, profile in used:
         if profile not in ANNOUNCED:
             errors = [(pointer, "unknown")]
