@@ -31,17 +31,24 @@ if kept.exists():
 if kept.parent.exists():
     kept.write_text("a run")
 address = os.environ["PROCTOR_HOST"], int(os.environ["PROCTOR_PORT"])
-server = http.server.ThreadingHTTPServer(address, http.server.SimpleHTTPRequestHandler)
+Handler = http.server.SimpleHTTPRequestHandler
+server = http.server.ThreadingHTTPServer(address, Handler, bind_and_activate=False)
+server.server_bind()
 outlives = pathlib.Path("child-outlives-s")
-if outlives.exists() and os.fork() == 0:
-    os.setsid()
-    parent, server.timeout = os.getppid(), 0.01
-    while os.getppid() == parent:
-        time.sleep(0.01)
-    until = time.monotonic() + float(outlives.read_text())
-    while time.monotonic() < until:
-        server.handle_request()
-    os._exit(0)
+if outlives.exists():
+    parent, (ready, write_end) = os.getpid(), os.pipe()
+    if os.fork() == 0:
+        os.setsid()
+        os.write(write_end, b".")
+        server.timeout = 0.01
+        while os.getppid() == parent:
+            time.sleep(0.01)
+        until = time.monotonic() + float(outlives.read_text())
+        while time.monotonic() < until:
+            server.handle_request()
+        os._exit(0)
+    os.read(ready, 1)  # from here on, no kill of the group ends the child
+server.server_activate()
 server.serve_forever()
 """
 DATABASE = "os.environ['PROCTOR_DATABASE']"
