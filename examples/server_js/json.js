@@ -19,13 +19,14 @@ export function parse(bytes) {
 }
 
 /** JSON.stringify writes −0 as 0, but the state `vector` returns it bit for bit (ENC-003). */
-export function write(value, order = (names) => names) {
-  if (Object.is(value, -0)) return '-0.0';
+export function write(value, order = null) {
+  if (Object.is(value, -0)) return order ? '0' : '-0.0';
   if (Array.isArray(value)) return `[${value.map((item) => write(item, order)).join(',')}]`;
   if (value === null || typeof value !== 'object') return JSON.stringify(value);
-  const names = order(Object.keys(value).filter((name) => value[name] !== undefined));
+  const shown = Object.keys(value).filter((name) => value[name] !== undefined);
+  const names = order?.(shown) ?? shown;
   return `{${names.map((name) => `${JSON.stringify(name)}:${write(value[name], order)}`).join(',')}}`;
 }
 
-/** The same text for two values that are equal, whatever the order of their fields (PRED-025). */
+/** The same text for equal values, as 0 and −0 are, in any order of fields (PRED-025, RFC 8785). */
 export const canonical = (value) => write(value, (names) => names.sort());

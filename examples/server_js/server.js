@@ -13,7 +13,6 @@ if (!PROCTOR_TOKENS) {
   process.exit(2);
 }
 const runs = new Map(); // run id → run
-
 function findRun({ account, params }) {
   const run = runs.get(params.run_id);
   if (run?.account !== account) throw new Problem('not_found');

@@ -718,7 +718,7 @@ class Limits(BaseModel):
     heartbeat_s_max: Annotated[
         float | MISSING,
         Field(
-            description="Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.",
+            description="Longest time that a session lives without a new turn, or its `idle_timeout_s` if that is longer; for the profile `limits`.",
             ge=1.0,
         ),
     ] = MISSING

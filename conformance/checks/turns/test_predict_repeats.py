@@ -432,8 +432,8 @@ def reversed_members(value: Any) -> Any:
 
 @requirement("PRED-025")
 def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
-    """A client that writes its members in another order, and 1.0 as 1, repeats a turn;
-    where MessagePack is offered, in that encoding, too.
+    """A client that writes its members in another order, 1.0 as 1, and 0 as −0, repeats a
+    turn; where MessagePack is offered, in that encoding, too.
 
     Expect the stored response; with another value, `seq_conflict`.
     """
@@ -442,8 +442,11 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
     body = {"session_id": worker.session_id, "seq": 1, "actions": [action, action]}
     how = {"worker_id": worker.id}
     turn = expect.require(worker.run.call("predict", json=body, **how), 200, "predict")
-    again = worker.run.call("predict", json=reversed_members(body), **how)
-    expect.equal(expect.ok(again), turn, "the repeated turn")
+    signed = {"vector": [1.0, 2.0, 0.5, -4.0, 1e3, -0.0, -0.0, -0.0]}
+    zeros = {"values": action["values"] | signed}
+    for repeat in (body, body | {"actions": [zeros, action]}):
+        again = worker.run.call("predict", json=reversed_members(repeat), **how)
+        expect.equal(expect.ok(again), turn, "the repeated turn")
     if context.speaks_msgpack:
         again = worker.run.call("predict", json=body, msgpack=True, **how)
         expect.equal(expect.ok(again), turn, "the turn repeated in MessagePack")

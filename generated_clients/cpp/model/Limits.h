@@ -22,7 +22,7 @@ struct Limits {
     std::optional<std::int32_t> max_header_bytes{}; // Longest request line with its headers that is read; for the profile `limits`.
     std::optional<double> header_timeout_s{}; // Time in which the headers of a request are complete, from its first byte; for the profile `limits`.
     std::optional<double> body_timeout_s{}; // Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
-    std::optional<double> heartbeat_s_max{}; // Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`.
+    std::optional<double> heartbeat_s_max{}; // Longest time that a session lives without a new turn, or its `idle_timeout_s` if that is longer; for the profile `limits`.
     std::optional<double> unused_s_max{}; // When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`.
     std::optional<std::int64_t> max_control_body_bytes{}; // Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
     std::optional<std::int32_t> max_open_runs{}; // Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.

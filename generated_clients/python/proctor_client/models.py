@@ -495,7 +495,7 @@ class Limits(Message):
     body_timeout_s: Annotated[float, Field(strict=True, ge=0)] | None = None
     """Time in which a part of a body arrives after the headers of its request; for the profile `limits`."""
     heartbeat_s_max: Annotated[float, Field(strict=True, ge=1)] | None = None
-    """Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`."""
+    """Longest time that a session lives without a new turn, or its `idle_timeout_s` if that is longer; for the profile `limits`."""
     unused_s_max: Annotated[float, Field(strict=True, ge=0)] | None = None
     """When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`."""
     max_control_body_bytes: Annotated[int, Field(strict=True, ge=65536)] | None = None

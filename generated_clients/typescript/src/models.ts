@@ -432,7 +432,7 @@ export interface Limits {
     header_timeout_s?: number;
     /** Time in which a part of a body arrives after the headers of its request; for the profile `limits`. */
     body_timeout_s?: number;
-    /** Longest time that a session lives without a new turn, whatever its `idle_timeout_s`; for the profile `limits`. */
+    /** Longest time that a session lives without a new turn, or its `idle_timeout_s` if that is longer; for the profile `limits`. */
     heartbeat_s_max?: number;
     /** When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`. */
     unused_s_max?: number;
