@@ -432,7 +432,7 @@ def reversed_members(value: Any) -> Any:
 
 @requirement("PRED-025")
 def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
-    """A client that writes its members in another order, 1.0 as 1, and 0 as −0, repeats a
+    """A client that writes its members in another order, 1.0 as 1, 0 as −0, repeats a
     turn; where MessagePack is offered, in that encoding, too.
 
     Expect the stored response; with another value, `seq_conflict`.
