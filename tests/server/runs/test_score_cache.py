@@ -24,6 +24,7 @@ from tests.support.server.server_parts import (
     record_score,
     start_task,
 )
+from tests.support.waiting import wait_in_loop
 
 
 def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
@@ -45,6 +46,16 @@ async def evict_run(parts: ServerParts, run: Run) -> None:
     parts.registry.cache._recent.drop(run.run_id)
 
 
+async def wait_until_evicted(parts: ServerParts, run_id: str) -> None:
+    """A task that stored the run may hold it for a moment."""
+
+    def is_evicted() -> bool:
+        gc.collect()
+        return run_id not in parts.registry.cache
+
+    await wait_in_loop(is_evicted)
+
+
 async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
     """A stopped run with three episodes and `count` results, not held in memory."""
     run = calibration_run("score", "score", "score", run_id=run_id, state="stopped")
@@ -61,7 +72,8 @@ async def test_the_score_of_a_stable_run_is_computed_once(
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await add_stopped_run(parts, "run_1", 1)
         await add_stopped_run(parts, "run_2", 2)
-        gc.collect()
+        await wait_until_evicted(parts, "run_1")
+        await wait_until_evicted(parts, "run_2")
         score_cache = ScoreCache()
         for _ in range(3):
             first = await score_cache.get(parts.registry.reader, "run_1", "alice")
@@ -76,7 +88,7 @@ async def test_a_changed_run_is_scored_again(
     computed = record_computed_scores(monkeypatch)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await add_stopped_run(parts, "run_1", 1)
-        gc.collect()
+        await wait_until_evicted(parts, "run_1")
         score_cache = ScoreCache()
         before = await score_cache.get(parts.registry.reader, "run_1", "alice")
         assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
@@ -91,7 +103,7 @@ async def test_a_changed_run_is_scored_again(
         effects.stop(run, "abort", 0.0)
         await evict_run(parts, run)
         del run
-        gc.collect()
+        await wait_until_evicted(parts, "run_1")
         del computed[:]
         for _ in range(2):
             after = await score_cache.get(parts.registry.reader, "run_1", "alice")
