@@ -164,7 +164,7 @@ async def test_the_score_cache_is_bounded(
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         for number in range(3):
             await add_stopped_run(parts, f"run_{number}", 1)
-        gc.collect()
+            await wait_until_evicted(parts, f"run_{number}")
         cache = ScoreCache()
         for number in (0, 1, 2, 2, 1, 0):
             await cache.get(parts.registry.reader, f"run_{number}", "alice")
