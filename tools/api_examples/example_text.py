@@ -34,13 +34,14 @@ def outdated(file: Path, examples: Mapping[str, Mapping[str, Any]]) -> list[str]
 
 
 def outline(value: Any) -> Any:
-    """The value without numbers that are not small and texts with digits."""
+    """The value without random ids, texts with digits, and numbers that are not small."""
     if isinstance(value, Mapping):
         return {key: outline(item) for key, item in value.items()}
     if isinstance(value, list):
         return [outline(item) for item in value]
     if isinstance(value, str):
-        return "" if re.search(r"\d", value) else value
+        is_random = re.fullmatch(r"[\w-]{32}", value) or re.search(r"\d", value)
+        return "" if is_random else value
     is_small = isinstance(value, int) and value < COMPARED_BELOW
     return value if value is None or is_small else 0
 

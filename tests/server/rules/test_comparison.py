@@ -216,4 +216,4 @@ def test_the_tolerance_is_the_one_described() -> None:
     (parameter,) = [p for p in described if p.get("name") == "tolerance"]
     assert f"{TOLERANCE:g} when absent" in parameter["description"]
     rounding = f"{comparison.ROUNDING:g}".replace("e-0", "e-")
-    assert f"by more than {rounding}" in load_ledger()["CMP-008"].text
+    assert f"plus {rounding}." in load_ledger()["CMP-008"].text
