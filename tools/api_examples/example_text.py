@@ -34,7 +34,7 @@ def outdated(file: Path, examples: Mapping[str, Mapping[str, Any]]) -> list[str]
 
 
 def outline(value: Any) -> Any:
-    """The value without random ids, texts with digits, and numbers that are not small."""
+    """The value without random ids, texts with digits, and large numbers."""
     if isinstance(value, Mapping):
         return {key: outline(item) for key, item in value.items()}
     if isinstance(value, list):
