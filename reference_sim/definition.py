@@ -62,6 +62,35 @@ class BenchmarkDefinition:
             check_resources(self.ray_resources)  # raises ValueError
 
 
+def definition_of_plan(
+    adapter: str,
+    plan: Json,
+    manifest: Json,
+    make: Callable[[Mapping[str, Any]], Simulator],
+    *,
+    seed_max: int,
+    success_scored: bool,
+    ray_resources: Mapping[str, float],
+) -> BenchmarkDefinition:
+    """The definition of a benchmark that a host brings, which has no options.
+
+    adapter: makes the simulator from `plan`; a simulator process has its own registry.
+    success_scored: the score of an episode is its success.
+    """
+
+    def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
+        return {**manifest, "max_chunk": max_chunk}
+
+    def settings(images: Mapping[str, Any]) -> Json:
+        scored = manifest["tasks"] if success_scored else []
+        chosen = {"adapter": adapter, "plan": plan, "success_scored_tasks": scored}
+        return {**images, **chosen}
+
+    return BenchmarkDefinition(
+        describe, settings, make, seed_max=seed_max, ray_resources=ray_resources
+    )
+
+
 def image_sizes(*sizes: tuple[int, int]) -> list[Json]:
     return [{"width": width, "height": height} for width, height in sizes]
 

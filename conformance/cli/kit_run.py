@@ -1,14 +1,14 @@
 """The frame of a kit run: errors become a problem of the result, reports are written.
 
-Shared by `python -m conformance` and `python -m conformance.policy`. Knows neither how
-a server is inspected nor which checks run.
+Shared by `python -m conformance` and the kits of policy servers and simulators. Does
+not know how a server is inspected.
 """
 
 import contextlib
 import signal
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
@@ -21,6 +21,7 @@ from conformance.reports.summary import append_summary
 from conformance.runner.preflight import CannotJudge
 from conformance.runner.server_process import StartFailed
 from conformance.specification.document import load_spec
+from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 
@@ -54,6 +55,35 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
             result.notes.append(f"no statement was written: {error}")
     terminal.report(result)
     return result.exit_code
+
+
+def run_checks(
+    result: Result,
+    terminal: Terminal,
+    *,
+    processes: int = 1,
+    known_failures: Collection[str] = (),
+) -> None:
+    """Run the checks of the selected rules, and fill in the rows of the result."""
+    # Imported late: it loads pytest, which no earlier exit needs.
+    from conformance.runner.execution import execute
+
+    collector = execute(result.settings, processes, terminal.progress)
+    result.problem = collector.problem
+    conclude(result, collector.verdicts, collector.tally, set(known_failures))
+
+
+def read_only(text: str | None, profile: str) -> list[str]:
+    """The ids and prefixes of --only, of a kit that judges one profile.
+
+    Raises BadArguments.
+    """
+    only = [part.strip() for part in (text or "").split(",") if part.strip()]
+    rules = [row.id for row in load_ledger().values() if row.profile == profile]
+    for wanted in only:
+        if not any(rule.startswith(wanted) for rule in rules):
+            raise BadArguments(f"--only {wanted}: no rule id starts with {wanted}")
+    return only
 
 
 def _require_place(folder: Path) -> None:

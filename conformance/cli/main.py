@@ -15,7 +15,7 @@ from conformance.cli.arguments import (
 )
 from conformance.cli.console import Terminal
 from conformance.cli.kit_command import BadArguments
-from conformance.cli.kit_run import run_kit
+from conformance.cli.kit_run import run_checks, run_kit
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge, inspect
 from conformance.runner.server_process import (
@@ -25,7 +25,7 @@ from conformance.runner.server_process import (
     open_directory,
 )
 from conformance.specification.document import spec_name
-from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.result import Result
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -77,14 +77,14 @@ def _judge(
     )
     if not settings.selected_rules:
         raise CannotJudge("--only and --profile select no rule")
-    # Imported late: it loads pytest, which no earlier exit needs.
-    from conformance.runner.execution import execute
-
     # Crash checks by a hook restart the server under all other checks.
     is_exclusive = settings.restart_cmd is not None
-    collector = execute(settings, 1 if is_exclusive else processes, terminal.progress)
-    result.problem = collector.problem
-    conclude(result, collector.verdicts, collector.tally, known_failures)
+    run_checks(
+        result,
+        terminal,
+        processes=1 if is_exclusive else processes,
+        known_failures=known_failures,
+    )
 
 
 @contextlib.contextmanager

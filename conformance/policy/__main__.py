@@ -17,7 +17,7 @@ from conformance.cli.kit_command import (
     option,
     parse_options,
 )
-from conformance.cli.kit_run import run_kit
+from conformance.cli.kit_run import read_only, run_checks, run_kit
 from conformance.cli.reached_server import (
     accept_authorities,
     read_base_url,
@@ -30,9 +30,9 @@ from conformance.policy.benchmark_source import DEFAULT_SERVER, read_benchmark
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.specification.document import spec_name
-from conformance.specification.ledger import POLICY, load_ledger
+from conformance.specification.ledger import POLICY
 from conformance.verdicts.expect import OwnConnectionFailed, Violation, describe_answer
-from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.result import Result
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -101,16 +101,11 @@ def _settings(options: KitOptions) -> Settings:
         token = read_secret(None, "PROCTOR_TOKEN", "PROCTOR_TOKEN")
     except ValueError as error:
         raise BadArguments(str(error)) from error
-    only = [part.strip() for part in (options.only or "").split(",") if part.strip()]
-    rule_ids = [row.id for row in load_ledger().values() if row.profile == POLICY]
-    for wanted in only:
-        if not any(row.startswith(wanted) for row in rule_ids):
-            raise BadArguments(f"--only {wanted}: no rule id starts with {wanted}")
     seed = options.seed
     return Settings(
         url=url,
         token=key,
-        only=only,
+        only=read_only(options.only, POLICY),
         profiles=[POLICY],
         report=options.report,
         seed=random.randrange(10**6) if seed is None else seed,
@@ -125,12 +120,7 @@ def _judge(result: Result, terminal: Terminal) -> None:
     terminal.say(
         f"{name} at {settings.url}, benchmark {settings.benchmark['benchmark_id']}"
     )
-    # Imported late: it loads pytest, which no earlier exit needs.
-    from conformance.runner.execution import execute
-
-    collector = execute(settings, 1, terminal.progress)
-    result.problem = collector.problem
-    conclude(result, collector.verdicts, collector.tally, set())
+    run_checks(result, terminal)
 
 
 def _description(settings: Settings) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from conformance.cli.kit_command import (
     option,
     parse_options,
 )
-from conformance.cli.kit_run import run_kit
+from conformance.cli.kit_run import read_only, run_checks, run_kit
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
@@ -27,9 +27,9 @@ from conformance.runner.preflight import CannotJudge
 from conformance.simulator.description_faults import description_faults
 from conformance.simulator.simulator_client import SimulatorClient
 from conformance.specification.document import spec_name
-from conformance.specification.ledger import SIMULATOR, load_ledger
+from conformance.specification.ledger import SIMULATOR
 from conformance.verdicts.expect import SetUpFailed
-from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.result import Result
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -90,13 +90,8 @@ def build_command() -> KitCommand:
 def _settings(options: KitOptions) -> Settings:
     if not options.command:
         raise BadArguments("the command that starts the simulator is missing")
-    only = [part.strip() for part in (options.only or "").split(",") if part.strip()]
-    rules = [row.id for row in load_ledger().values() if row.profile == SIMULATOR]
-    for wanted in only:
-        if not any(rule.startswith(wanted) for rule in rules):
-            raise BadArguments(f"--only {wanted}: no rule id starts with {wanted}")
     return Settings(
-        only=only,
+        only=read_only(options.only, SIMULATOR),
         profiles=[SIMULATOR],
         report=options.report,
         seed=random.randrange(10**6) if options.seed is None else options.seed,
@@ -121,12 +116,7 @@ def _judge(result: Result, terminal: Terminal) -> None:
         "profiles": [SIMULATOR],
     }
     terminal.say(settings.service["name"])
-    # Imported late: it loads pytest, which no earlier exit needs.
-    from conformance.runner.execution import execute
-
-    collector = execute(settings, 1, terminal.progress)
-    result.problem = collector.problem
-    conclude(result, collector.verdicts, collector.tally, set())
+    run_checks(result, terminal)
 
 
 def _read_description(settings: Settings) -> dict[str, Any]:

@@ -11,7 +11,7 @@ import msgspec
 from msgspec import Meta
 from pydantic import ValidationError
 
-from reference_sim.definition import BenchmarkDefinition, Json
+from reference_sim.definition import BenchmarkDefinition, Json, definition_of_plan
 from reference_sim.external.external_simulator import DTYPES, ExternalSimulator, make
 from reference_sim.external.program import (
     START_TIMEOUT_S,
@@ -165,29 +165,13 @@ def definition(
         is_invalid = isinstance(error, msgspec.ValidationError)
         text = f"its description: {error}" if is_invalid else str(error)
         raise BadBenchmark(f"simulator {name}: {text}") from error
-    return complete.benchmark_id, _definition_of(plan, manifest, declared, complete)
-
-
-def _definition_of(
-    plan: Json, manifest: Json, declared: _Described, complete: Benchmark
-) -> BenchmarkDefinition:
-    def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
-        return {**manifest, "max_chunk": max_chunk}
-
-    def settings(images: Mapping[str, Any]) -> Json:
-        scored = [] if declared.graded else manifest["tasks"]
-        return {
-            **images,
-            "adapter": ADAPTER,  # a simulator process has its own registry
-            "plan": plan,
-            "success_scored_tasks": scored,
-        }
-
-    return BenchmarkDefinition(
-        describe,
-        settings,
+    return complete.benchmark_id, definition_of_plan(
+        ADAPTER,
+        plan,
+        manifest,
         make,
         seed_max=SEED_MAX,
+        success_scored=not declared.graded,
         ray_resources=complete.ray_resources or {},
     )
 

@@ -20,7 +20,7 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import IO, Any
 
-from reference_sim.definition import BenchmarkDefinition, Json
+from reference_sim.definition import BenchmarkDefinition, Json, definition_of_plan
 from reference_sim.external import described_benchmark
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import (
@@ -66,25 +66,13 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
 
 def _definition(report: Json) -> BenchmarkDefinition:
     """The definition that follows from a report without faults."""
-    plan, manifest = report["plan"], report["manifest"]
-
-    def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:
-        return {**manifest, "max_chunk": max_chunk}
-
-    def settings(images: Mapping[str, Any]) -> Json:
-        scored = manifest["tasks"] if plan["score"] == "success" else []
-        return {
-            **images,
-            "adapter": "gymnasium",  # a simulator process has its own registry
-            "plan": plan,
-            "success_scored_tasks": scored,
-        }
-
-    return BenchmarkDefinition(
-        describe,
-        settings,
+    return definition_of_plan(
+        "gymnasium",
+        report["plan"],
+        report["manifest"],
         make,
         seed_max=SEED_MAX,
+        success_scored=report["plan"]["score"] == "success",
         ray_resources=report["ray_resources"],
     )
 

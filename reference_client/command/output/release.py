@@ -33,24 +33,24 @@ def may_release(comparison: Comparison, run: ComparedRun) -> bool:
     it is the gate for a policy that has to stay the same on another chip.
     """
     limit = comparison.tolerance + ROUNDING
-    return run.complete and all(one.difference <= limit for one in _groups(run))
+    return run.complete and all(group.difference <= limit for group in _groups(run))
 
 
 def _groups(run: ComparedRun, evidence: Evidence | None = None) -> list[_Group]:
     """All episodes, then those of each task, with the evidence of a difference."""
     whole = evidence is not None and evidence.overall.is_shown
     groups = [_Group(None, run.difference or 0.0, whole)]
-    for task, group in run.by_task.items():
-        found = evidence.by_task.get(task) if evidence is not None else None
-        is_shown = found is not None and found.is_shown
-        groups.append(_Group(task, group.difference or 0.0, is_shown))
+    for task, compared in run.by_task.items():
+        of_task = evidence.by_task.get(task) if evidence is not None else None
+        is_shown = of_task is not None and of_task.is_shown
+        groups.append(_Group(task, compared.difference or 0.0, is_shown))
     return groups
 
 
 def _names(groups: Sequence[_Group]) -> str:
     """Where something differs: `overall and in push`; a task may have any name."""
-    tasks = ", ".join(one.task for one in groups if one.task is not None)
-    overall = ["overall"] if any(one.task is None for one in groups) else []
+    tasks = ", ".join(group.task for group in groups if group.task is not None)
+    overall = ["overall"] if any(group.task is None for group in groups) else []
     return " and ".join([*overall, *([f"in {tasks}"] if tasks else [])])
 
 
@@ -62,8 +62,8 @@ def explain_release(
     if not run.complete:
         return "no: not every episode is scored in both"
     groups, limit = _groups(run, evidence), comparison.tolerance + ROUNDING
-    worse = [one for one in groups if one.difference > limit]
-    better = [one for one in groups if one.difference < -limit]
+    worse = [group for group in groups if group.difference > limit]
+    better = [group for group in groups if group.difference < -limit]
     if not worse and not better:
         return f"yes: no difference exceeds {tolerance}"
     if not worse:
@@ -71,7 +71,7 @@ def explain_release(
             f"yes: nothing is worse by more than {tolerance}; "
             f"better by more {_names(better)}"
         )
-    if shown := [one for one in worse if one.is_shown]:
+    if shown := [group for group in worse if group.is_shown]:
         return f"no: worse by more than {tolerance} {_names(shown)}"
     return (
         f"not decided: worse by more than {tolerance} {_names(worse)}, "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import socket
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler
 
@@ -18,17 +18,18 @@ def closed_port() -> Iterator[int]:
         yield int(bound.getsockname()[1])
 
 
-@contextmanager
-def other_server() -> Iterator[str]:
-    """The URL of a server of something else, which has no such page."""
+def _handler(
+    status: int, header: Callable[[str], tuple[str, str]]
+) -> type[BaseHTTPRequestHandler]:
+    """Answers each request without a body; header: path → name and value."""
 
     class Handler(BaseHTTPRequestHandler):
         protocol_version = "HTTP/1.1"
 
         def do_GET(self) -> None:
             self.rfile.read(int(self.headers.get("Content-Length") or 0))
-            self.send_response_only(405)
-            self.send_header("Content-Type", "text/html")
+            self.send_response_only(status)
+            self.send_header(*header(self.path))
             self.send_header("Content-Length", "0")
             self.end_headers()
 
@@ -37,28 +38,18 @@ def other_server() -> Iterator[str]:
         def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
             """No request is of interest."""
 
-    with serve_plainly(Handler) as url:
+    return Handler
+
+
+@contextmanager
+def other_server() -> Iterator[str]:
+    """The URL of a server of something else, which has no such page."""
+    with serve_plainly(_handler(405, lambda _: ("Content-Type", "text/html"))) as url:
         yield url
 
 
 @contextmanager
 def moved_server(place: str) -> Iterator[str]:
     """The URL of a server that redirects every request to the base URL `place`."""
-
-    class Handler(BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"
-
-        def do_GET(self) -> None:
-            self.rfile.read(int(self.headers.get("Content-Length") or 0))
-            self.send_response_only(308)
-            self.send_header("Location", place + self.path)
-            self.send_header("Content-Length", "0")
-            self.end_headers()
-
-        do_POST = do_PUT = do_DELETE = do_GET  # noqa: N815
-
-        def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
-            """No request is of interest."""
-
-    with serve_plainly(Handler) as url:
+    with serve_plainly(_handler(308, lambda path: ("Location", place + path))) as url:
         yield url
