@@ -21,7 +21,7 @@ LIBRARIES = Path(__file__).parents[3] / "reference_sim" / "external" / "librarie
 sys.path.insert(0, str(LIBRARIES))
 
 import proctor_simulator  # noqa: E402
-from proctor_simulator import _LENGTH, _Session, _write, part, unpack, vector  # noqa: E402
+from proctor_simulator import _LENGTH, _Session, _write, pack, part, unpack, vector  # noqa: E402
 
 __all__ = ["WORLD", "part", "vector"]
 
@@ -275,7 +275,8 @@ def writes_what_is_not_messagepack(_request: Json, _reply: Json) -> Json:
 
 @breaks("replies_twice", "step")
 def sends_each_reply_twice(_request: Json, reply: Json) -> Json:
-    _write(REPLIES, reply)
+    body = b"".join(pack(reply))
+    os.write(REPLIES, 2 * (_LENGTH.pack(len(body)) + body))  # both arrive at once
     return reply
 
 
