@@ -147,7 +147,7 @@ def _serve(
     app = build(settings, tokens, limiter, metrics_listener, traces)
     config = uvicorn.Config(
         app,
-        http=connection_factory(limiter),
+        http=connection_factory(limiter, app.direct),
         ws="none",  # none is offered, and it would have none of the bounds
         log_level=settings.log_level,
         log_config=log_config(
