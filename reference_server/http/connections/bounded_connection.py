@@ -235,6 +235,7 @@ class BoundedConnection(HttpToolsProtocol):
             return False
         scope: dict[str, Any] = {
             **self.scope,
+            "raw_path": self.url,
             "path": self.url.decode("ascii"),
             "path_params": path,
         }

@@ -95,7 +95,9 @@ class DirectCycle:
                 connection.on_response_complete()
         except Exception:
             log.exception("an answer could not be sent")
-            connection.transport.close()
+        finally:
+            if not self.response_complete:
+                connection.transport.close()
 
     async def _write(self, response: Response) -> bool:
         """Send it; returns whether the client is still there."""
