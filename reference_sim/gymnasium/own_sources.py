@@ -36,6 +36,15 @@ _STDLIB = {
 class ChangedSource(Exception):
     """The files differ from those of the manifest; the text has the cure."""
 
+    @classmethod
+    def of(cls, names: Iterable[str]) -> ChangedSource:
+        """The exception of files that are not those of the manifest."""
+        return cls(
+            f"{', '.join(names)} has changed since the server started, so the "
+            "manifest is not that of this file; restart the server to offer the "
+            "changed benchmark"
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class OwnFile:
@@ -144,8 +153,7 @@ class OwnSources:
 
     def _refuse(self, name: str, *, is_listed: bool = True) -> None:
         self.fault = (
-            f"{name} has changed since the server started, so the manifest is not that "
-            "of this file; restart the server to offer the changed benchmark"
+            str(ChangedSource.of([name]))
             if is_listed
             else f"{name} was not imported when the server checked the benchmark, so "
             "it is not in the manifest; import it at the top of the environment's file "
@@ -267,10 +275,7 @@ class DeclaredFiles:
             except OSError:
                 is_equal = False
             if not is_equal:
-                raise ChangedSource(
-                    f"{name} has changed since the server started, so the manifest is "
-                    "not that of this file; restart the server"
-                )
+                raise ChangedSource.of([name])
             self._seen[name] = seen
 
 
