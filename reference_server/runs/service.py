@@ -189,6 +189,7 @@ class RunService:
             await self.registry.check_open_elsewhere(run.account)
             run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
+            self.executor.require_playable(run)
             self.registry.open_again(run)
             effects.resume(run, self.registry.admission.queue_until(run.submission))
             await self.registry.commit_opened(run)

@@ -32,8 +32,8 @@ from reference_sim.external.simulator_messages import (
     StepDone,
     TensorValue,
 )
-from reference_sim.gymnasium.own_sources import ChangedSource, DeclaredFiles
-from reference_sim.interface import Action, Observation, StepOutcome
+from reference_sim.gymnasium.own_sources import DeclaredFiles
+from reference_sim.interface import Action, ChangedSource, Observation, StepOutcome
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 DTYPES = {

@@ -22,6 +22,7 @@ from types import CodeType, ModuleType
 from typing import Any
 
 from reference_sim.definition import installed_version
+from reference_sim.interface import ChangedSource
 
 FILES_MAX = 2000
 _PROJECT = Path(__file__).resolve().parents[2]
@@ -31,19 +32,6 @@ _INSTALLED = ("site-packages", "dist-packages")
 _STDLIB = {
     Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")
 }
-
-
-class ChangedSource(Exception):
-    """The files differ from those of the manifest; the text has the cure."""
-
-    @classmethod
-    def of(cls, names: Iterable[str]) -> ChangedSource:
-        """The exception of files that are not those of the manifest."""
-        return cls(
-            f"{', '.join(names)} has changed since the server started, so the "
-            "manifest is not that of this file; restart the server to offer the "
-            "changed benchmark"
-        )
 
 
 @dataclass(frozen=True, slots=True)

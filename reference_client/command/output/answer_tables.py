@@ -20,6 +20,7 @@ from proctor_client import (
 
 from reference_client.command.output.episode_facts import (
     episode_facts,
+    faults_text,
     label_of,
     played_by,
 )
@@ -48,6 +49,7 @@ def run_facts(
             + (f", version {run.policy.version}" if run.policy.version else "")
             + ("; others may play, too" if run.any_policy else ""),
             "played by": played_by(episodes),
+            "faults": faults_text(episodes),
             "score": None if score is None else _headline(score),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",

@@ -18,7 +18,8 @@ from reference_sim.external import LIBRARIES
 from reference_sim.external.external_simulator import ExternalSimulator
 from reference_sim.external.program import Program
 from reference_sim.gymnasium import BadBenchmark, registration
-from reference_sim.gymnasium.own_sources import ChangedSource, DeclaredFiles
+from reference_sim.gymnasium.own_sources import DeclaredFiles
+from reference_sim.interface import ChangedSource
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 from tests.support.paths import ROOT
 from tests.support.sim import breakable_simulator
