@@ -253,7 +253,7 @@ def comparison_tables(
             "scores": f"{whole.better} episodes better, {whole.worse} worse",
             "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
-            "release": explain_release(comparison, run, evidence),
+            "release": explain_release(comparison, run, evidence, watched),
         }
     )
     table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))
