@@ -270,7 +270,7 @@ class RunService:
             scored.append(episodes)
             await asyncio.sleep(0)  # others are served between two runs
         mismatch = comparison.manifest_mismatch(
-            [(run.run_id, run.manifest_sha256) for run in runs]
+            [(run.run_id, run.manifest_sha256, run.manifest) for run in runs]
         )
         if mismatch is not None:
             raise Refused.from_verdict(mismatch)

@@ -52,8 +52,8 @@ def _shown_worse(
 ) -> frozenset[str | None]:
     """The groups in which chance does not explain that the run is worse.
 
-    Of the whole, each line of the table has a test, and none of them may contradict the
-    verdict: that of the scores, that of the successes, and the sequential one.
+    Three lines of the table have a test over all episodes: of the scores, of the
+    successes, and the sequential one. None of them may contradict the verdict.
     """
     is_whole = (
         evidence.overall.is_shown
