@@ -189,6 +189,7 @@ class RunService:
             await self.registry.check_open_elsewhere(run.account)
             run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
+            self.executor.require_playable(run)
             self.registry.open_again(run)
             effects.resume(run, self.registry.admission.queue_until(run.submission))
             await self.registry.commit_opened(run)
@@ -269,7 +270,7 @@ class RunService:
             scored.append(episodes)
             await asyncio.sleep(0)  # others are served between two runs
         mismatch = comparison.manifest_mismatch(
-            [(run.run_id, run.manifest_sha256) for run in runs]
+            [(run.run_id, run.manifest_sha256, run.manifest) for run in runs]
         )
         if mismatch is not None:
             raise Refused.from_verdict(mismatch)
