@@ -384,7 +384,7 @@ def _close_attempt(
     if episode is None or episode.result is not None:
         return
     begun = session.steps > 0 or session.busy == "playing"
-    if not (counted and begun):  # EPI-002, CRASH-002
+    if not (counted and begun):  # EPI-002, CRASH-002, LIM-011
         run.return_to_pending(episode)
         return
     run.changed.add(episode.index)

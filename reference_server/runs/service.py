@@ -387,7 +387,7 @@ class RunService:
     async def find_recording(
         self, account: str, run_id: str, episode_id: str
     ) -> tuple[Path, int]:
-        """The recording of an episode that has its result: its file, and its size."""
+        """The recording of an episode that has its result (REC-125): file and size."""
         records = self._require_records()
         index = index_of(episode_id)
         start = 0 if index is None else index
