@@ -33,6 +33,7 @@ from reference_sim.vector_spaces import RELATIVE_MODES, VectorPart, registered
 
 BUNDLED_BENCHMARKS = {
     "metaworld_mt50": Path(__file__).parents[1] / "benchmarks/metaworld/benchmark.toml",
+    "libero": Path(__file__).parents[1] / "external/libero/libero.toml",
 }
 _ID_LENGTH_MAX = 64
 _DEFAULT_EPISODES = 10
