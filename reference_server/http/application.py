@@ -235,7 +235,7 @@ class DirectTurns:
 
 
 class _AnsweredRequest:
-    """What is added to every answer, counted and logged of it."""
+    """One request: its answer gets two headers more, and is counted and logged."""
 
     def __init__(self, scope: Scope) -> None:
         self.status = 0

@@ -11,21 +11,21 @@ from __future__ import annotations
 import asyncio
 import logging
 from collections.abc import Awaitable, Callable, Mapping, MutableMapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import Any, Protocol
 
 from starlette.responses import Response
 
 from reference_server.http.connections.joined_answer import JOINED_BYTES_MAX
-from reference_server.http.connections.uvicorn_protocol import STATUS_LINE
-
-if TYPE_CHECKING:
-    from reference_server.http.connections.bounded_connection import BoundedConnection
+from reference_server.http.connections.uvicorn_protocol import (
+    STATUS_LINE,
+    HttpToolsProtocol,
+)
 
 log = logging.getLogger("proctor.http")
 
 # A larger body is read part by part, with pauses, as uvicorn does it.
 DIRECT_BODY_BYTES_MAX = 2**16
-# What changes the way of a request through uvicorn, or who its client is.
+# Headers that change the way of a request through uvicorn, or who its client is.
 _UNUSUAL = frozenset(
     b"expect transfer-encoding upgrade x-forwarded-for x-forwarded-proto".split()
 )
@@ -58,7 +58,7 @@ class _NoEvent:
 
 
 class DirectCycle:
-    """One request and its answer; what uvicorn's connection uses of a cycle."""
+    """One request and its answer, with the members of a cycle that uvicorn uses."""
 
     message_event = _NoEvent()
     response_started = False
@@ -68,7 +68,7 @@ class DirectCycle:
 
     def __init__(
         self,
-        connection: BoundedConnection,
+        connection: HttpToolsProtocol,
         scope: MutableMapping[str, Any],
         answer: Callable[[MutableMapping[str, Any], bytes], Awaitable[Response]],
         *,
