@@ -287,7 +287,7 @@ def test_what_pages_load_is_here(server: ReferenceServer, run_id: str) -> None:
         assert answer.status_code == 200
         assert "immutable" in answer.headers["cache-control"]
     for wrong in ("../page_templates.py", "%2e%2e/page_templates.py", "none.js"):
-        assert reader.get(f"/pages/static/{wrong}").status_code == 504
+        assert reader.get(f"/pages/static/{wrong}").status_code == 404
 
 
 def test_bad_addresses_are_not_found(server: ReferenceServer) -> None:
