@@ -42,3 +42,13 @@ class ExchangeLog:
             if len(self.exchanges) > _EXCHANGES_STORED:
                 del self.exchanges[_EXCHANGES_STORED // 2]
                 self.dropped += 1
+
+    def adopt(self, exchanges: list[Exchange], of: int) -> None:
+        """Take up how another check made what this one reads, as evidence.
+
+        of: how many exchanges there were; the others count as left out.
+        """
+        with self._lock:
+            if all(exchange not in self.exchanges for exchange in exchanges):
+                self.exchanges[:0] = exchanges
+                self.dropped += max(of - len(exchanges), 0)

@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from conformance.exchanges.curl import script
@@ -277,7 +277,10 @@ def _apply_tally(verdict: Verdict, tally: Tally) -> None:
     verdict.outcome = Outcome.FAILED
     verdict.reason = f"{tally.broken[row]} of {tally.exercised[row]} answers"
     verdict.expected, verdict.observed = first.expected, first.observed
-    verdict.exchanges = [breach.exchange for breach in breaches[:3]]
+    verdict.exchanges = [
+        replace(breach.exchange, is_judged=True) for breach in breaches[:3]
+    ]
+    verdict.left_out = 0
 
 
 def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:
