@@ -31,7 +31,6 @@ from conformance.verdicts.verdict import Outcome, Verdict
 _EVERY_S = 3.0
 _IDS_SHOWN = 12
 _SENTENCES_SHOWN = 12
-_SENTENCE_LENGTH = 3 * CARD_WIDTH
 _NO_BREAK = "\N{NO-BREAK SPACE}"
 _STYLES = {
     Outcome.PASSED: "green",
@@ -151,8 +150,7 @@ class Terminal:
         """Say in a sentence what each failure is, where a reader looks first."""
         causes = result.causes(Outcome.FAILED, Outcome.KIT_ERROR)
         for first, *others in causes[:_SENTENCES_SHOWN]:
-            text = _cut(" ".join(sentence(first, others).split()), _SENTENCE_LENGTH)
-            self._wrapped(text, _STYLES[first.outcome])
+            self._wrapped(printable(sentence(first, others)), _STYLES[first.outcome])
         if len(causes) > _SENTENCES_SHOWN:
             self.say(f"and {len(causes) - _SENTENCES_SHOWN} more failures, shown above")
 

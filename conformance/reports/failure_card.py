@@ -13,6 +13,7 @@ from conformance.verdicts.verdict import Outcome, Verdict, rules_named_in
 
 CARD_WIDTH = 80
 _COMMANDS_SHOWN = 40
+_SHORT = 110
 OUTCOME_WORDS = {
     Outcome.PASSED: "passed",
     Outcome.FAILED: "FAILED",
@@ -67,13 +68,19 @@ def deciding_rules(verdict: Verdict) -> list[Requirement]:
 
 
 def sentence(verdict: Verdict, others: Sequence[Verdict] = ()) -> str:
-    """Say in one sentence what is wrong."""
+    """Say in one sentence what is wrong; the card has the whole."""
     ids = ", ".join(row.requirement_id for row in (verdict, *others))
     if verdict.outcome == Outcome.KIT_ERROR:
-        return f"{ids}: an error of the kit, {verdict.reason.splitlines()[0]}"
+        return f"{ids}: an error of the kit, {_short(verdict.reason)}"
     if not verdict.expected:
-        return f"{ids}: {verdict.reason}"
-    return f"{ids}: expected {verdict.expected}; observed {verdict.observed}"
+        return f"{ids}: {_short(verdict.reason)}"
+    expected, observed = _short(verdict.expected), _short(verdict.observed)
+    return f"{ids}: expected {expected}; observed {observed}"
+
+
+def _short(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= _SHORT else f"{line[: _SHORT - 1].rstrip()}…"
 
 
 def _entry(name: str, text: str) -> list[str]:

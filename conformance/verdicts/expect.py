@@ -215,7 +215,7 @@ def _differences(
             yield from _differences(*pair, f"{path}/{name}")
     elif isinstance(observed, list) and isinstance(expected, list):
         if len(observed) != len(expected):
-            yield f"length of {path or '/'}", len(observed), len(expected)
+            yield f"{path} number of entries".strip(), len(observed), len(expected)
         pairs = itertools.zip_longest(observed, expected, fillvalue=_ABSENT)
         for index, pair in enumerate(pairs):
             yield from _differences(*pair, f"{path}/{index}")

@@ -295,7 +295,8 @@ def test_the_judged_request_and_the_difference_are_marked() -> None:
     html, text = page(result(verdict)), "\n".join(card(verdict, result(verdict)))
     assert "<mark>409</mark>" in html
     assert "<mark>404</mark>" in html
-    assert html.count('<li class="judged"><details open>') == 1
+    assert html.count('<li class="judged">') == 1
+    assert "judged: the answer to request 2" in html
     assert "7 in the middle are left out" in html
     assert "7 requests in the middle are left out" in text
     assert text.count("← judged") == 1
