@@ -95,6 +95,8 @@ class Terminal:
             profiles = result.profiles().items()
             self._wrapped(" · ".join(_unbroken(f"{p} {n}") for p, n in profiles))
             self.say(f"{result.headline()} ({result.elapsed_s:.1f} s)", "bold")
+            if result.coverage.histories:
+                self._wrapped(result.coverage.sentence(result.settings))
             self.say(
                 f"reports in {result.settings.report}/, seed {result.settings.seed}, "
                 f"specification {spec_name()}"

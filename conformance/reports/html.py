@@ -164,6 +164,9 @@ def _about(result: Result) -> dict[str, str]:
         f"{1000 * settings.round_trip_s:.1f} ms p95; "
         f"tolerance {settings.tolerance_s:.2f} s",
         "seed": str(settings.seed),
+        "tried": result.coverage.sentence(settings)
+        if result.coverage.histories
+        else "",
     }
 
 

@@ -15,6 +15,7 @@ from conformance.specification.ledger import (
     load_ledger,
 )
 from conformance.specification.stages import advice
+from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.levels import LevelVerdict, judge_level
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
@@ -43,6 +44,7 @@ class Result:
     round_trip_p50_s: float = 0.0
     rows: dict[str, Verdict] = field(default_factory=dict)
     stale: list[str] = field(default_factory=list)
+    coverage: Coverage = field(default_factory=Coverage)
 
     @property
     def exit_code(self) -> int:
@@ -339,6 +341,8 @@ def as_plain(result: Result) -> dict[str, Any]:
         "started_at": result.started_at,
         "elapsed_s": round(result.elapsed_s, 3),
         "seed": settings.seed,
+        "minutes": settings.minutes,
+        "coverage": result.coverage.as_plain(),
         "only": settings.only,
         "level": settings.level,
         "profiles": settings.profiles,
