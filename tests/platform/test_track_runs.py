@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import pytest
@@ -12,19 +11,7 @@ from reference_platform.tracks.track_rules import AskedRun, Track
 from reference_platform.tracks.tracks import UNKNOWN_S
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock
-
-
-class Server:
-    """The runs of a server, as it shows them."""
-
-    def __init__(self) -> None:
-        self.runs: dict[str, dict[str, Any]] = {}
-
-    async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
-        return self.runs.get(run_id)
-
-    async def read_score(self, run_id: str) -> float | None:
-        return 0.5
+from tests.support.platform.shown_runs import ShownRuns
 
 
 def asked(number: int) -> AskedRun:
@@ -52,7 +39,7 @@ async def test_a_run_that_has_ended_makes_room(
     parts: Parts, ada: str, state: str, mode: str, admits: bool
 ) -> None:
     await enter(parts, ada, at_once=1)
-    server = Server()
+    server = ShownRuns()
     await parts.tracks.admit(asked(1), server)
     server.runs["run_1"] = {"state": state, "mode": mode}
     if admits:
@@ -65,7 +52,7 @@ async def test_a_run_that_has_ended_makes_room(
 async def test_a_fault_of_the_server_gives_the_run_back(parts: Parts, ada: str) -> None:
     """One of one run a day has failed at the server. Expect that it is not counted."""
     await enter(parts, ada, per_day=1)
-    server = Server()
+    server = ShownRuns()
     await parts.tracks.admit(asked(1), server)
     server.runs["run_1"] = {"state": "running"}
     with pytest.raises(Refused, match="in 24 hours"):
@@ -81,13 +68,13 @@ async def test_a_run_that_was_never_made_is_not_counted(
 ) -> None:
     """The server was killed between the question and the run."""
     await enter(parts, ada, total=1)
-    await parts.tracks.admit(asked(1), Server())
+    await parts.tracks.admit(asked(1), ShownRuns())
     with pytest.raises(Refused):
-        await parts.tracks.admit(asked(2), Server())
+        await parts.tracks.admit(asked(2), ShownRuns())
     clock.now += UNKNOWN_S + 1
-    await parts.tracks.admit(asked(2), Server())
+    await parts.tracks.admit(asked(2), ShownRuns())
     parts.tracks.withdraw("run_2")
-    await parts.tracks.admit(asked(3), Server())
+    await parts.tracks.admit(asked(3), ShownRuns())
 
 
 @pytest.mark.parametrize(
@@ -112,9 +99,9 @@ async def test_who_may_enter(
     assert entrant.state == state
     if state == "waiting":
         with pytest.raises(Refused, match="entered no track"):
-            await parts.tracks.admit(asked(1), Server())
+            await parts.tracks.admit(asked(1), ShownRuns())
         account = parts.accounts.get(ada)
         parts.tracks.decide_entry(
             "letters", account, accept=True, reason="", actor="boss"
         )
-    await parts.tracks.admit(asked(1), Server())
+    await parts.tracks.admit(asked(1), ShownRuns())
