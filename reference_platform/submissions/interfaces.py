@@ -1,0 +1,132 @@
+"""The interfaces between the parts of a submission; each part has its own folder.
+
+`submissions/` stores submissions and moves them (Submissions). `images/` receives and
+checks uploads (Uploads). `sandbox/` plays a policy (PolicyRunner). Nothing here starts
+anything.
+"""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, Protocol
+
+from reference_platform.submissions.lifecycle import Cause, Event, State, Submission
+
+
+class Submissions(Protocol):
+    """The stored submissions. Each change is durable before it returns."""
+
+    def get(self, submission_id: str) -> Submission:
+        """Raises KeyError."""
+
+    def in_states(self, *states: State) -> Sequence[Submission]:
+        """Those in these states, the one that entered its state first is the first."""
+
+    def move(
+        self,
+        submission_id: str,
+        event: Event,
+        *,
+        reason: str = "",
+        cause: Cause = "",
+        run_id: str = "",
+        digest: str = "",
+    ) -> Submission:
+        """Apply an event, as `lifecycle.apply`. Raises KeyError, IllegalTransition.
+
+        run_id, digest: stored with it if given; the run of `begin_run` is that of the
+        evaluation, the run of `begin_verification` that of the verification.
+        """
+
+    def note_run(self, submission_id: str, run_id: str) -> None:
+        """The run of a submission in its state, as soon as the server has it."""
+
+    def end_late(self) -> Sequence[Submission]:
+        """End those that are over their deadlines; returns them as they are now."""
+
+
+@dataclass(frozen=True, slots=True)
+class LogLine:
+    """source: what the policy printed, or what the platform did. number: from 1."""
+
+    number: int
+    at: float
+    source: Literal["policy", "platform"]
+    text: str
+
+
+class SubmissionLogs(Protocol):
+    """The logs of submissions: durable before the sandbox ends, limited in size."""
+
+    def write(
+        self, submission_id: str, source: Literal["policy", "platform"], text: str
+    ) -> None:
+        """Append; a text of several lines is several."""
+
+    def read(self, submission_id: str, after: int = 0) -> Sequence[LogLine]: ...
+
+    def follow(self, submission_id: str, after: int = 0) -> AsyncIterator[LogLine]:
+        """The lines that exist, and new ones, until the submission has ended."""
+
+
+class Uploads(Protocol):
+    """The complete uploads, by digest."""
+
+    def path_of(self, digest: str) -> Path:
+        """The complete file. Raises KeyError."""
+
+
+@dataclass(frozen=True, slots=True)
+class Track:
+    """The part of a track that a runner needs.
+
+    splits: of the evaluation; empty for all. verification_episodes: how many the
+    verification plays. time_limit_s: of the evaluation.
+    """
+
+    track_id: str
+    benchmark_id: str
+    splits: tuple[str, ...] = ()
+    verification_episodes: int = 2
+    time_limit_s: float = 24 * 3600.0
+
+
+class AccountTokens(Protocol):
+    """Keys with which the platform acts for an account at the server."""
+
+    def make_token(self, account: str, lifetime_s: float) -> str:
+        """A new key with the scopes read and run; it counts against no quota."""
+
+    def revoke_token(self, token: str) -> None: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """How a verification or an evaluation ended.
+
+    cause: empty if it passed. reason: for people; also why it passed with remarks.
+    """
+
+    passed: bool
+    reason: str
+    cause: Cause = ""
+    run_id: str = ""
+
+
+class PolicyRunner(Protocol):
+    """Plays an uploaded policy in a sandbox, as a push run of the server.
+
+    It writes the log, and leaves no process, mount or file. It does not move the
+    submission: its caller does that with the outcome.
+    """
+
+    async def verify(self, submission: Submission, track: Track) -> Outcome:
+        """Play a few episodes."""
+
+    async def evaluate(self, submission: Submission, track: Track) -> Outcome:
+        """Play the whole benchmark; go on with `submission.run_id` if it has one."""
+
+    async def stop(self, submission_id: str) -> None:
+        """End what is played of the submission; verify or evaluate returns then."""
