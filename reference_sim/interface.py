@@ -69,6 +69,10 @@ class ChangedSource(Exception):
         )
 
 
+class SimulatorAway(Exception):
+    """The simulator is a program that somebody else starts, and does not listen now."""
+
+
 class Simulator(Protocol):
     """Used by one process, playing episodes one after another."""
 

@@ -41,7 +41,7 @@ _DEFAULT_EPISODES = 10
 _OF_ENVIRONMENTS = {"modules", "kwargs", "tasks", "success", "ends_on_success"} | {
     *("score", "rebuild_every_episode", "camera", "action", "state")
 }
-_OF_SIMULATORS = {"start_timeout_s"}
+_OF_SIMULATORS = {"start_timeout_s", "away_timeout_s"}
 SIMULATOR = "simulator:"  # before the command line of a program
 UNNAMED = "simulator"  # the id of a program's benchmark until the program names it
 
@@ -269,6 +269,7 @@ class Benchmark(_Strict):
     made_by: Reference | None = None
     simulator: Annotated[list[str], Field(min_length=1)] | None = None
     start_timeout_s: Annotated[float, Field(gt=0, le=3600)] | None = None
+    away_timeout_s: Annotated[float, Field(ge=0, le=3600)] | None = None
     modules: list[str] = []
     files: list[str] = []
     kwargs: dict[str, Any] = {}

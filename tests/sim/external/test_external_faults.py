@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
+import os
+import signal
+import subprocess
 import sys
 import tempfile
 import uuid
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -17,12 +21,17 @@ import pytest
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.external import LIBRARIES
 from reference_sim.gymnasium.own_sources import sha256_of
-from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
+from reference_sim.process.pool import (
+    NoCapacity,
+    SimulatorFault,
+    SimulatorHandle,
+    SimulatorPool,
+)
 from tests.support.paths import ROOT
 from tests.support.processes import descendants
 from tests.support.sim import breakable_simulator
 from tests.support.sim.shared_processes import shared_pool
-from tests.support.waiting import wait_in_loop
+from tests.support.waiting import wait_in_loop, wait_until
 
 pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="needs /proc"),
@@ -36,6 +45,12 @@ SOURCES = {
         LIBRARIES / "proctor_simulator.py",
     )
 }
+ONE_WORLD = """
+import sys
+sys.path.insert(0, {folder!r})
+import breakable_simulator
+breakable_simulator.proctor_simulator.serve(breakable_simulator.WORLD, sys.argv[1])
+"""
 
 
 @dataclass(frozen=True)
@@ -44,13 +59,21 @@ class Mark:
 
     value: str
 
-    def config(self, *arguments: str) -> SimulatorConfig:
+    def command(self, *arguments: str) -> list[str]:
         program = [sys.executable, "-S", breakable_simulator.__file__, *arguments]
-        command = ["env", f"SIMULATOR_TEST={self.value}", *program]
+        return ["env", f"SIMULATOR_TEST={self.value}", *program]
+
+    def config(self, *arguments: str) -> SimulatorConfig:
+        return self.config_of(self.command(*arguments))
+
+    def config_of(
+        self, command: list[str], *, away_timeout_s: float = 10.0, width: int = 8
+    ) -> SimulatorConfig:
         plan: dict[str, Any] = {"command": command, "folder": str(Path.cwd())}
         plan |= {"sources": {}, "announced": SOURCES, "start_timeout_s": 60.0}
-        plan["benchmark"] = breakable_simulator.WORLD.benchmark
-        settings: dict[str, Any] = {"codec": "raw", "width": 8, "height": 6}
+        plan |= {"away_timeout_s": away_timeout_s}
+        plan |= {"benchmark": breakable_simulator.WORLD.benchmark}
+        settings: dict[str, Any] = {"codec": "raw", "width": width, "height": 6}
         settings |= {"adapter": "external", "plan": plan, "success_scored_tasks": []}
         return SimulatorConfig("breakable", settings)
 
@@ -61,6 +84,26 @@ class Mark:
                 if f"SIMULATOR_TEST={self.value}".encode() in path.read_bytes():
                     found.add(int(path.parent.name))
         return found
+
+    @contextmanager
+    def listening(self, folder: Path, fault: str = "") -> Iterator[list[str]]:
+        """A program that somebody else has started; gives its address.
+
+        fault: of its second connection.
+        """
+        path = folder / "sim.sock"
+        started = subprocess.Popen(
+            self.command(fault, f"unix:{path}", "2"), stderr=subprocess.DEVNULL
+        )
+        try:
+            wait_until(path.exists, "it listens")
+            yield [f"unix:{path}"]
+        finally:
+            started.kill()
+            for pid in self.processes():  # it is nobody's to end but ours
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
+            started.wait()
 
 
 @asynccontextmanager
@@ -101,7 +144,7 @@ async def play(handle: SimulatorHandle) -> None:
     await handle.play([ACTION] * 5, observe_all=True)
 
 
-@pytest.mark.parametrize(
+FAULTS = pytest.mark.parametrize(
     ("fault", "said"),
     [
         ("SIM-001", "announced a reply of 1819238756 bytes, and 16777216 is the most"),
@@ -121,11 +164,17 @@ async def play(handle: SimulatorHandle) -> None:
             "sent a reply to step that is not valid: MessagePack data is",
         ),
         ("replies_twice", "sent more than one reply to a request"),
+        ("replies_late", r"a reply with number \d instead of \d: each request has"),
+        ("has_no_numbers", "sent a reply with number None instead of 2"),
+        ("faults_to_observe", "reports a fault: the display is gone"),
         ("not_finite", "sent a state 'sum' that is not finite"),
         ("killed", "ended by SIGKILL"),
         ("forks", "ended with exit code 1"),
     ],
 )
+
+
+@FAULTS
 async def test_a_program_that_misbehaves_costs_its_episode_a_fault(
     fault: str, said: str
 ) -> None:
@@ -140,6 +189,74 @@ async def test_a_program_that_misbehaves_costs_its_episode_a_fault(
         assert played.steps == 3
         assert not played.ended
         await other.release()
+
+
+@FAULTS
+async def test_a_program_at_a_socket_that_misbehaves_costs_its_episode_a_fault(
+    fault: str, said: str, tmp_path: Path
+) -> None:
+    """Its other connections go on, and so does a new one."""
+    mark = Mark(str(uuid.uuid4()))
+    said = "sim.sock ended its connection" if said.startswith("ended") else said
+    pool = shared_pool(spares=0, turn_timeout_s=1.0 if "no step" in said else 60.0)
+    await pool.start()
+    try:
+        with mark.listening(tmp_path, fault) as command:
+            other = await pool.acquire(mark.config_of(command))
+            await begin(other)
+            handle = await pool.acquire(mark.config_of(command))
+            with pytest.raises(SimulatorFault, match=said):
+                await play(handle)
+            for playing in (other, await pool.acquire(mark.config_of(command))):
+                await begin(playing)
+    finally:
+        await pool.close()
+
+
+async def test_a_program_that_is_away_is_tried_again(tmp_path: Path) -> None:
+    """Expect `no_capacity` when it stays away, and no fault; then it is played."""
+    mark = Mark(str(uuid.uuid4()))
+    address = [f"unix:{tmp_path}/sim.sock"]
+    pool = shared_pool(spares=0)
+    await pool.start()
+    try:
+        with pytest.raises(NoCapacity, match=r"is away \(No such file or directory\)"):
+            await pool.acquire(mark.config_of(address, away_timeout_s=0.0))
+        waiting = asyncio.create_task(pool.acquire(mark.config_of(address)))
+        with mark.listening(tmp_path):
+            await begin(await waiting)
+    finally:
+        await pool.close()
+
+
+async def test_one_world_is_played_by_one_session_at_a_time(tmp_path: Path) -> None:
+    """A world of the library, in two sizes of pictures: the second has to wait."""
+    mark = Mark(str(uuid.uuid4()))
+    script = tmp_path / "one_world.py"
+    script.write_text(
+        ONE_WORLD.format(folder=str(Path(breakable_simulator.__file__).parent))
+    )
+    address = f"unix:{tmp_path}/sim.sock"
+    program = ["env", f"SIMULATOR_TEST={mark.value}", sys.executable, "-S", str(script)]
+    configs = [
+        mark.config_of([address], away_timeout_s=0.3, width=width) for width in (8, 9)
+    ]
+    pool = shared_pool(spares=0)
+    await pool.start()
+    started = subprocess.Popen([*program, address])  # noqa: ASYNC220 - it is waited for
+    try:
+        await wait_in_loop(lambda: Path(tmp_path, "sim.sock").exists(), 20.0)
+        for config, busy in (configs, configs[::-1]):
+            handle = await pool.acquire(config)
+            await begin(handle)
+            with pytest.raises(NoCapacity, match="is away"):
+                await pool.acquire(busy)
+            assert (await handle.play([ACTION], observe_all=False)).steps == 1
+            await handle.release()
+    finally:
+        started.kill()
+        started.wait()
+        await pool.close()
 
 
 async def test_a_flood_of_errors_costs_time_alone(
