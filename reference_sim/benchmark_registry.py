@@ -68,7 +68,7 @@ class SimulatorConfig:
 
     @property
     def holds_connection(self) -> bool:
-        """Whether it holds a program of somebody else, which may have one world."""
+        """Whether it has a connection to a program that may have one world."""
         is_external = self.settings.get("adapter") == "external"
         return is_external and is_socket(self.settings["plan"]["command"])
 

@@ -70,7 +70,7 @@ class ChangedSource(Exception):
 
 
 class SimulatorAway(Exception):
-    """The simulator is a program that somebody else starts, and does not listen now."""
+    """The simulator is a program that the server does not start; it does not listen."""
 
 
 class Simulator(Protocol):

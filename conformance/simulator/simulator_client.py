@@ -239,7 +239,7 @@ def socket_path(context: CheckContext) -> str | None:
 
 
 def _connect(path: str, wait_s: float) -> ConnectionUnderTest:
-    """Raises OSError if nobody listens there all the time."""
+    """Raises OSError if the simulator does not listen in this time."""
     until = time.monotonic() + wait_s
     while True:
         try:

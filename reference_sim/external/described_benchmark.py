@@ -272,7 +272,7 @@ def _manifest(
         "simulator": {
             **described["simulator"],
             "protocol": PROTOCOL,
-            # Where a program listens is no part of what it plays.
+            # Where a program listens does not change what it plays.
             **({} if socket_address.is_socket(command) else {"command": list(command)}),
             "graded": declared.graded,
             "deterministic": declared.deterministic,

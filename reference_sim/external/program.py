@@ -1,8 +1,8 @@
 """A program that speaks the simulator protocol, and the exchange of frames with it.
 
-The program is a child of `supervisor.py`, which ends it when this process ends, or
-somebody else started it and it listens at a socket. Pixels are received into the memory
-that is shared with the server, so that they are copied no more often than those of a
+The program is a child of `supervisor.py`, which ends it when this process ends, or it
+was started elsewhere and listens at a socket. Pixels are received into the memory that
+is shared with the server, so that they are copied no more often than those of a
 simulator in this process.
 """
 
@@ -33,8 +33,8 @@ from reference_sim.external.simulator_messages import (
     Closed,
     DescribeCall,
     Described,
-    Fault,
     ReplyT,
+    ReportedFault,
     Request,
     WrongNumber,
     frame,
@@ -206,7 +206,7 @@ class Program:
             )
         except msgspec.DecodeError as error:
             self._raise(f"sent a reply to {call} that is not valid: {error}")
-        except Fault as fault:
+        except ReportedFault as fault:
             if fault.is_unplayable:
                 raise TaskUnplayable(str(fault)) from None
             self._raise(f"reports a fault: {fault}")

@@ -140,7 +140,7 @@ class WrongNumber(ValueError):
     """The reply is that of another request; the text has both numbers."""
 
 
-class Fault(Exception):
+class ReportedFault(Exception):
     """The reply is a fault; the text is that of the program."""
 
     def __init__(self, reply: Reply) -> None:
@@ -151,7 +151,7 @@ class Fault(Exception):
 def read_reply(body: bytes | memoryview, wanted: type[ReplyT], number: int) -> ReplyT:
     """The reply to the request with this number.
 
-    Raises WrongNumber, Fault, and msgspec.DecodeError, also if it lacks a member.
+    Raises WrongNumber, ReportedFault, and msgspec.DecodeError if it lacks a member.
     """
     try:
         reply: ReplyT = _DECODERS[wanted].decode(body)
@@ -166,4 +166,4 @@ def _require_answer(reply: Reply, number: int) -> None:
     if reply.number != number:
         raise WrongNumber(f"{reply.number} instead of {number}")
     if reply.fault is not None:
-        raise Fault(reply)
+        raise ReportedFault(reply)

@@ -1,4 +1,4 @@
-"""The address `unix:PATH` of a program that somebody else starts.
+"""The address `unix:PATH` of a program that the server does not start.
 
 A command with one word of this form names a socket at which the program listens.
 """
@@ -18,7 +18,7 @@ def is_socket(command: Sequence[str]) -> bool:
 
 
 def resolve(command: Sequence[str], folder: Path) -> list[str]:
-    """The address with its whole path. Raises ValueError for what is no address."""
+    """The address with its whole path. Raises ValueError if it is wrong."""
     path = command[0].removeprefix(_PREFIX)
     if not path or len(command) > 1:
         raise ValueError(f"{' '.join(command)}: write {_PREFIX}PATH and nothing behind")

@@ -170,7 +170,7 @@ class ReplayReply(msgspec.Struct, tag="replayed", frozen=True):
 class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     """no_room: nothing is wrong but the disk, which is full.
 
-    away: the simulator is a program that somebody else starts, and does not listen.
+    away: the simulator is a program that the server does not start; see SimulatorAway.
     """
 
     error: str

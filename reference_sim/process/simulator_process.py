@@ -54,7 +54,7 @@ class SimulatorFault(Exception):
 
 class ResourceShortage(SimulatorFault):
     """No simulator caused it: the machine has no files, processes or memory left, or a
-    program that somebody else starts is away."""
+    program that the server does not start is away."""
 
 
 class NoRoomToRecord(Exception):

@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 from conformance.specification.ledger import SIMULATOR, load_ledger
+from tests.support.example_simulators import build_example
 from tests.support.kit.run_kit import KitRun, run_simulator_kit
 from tests.support.sim import breakable_simulator
-from tests.support.sim.example_simulators import build_example
 
 pytestmark = pytest.mark.slow("starts kits, and each of them many simulators")
 
@@ -34,7 +34,7 @@ def judge(folder: Path, *options: str, command: list[str] = PROGRAM) -> KitRun:
 
 @contextmanager
 def listening(folder: Path, *command: str) -> Iterator[list[str]]:
-    """Start a program that listens at a socket; gives what the kit is told of it."""
+    """Start a program that listens at a socket; gives its address as a command."""
     address = f"unix:{folder}/sim.sock"
     started = subprocess.Popen([*command, address], start_new_session=True)
     try:
@@ -74,6 +74,7 @@ def judge_broken(rule: str, folder: Path, *options: str) -> None:
         command = [*PROGRAM, rule]
         if rule in OF_SOCKETS:
             command = stack.enter_context(listening(folder, *command))
+            options = ("--start-timeout", "2", *options)
         kit = judge(folder, *options, command=command)
     assert kit.rules_with("failed") == {rule}, kit.output
     assert kit.code == (1 if load_ledger()[rule].level == "MUST" else 0)

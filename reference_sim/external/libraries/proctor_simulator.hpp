@@ -488,8 +488,8 @@ inline bool answer_all(Simulator& simulator, int requests, int replies) {
   return true;
 }
 
-// A connection to whoever comes first. While it is open, nobody listens, so that the
-// server sees that the one world is busy.
+// The next connection. The socket is closed while it is open, so that the server sees
+// that the one world is busy.
 inline int accept_one(const std::string& path) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;

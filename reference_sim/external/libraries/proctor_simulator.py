@@ -138,11 +138,8 @@ def serve(
     sys.exit(0)
 
 
-def _serve_connections(
-    simulator: Simulator, address: str, sources: "_Sources"
-) -> NoReturn:
-    """One connection at a time, because there is one world: while one is open, nobody
-    listens, so that the server sees that the simulator is busy."""
+    """One connection at a time, because there is one world. The socket is closed
+    meanwhile, so that the server sees that the simulator is busy."""
     kind, _, path = address.partition(":")
     if kind != "unix" or not path:
         raise ValueError(f"an address is unix:PATH, not {address!r}")

@@ -20,9 +20,9 @@ from reference_sim.gymnasium import BadBenchmark, registration
 from reference_sim.gymnasium.own_sources import DeclaredFiles
 from reference_sim.interface import ChangedSource
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
+from tests.support.example_simulators import build_example
 from tests.support.sim import breakable_simulator
 from tests.support.sim.breakable_simulator import part, vector
-from tests.support.sim.example_simulators import build_example
 
 SCRIPT = breakable_simulator.__file__
 PYTHON = f"{sys.executable} -S"

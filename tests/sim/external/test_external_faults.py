@@ -87,7 +87,7 @@ class Mark:
 
     @contextmanager
     def listening(self, folder: Path, fault: str = "") -> Iterator[list[str]]:
-        """A program that somebody else has started; gives its address.
+        """A program that the server did not start; gives its address.
 
         fault: of its second connection.
         """
@@ -100,7 +100,7 @@ class Mark:
             yield [f"unix:{path}"]
         finally:
             started.kill()
-            for pid in self.processes():  # it is nobody's to end but ours
+            for pid in self.processes():  # the server does not end it
                 with contextlib.suppress(ProcessLookupError):
                     os.kill(pid, signal.SIGKILL)
             started.wait()

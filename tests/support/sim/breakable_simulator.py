@@ -9,6 +9,7 @@ broken, if not all are.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import socket
@@ -16,7 +17,7 @@ import struct
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -397,17 +398,25 @@ def serve_connections(fault: str, path: str, broken: int = 0) -> None:
             listener.close()
             REPLIES, REQUESTS = connection.fileno(), connection.makefile("rb")
             if fault == "SIM-026":
-                WORLD.offset = count / 1000
-            if fault == "SIM-028" and count > 2:
-                WORLD.reset("count", 0, "")
-            is_broken = broken in (0, count)
-            main(fault if is_broken else "", is_reset=fault == "SIM-028" and count > 2)
+                WORLD.offset = 0.01 * len(list(open_connections()))
+            main(fault if broken in (0, count) else "")
         connection.close()
+        if fault == "SIM-028" and count == 2:
+            listener.close()
+            signal.pause()
 
 
-def main(fault: str, *, is_reset: bool = False) -> None:
+def open_connections() -> Iterator[Path]:
+    """The other processes of this process's parent."""
+    own = f"PPid:\t{os.getppid()}\n"
+    for path in Path("/proc").glob("[0-9]*/status"):
+        with contextlib.suppress(OSError):
+            if own in path.read_text() and path.parent.name != str(os.getpid()):
+                yield path
+
+
+def main(fault: str) -> None:
     session = _Session(WORLD)
-    session._is_reset = is_reset
     break_world(fault)
     if fault == "SIM-014":
         WORLD.reset("count", 0, "")
