@@ -210,10 +210,14 @@ def _facts(path: Path, report: Report) -> TextTable:
             "checked": f"signature, {report.episodes} episodes, "
             f"{report.recordings} recordings with {report.turns} turns, the score",
             "sealed": _sealed_text(report),
+            "promise": _PROMISES.get(said.promise),
             "replays": "; ".join(map(_verdict_text, report.replayed_by)) or "none",
             "not shown": NOT_SHOWN,
         }
     )
+
+
+_PROMISES = {"none": "no replay, because its simulator is not deterministic"}
 
 
 def _part_text(select: object) -> str | None:

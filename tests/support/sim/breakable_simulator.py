@@ -256,6 +256,11 @@ def speaks_another_protocol(_request: Json, reply: Json) -> Json:
     return reply | {"protocol": 2}
 
 
+@breaks("by_chance", "describe")
+def is_not_deterministic(_request: Json, reply: Json) -> Json:
+    return reply | {"benchmark": WORLD.benchmark | {"deterministic": False}}
+
+
 @breaks("floods", "step")
 def writes_errors_without_end(_request: Json, reply: Json) -> Json:
     for _ in range(20_000):
