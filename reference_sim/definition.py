@@ -13,6 +13,7 @@ import importlib.util
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 from reference_sim.interface import Simulator
@@ -102,6 +103,13 @@ def installed_version(distribution: str) -> str:
         return importlib.metadata.version(distribution)
     except importlib.metadata.PackageNotFoundError:
         return "not installed"
+
+
+def how_to_install(requirement: str) -> str:
+    """The command that adds a package to this server, where it was installed."""
+    if (Path(__file__).parents[1] / "Makefile").is_file():
+        return f"make add PACKAGE={requirement}"
+    return f"pip install {requirement}"
 
 
 def without_mujoco() -> str | None:

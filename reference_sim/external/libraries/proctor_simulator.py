@@ -138,6 +138,7 @@ def serve(
     sys.exit(0)
 
 
+def _serve_connections(simulator: Simulator, address: str, sources: Any) -> NoReturn:
     """One connection at a time, because there is one world. The socket is closed
     meanwhile, so that the server sees that the simulator is busy."""
     kind, _, path = address.partition(":")
@@ -158,7 +159,7 @@ def serve(
                 sys.stderr.write(f"the connection failed: {error}\n")
 
 
-def _answer(session: "_Session", requests: Any, replies: int) -> None:
+def _answer(session: Any, requests: Any, replies: int) -> None:
     """Answer requests until `close` or their end."""
     while True:
         head = requests.read(_LENGTH.size)
