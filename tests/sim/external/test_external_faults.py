@@ -20,6 +20,7 @@ import pytest
 
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.external import LIBRARIES
+from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.own_sources import sha256_of
 from reference_sim.process.pool import (
     NoCapacity,
@@ -47,10 +48,10 @@ SOURCES = {
 }
 ONE_WORLD = """
 import sys
-sys.path.insert(0, {folder!r})
-import breakable_simulator
-breakable_simulator.proctor_simulator.serve(breakable_simulator.WORLD, sys.argv[1])
+from breakable_simulator import WORLD, proctor_simulator
+proctor_simulator.serve(WORLD, *sys.argv[1:])
 """
+FOLDERS = f"{LIBRARIES}:{Path(breakable_simulator.__file__).parent}"
 
 
 @dataclass(frozen=True)
@@ -67,13 +68,13 @@ class Mark:
         return self.config_of(self.command(*arguments))
 
     def config_of(
-        self, command: list[str], *, away_timeout_s: float = 10.0, width: int = 8
+        self, command: list[str], away_timeout_s: float = 10.0
     ) -> SimulatorConfig:
         plan: dict[str, Any] = {"command": command, "folder": str(Path.cwd())}
         plan |= {"sources": {}, "announced": SOURCES, "start_timeout_s": 60.0}
         plan |= {"away_timeout_s": away_timeout_s}
         plan |= {"benchmark": breakable_simulator.WORLD.benchmark}
-        settings: dict[str, Any] = {"codec": "raw", "width": width, "height": 6}
+        settings: dict[str, Any] = {"codec": "raw", "width": 8, "height": 6}
         settings |= {"adapter": "external", "plan": plan, "success_scored_tasks": []}
         return SimulatorConfig("breakable", settings)
 
@@ -231,21 +232,25 @@ async def test_a_program_that_is_away_is_tried_again(tmp_path: Path) -> None:
 
 async def test_one_world_is_played_by_one_session_at_a_time(tmp_path: Path) -> None:
     """A world of the library, in two sizes of pictures: the second has to wait."""
-    mark = Mark(str(uuid.uuid4()))
-    script = tmp_path / "one_world.py"
-    script.write_text(
-        ONE_WORLD.format(folder=str(Path(breakable_simulator.__file__).parent))
-    )
-    address = f"unix:{tmp_path}/sim.sock"
-    program = ["env", f"SIMULATOR_TEST={mark.value}", sys.executable, "-S", str(script)]
-    configs = [
-        mark.config_of([address], away_timeout_s=0.3, width=width) for width in (8, 9)
-    ]
+    (tmp_path / "one_world.py").write_text(ONE_WORLD)
+    entry = tmp_path / "one.toml"
+    entry.write_text('simulator = ["unix:sim.sock"]\naway_timeout_s = 0.3\n')
+    program = [sys.executable, "-S", "one_world.py", "unix:sim.sock"]
+    environment = os.environ | {"PYTHONPATH": FOLDERS}
     pool = shared_pool(spares=0)
     await pool.start()
-    started = subprocess.Popen([*program, address])  # noqa: ASYNC220 - it is waited for
+    started = subprocess.Popen(program, cwd=tmp_path, env=environment)  # noqa: ASYNC220
     try:
-        await wait_in_loop(lambda: Path(tmp_path, "sim.sock").exists(), 20.0)
+        ((_, definition),) = await asyncio.to_thread(
+            lambda: list(registration.benchmarks(str(entry), print))
+        )
+        manifest = definition.describe({}, 1)
+        assert "one_world.py" in manifest["simulator"]["sources"]
+        assert "command" not in manifest["simulator"]
+        configs = [
+            SimulatorConfig("one", definition.settings({"codec": "raw", **size}))
+            for size in manifest["image_sizes"]
+        ]
         for config, busy in (configs, configs[::-1]):
             handle = await pool.acquire(config)
             await begin(handle)
