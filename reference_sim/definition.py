@@ -105,9 +105,14 @@ def installed_version(distribution: str) -> str:
         return "not installed"
 
 
+def in_checkout() -> bool:
+    """Whether this is the repository, which has `make`, and not an installed wheel."""
+    return (Path(__file__).parents[1] / "Makefile").is_file()
+
+
 def how_to_install(requirement: str) -> str:
-    """The command that adds a package to this server, where it was installed."""
-    if (Path(__file__).parents[1] / "Makefile").is_file():
+    """The command that adds a package to this server."""
+    if in_checkout():
         return f"make add PACKAGE={requirement}"
     return f"pip install {requirement}"
 
