@@ -212,10 +212,14 @@ def _facts(path: Path, report: Report) -> TextTable:
             f"{counted(report.recordings, 'recording')} with "
             f"{counted(report.turns, 'turn')}, the score",
             "sealed": _sealed_text(report),
+            "promise": _PROMISES.get(said.promise),
             "replays": "; ".join(map(_verdict_text, report.replayed_by)) or "none",
             "not shown": NOT_SHOWN,
         }
     )
+
+
+_PROMISES = {"none": "no replay, because its simulator is not deterministic"}
 
 
 def _part_text(select: object) -> str | None:
