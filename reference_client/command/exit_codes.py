@@ -64,6 +64,7 @@ _POINTERS = {
     "/options": "--options",
     "/policy_server/url": "--push",
     "/policy_server/model": "--model",
+    "query:runs": "",  # the text names them
 }
 
 
@@ -80,7 +81,8 @@ def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
 def message_of(error: ProctorError) -> str:
     """The error and its remedy, with flags in place of Python arguments."""
     parts = [with_flag_names(error.detail)]
-    parts += [f"{_with_flag(pointer)} {text}" for pointer, text in error.errors]
+    pairs = [(_with_flag(pointer), text) for pointer, text in error.errors]
+    parts += [" ".join(filter(None, pair)) for pair in pairs]
     return f"{' – '.join(parts)} [{error.code}]"
 
 

@@ -227,6 +227,20 @@ def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> N
     assert {name for name in before if after[name] != before[name]} == {edited}
 
 
+def test_a_link_in_an_installed_folder_is_not_announced(tmp_path: Path) -> None:
+    """As Debian's sitecustomize.py, which lies in /etc. Expect the module beside it."""
+    reference = helped_program(tmp_path)
+    (tmp_path / "late.py").rename(tmp_path / "real.py")
+    (tmp_path / "site-packages").mkdir()
+    (tmp_path / "site-packages" / "late.py").symlink_to(tmp_path / "real.py")
+    program = "import sys\nsys.path.append('site-packages')\nimport late\n" + HELPED
+    (tmp_path / "world.py").write_text(program)
+    ((_, definition),) = definitions(reference).items()
+    sources = definition.describe({}, 1)["simulator"]["sources"]
+    assert "arms/left.py" in sources
+    assert {"real.py", "late.py"}.isdisjoint(sources)
+
+
 @pytest.mark.parametrize(
     ("program", "said"),
     [
