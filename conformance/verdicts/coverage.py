@@ -1,4 +1,4 @@
-"""What a run of the kit has tried: how many histories, and what followed on what."""
+"""The histories that a run of the kit has tried, and which operations followed which."""
 
 from typing import Any
 
