@@ -1,4 +1,4 @@
-"""The histories that a run of the kit has tried, and which operations followed which."""
+"""How many histories a run of the kit tried, and which operations followed which."""
 
 from typing import Any
 

@@ -38,7 +38,7 @@ def wrong_values_of(operation_id: str) -> list[WrongValue]:
     return [f for f in all_wrong_values() if f.operation_id == operation_id]
 
 
-def test_every_fault_breaks_the_schema() -> None:
+def test_every_wrong_value_breaks_the_schema() -> None:
     kept = []
     for wrong in wrong_values_of("submit_run"):
         with contextlib.suppress(NoRoom):
@@ -79,8 +79,9 @@ def test_names_in_maps_and_lists_are_those_of_the_request() -> None:
 
 def test_every_process_makes_the_same_requests() -> None:
     code = (
-        "from conformance.checks.support.generated.wrong_values import all_wrong_values, "
-        "random_requests; import hypothesis as h; made = [*all_wrong_values()];"
+        "from conformance.checks.support.generated.wrong_values import "
+        "all_wrong_values, random_requests; import hypothesis as h; "
+        "made = [*all_wrong_values()];"
         "keep = h.settings(database=None, max_examples=5)(h.seed(3)("
         "h.given(random_requests('predict', False))(lambda x: made.append(x))));"
         "keep(); import hashlib;"

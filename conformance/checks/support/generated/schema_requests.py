@@ -51,9 +51,9 @@ _ENDING = ("stop_run", "resume_run", "detach_worker")
 
 
 def expect_wrong_values_refused(context: CheckContext) -> None:
-    """Send every wrong value that the rule of a check refuses; expect `invalid_request`.
+    """Send every wrong value that the rule of a check refuses.
 
-    The problem has to point at the value, and the run stays as it was.
+    Expect `invalid_request`, pointing at the value, and the run as it was.
     """
     before: dict[str, Any] | None = None
     for worker, wrong, request in _wrong_requests(context, context.name):
@@ -74,14 +74,16 @@ def expect_wrong_values_refused(context: CheckContext) -> None:
 def _wrong_requests(
     context: CheckContext, rule: str
 ) -> Iterator[tuple[WorkerClient, WrongValue, OperationSample]]:
-    """Give requests with one wrong value each, which the rule refuses, for one live worker.
+    """Give requests with one wrong value each, which the rule refuses.
 
     A part of them, by the seed, with `--quick`.
     """
     worker = attach_live_worker(context)
     samples = dict(_whole_samples(worker))
     values = [
-        f for f in all_wrong_values() if f.operation_id in samples and f.rule == rule
+        value
+        for value in all_wrong_values()
+        if value.operation_id in samples and value.rule == rule
     ]
     if context.shared.settings.quick:
         generator = random.Random(context.shared.settings.seed)
@@ -116,8 +118,7 @@ def send_random_requests(context: CheckContext, times: int) -> None:
 
     times: of each kind to each operation; with `--quick` one of either kind, and with
     `--minutes` again and again. Expect no server error; the rules on all answers judge
-    these as well. A run of its own gets
-    those that end a session or a run.
+    these as well. Those that end a session or a run go to a run of their own.
     """
     until = time.monotonic() + 60 * context.shared.settings.minutes * _SHARE
     for number in itertools.count():

@@ -142,7 +142,7 @@ def _real_names(body: Any, way: tuple[str, ...]) -> Iterator[str]:
 
 @functools.cache
 def all_wrong_values() -> tuple[WrongValue, ...]:
-    """Give every wrong value that the library knows of the bodies and the parameters."""
+    """Give every wrong value that the library knows for bodies and parameters."""
     from schemathesis import GenerationMode
 
     schema, values = _schema(), dict[str, WrongValue]()
