@@ -34,13 +34,13 @@ class Coverage:
 
     def sentence(self, settings: Settings) -> str:
         """Say it to a reader."""
-        about_runs = [
-            operation
+        about_runs = {
+            operation.operation_id
             for operation in load_spec().operations.values()
             if "{run_id}" in operation.path and settings.is_offered(operation.profile)
-        ]
-        possible = len(about_runs) ** 2
+        }
+        tried = sum({*pair} <= about_runs for pair in self.pairs)
         return (
-            f"{self.histories} generated histories; {len(self.pairs)} of {possible} "
-            "pairs of operations on one run, one right after the other"
+            f"{self.histories} generated histories; {tried} of "
+            f"{len(about_runs) ** 2} pairs of operations on one run, one right after the other"
         )
