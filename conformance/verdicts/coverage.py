@@ -41,6 +41,6 @@ class Coverage:
         }
         tried = sum({*pair} <= about_runs for pair in self.pairs)
         return (
-            f"{self.histories} generated histories; {tried} of "
-            f"{len(about_runs) ** 2} pairs of operations on one run, one right after the other"
+            f"{self.histories} generated histories; {tried} of {len(about_runs) ** 2} "
+            "pairs of operations on one run, one right after the other"
         )
