@@ -95,6 +95,13 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         ("simulator = []", "simulator: List should have at least 1 item"),
         ('simulator = ["./gone"]', "gone cannot be started: No such file or directory"),
         ('simulator = ["true"]', "true ended with exit code 0"),
+        ('simulator = ["unix:"]', "write unix:PATH and nothing behind"),
+        ('simulator = ["unix:a", "b"]', "unix:a b: write unix:PATH and nothing behind"),
+        (f'simulator = ["unix:{"x" * 200}"]', "a socket has at most 103 bytes"),
+        (
+            'simulator = ["unix:gone.sock"]\nstart_timeout_s = 0.1',
+            "the simulator gone.sock is away (No such file or directory); it was tried",
+        ),
         (
             'simulator = ["echo", "hello world"]',
             "a reply of 1751477356 bytes",
