@@ -245,6 +245,7 @@ def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> N
             None,
         ),
         (HELPED.replace("    pass", "    import wave"), None),
+        (HELPED.replace("    pass", "    import multiprocessing"), None),
     ],
 )
 def test_an_import_that_is_late_is_a_fault(
