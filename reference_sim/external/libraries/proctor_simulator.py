@@ -309,7 +309,8 @@ class _Sources:
             return ""
         for module in set(sys.modules) - self._modules:
             path = self._own_file(module)
-            if path:
+            # multiprocessing gives the program itself a second name.
+            if path and _source_name(module, path) not in self._announced:
                 return (
                     f"{_source_name(module, path)} was not imported when the program "
                     "described itself, so it is not in the manifest; import it at the "

@@ -266,6 +266,7 @@ def test_a_link_in_an_installed_folder_is_not_announced(tmp_path: Path) -> None:
             None,
         ),
         (HELPED.replace("    pass", "    import wave"), None),
+        (HELPED.replace("    pass", "    import multiprocessing"), None),
     ],
 )
 def test_an_import_that_is_late_is_a_fault(
