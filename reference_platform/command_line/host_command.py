@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import ctypes
 import fcntl
 import os
 import secrets
@@ -40,7 +39,6 @@ from reference_server.settings.setting_options import read_settings
 
 DATABASE = "var/platform.sqlite"
 SOCKET_CHARS_MAX = 100
-_PR_SET_PDEATHSIG = 1
 END_S = 30.0
 # The names of the environment, for what a command line should not show.
 SMTP_VARIABLE = "PROCTOR_HOST_SMTP"
@@ -176,9 +174,7 @@ class _Host:
             self.parts.database.close()
 
     async def _run_server(self) -> int:
-        server = await asyncio.create_subprocess_exec(
-            *self.server_command, preexec_fn=_end_with_parent
-        )
+        server = await asyncio.create_subprocess_exec(*self.server_command)
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, _end, server, number)
@@ -214,12 +210,6 @@ class _Platform(uvicorn.Server):
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
         yield
-
-
-def _end_with_parent() -> None:
-    """Linux: a server whose host was killed ends, too, and frees its port."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
 def _end(server: asyncio.subprocess.Process, number: int) -> None:
