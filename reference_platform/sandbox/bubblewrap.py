@@ -411,14 +411,18 @@ def _check_reachable(spec: SandboxSpec) -> None:
 
 
 def _lines(output_fd: int) -> Iterator[str]:
-    """The lines of the output, each as it comes; a very long one in parts."""
+    """The lines of the output as they come, some at a time; very long ones in parts."""
     kept = b""
     while part := os.read(output_fd, _READ_BYTES):
         *complete, kept = (kept + part).split(b"\n")
-        while len(kept) > _LINE_BYTES_MAX:
-            complete.append(kept[:_LINE_BYTES_MAX])
-            kept = kept[_LINE_BYTES_MAX:]
+        if len(kept) >= _LINE_BYTES_MAX:
+            complete, kept = [*complete, kept], b""
         if complete:
-            yield "\n".join(line.decode(errors="replace") for line in complete)
+            yield "\n".join(text for line in complete for text in _parts(line))
     if kept:
-        yield kept.decode(errors="replace")
+        yield "\n".join(_parts(kept))
+
+
+def _parts(line: bytes) -> list[str]:
+    starts = range(0, max(1, len(line)), _LINE_BYTES_MAX)
+    return [line[i : i + _LINE_BYTES_MAX].decode(errors="replace") for i in starts]
