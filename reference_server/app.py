@@ -12,6 +12,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from typing import Protocol
 
+from reference_server.accounts.account_service import AccountService
 from reference_server.assembly.node_parts import make_node
 from reference_server.assembly.routes import make_router, traced
 from reference_server.assembly.run_parts import (
@@ -61,7 +62,9 @@ def build(
     stored = StoredParts.of(settings)
     pools, secrets = Pools.of(settings), Secrets.of(settings)
     node = make_node(settings, stored.store, stored.records)
-    runs = RunParts.of(settings, stored, pools, secrets, node)
+    path = settings.account_service
+    accounts = AccountService(path, tokens) if path else None
+    runs = RunParts.of(settings, stored, pools, secrets, node, accounts=accounts)
     queue = node_routes = None
     if node is not None:
         queue = SharedQueue(node.nodes, node.connections, runs.registry.admission)
@@ -80,7 +83,9 @@ def build(
         metrics_socket,
         [metrics_route(COUNTERS, state.read), *health_routes(readiness)],
     )
-    router = make_router(handlers, tokens, readiness, node, node_routes)
+    router = make_router(
+        handlers, tokens, readiness, node, node_routes, accounts=accounts
+    )
     server = _Server(
         settings,
         stored,
@@ -91,6 +96,7 @@ def build(
         queue,
         imports,
         TokenFile(settings.tokens_file_path, tokens),
+        accounts,
         metrics,
         traces,
     )
@@ -143,6 +149,7 @@ class _Server:
     queue: SharedQueue | None
     imports: RecordImports | None
     token_file: TokenFile
+    accounts: AccountService | None
     metrics: MetricsListener
     traces: Traces | None
 
@@ -158,12 +165,14 @@ class _Server:
             await self.pools.sessions.start()
             runs.driver.open()
             await _open_all(self.imports, self.node, self.queue, self.token_file)
+            await _open_all(self.accounts)
             runs.retention.open()
             await self.metrics.open()
             try:
                 yield
             finally:
-                await _close_all(self.token_file, self.metrics, runs.retention)
+                await _close_all(self.token_file, self.accounts, self.metrics)
+                await _close_all(runs.retention)
                 await _close_all(runs.driver, self.imports, runs.executor)
                 # Recordings are written before other nodes may claim their runs.
                 await _close_all(runs.registry, stored.records, self.queue, self.node)

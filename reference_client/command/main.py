@@ -15,7 +15,7 @@ from reference_client.command.command_line.aliases import (
     translate,
 )
 from reference_client.command.command_line.arguments import parse
-from reference_client.command.programs import require, start
+from reference_client.command.programs import program_of, require, start
 from reference_record.command_line.click_commands import WrongUsage
 
 
@@ -33,8 +33,9 @@ def prepare(arguments: Sequence[str]) -> Callable[[], int]:
     try:
         words, notes = translate([*arguments])
         if words and words[0] in PASS_THROUGH_COMMANDS:
-            require(words[0])
-            return lambda: start(words[0], words[1:])
+            program, rest = program_of(words)
+            require(program)
+            return lambda: start(program, rest)
         args = parse(words)
     except WrongUsage as error:
         from reference_client.command.command_execution import report_wrong_usage

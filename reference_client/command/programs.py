@@ -23,6 +23,11 @@ PROGRAMS = {
         ("reference_server", "pydantic_settings", "sqlalchemy"),
         "server",
     ),
+    "admin account": (
+        "reference_platform.command_line.challenge_command",
+        ("reference_platform", "argon2"),
+        "platform",
+    ),
     "serve-policy": (
         "reference_client.policies.serve_command",
         ("starlette", "uvicorn"),
@@ -39,6 +44,17 @@ PROGRAMS = {
     ),
     "video": ("reference_sim.exports", ("mujoco", "av"), "server,video"),
 }
+
+
+# Areas of `proctor admin` that belong to the platform beside the server.
+PLATFORM_AREAS = ("account", "track", "audit")
+
+
+def program_of(words: Sequence[str]) -> tuple[str, Sequence[str]]:
+    """The program that a command line starts, and what is left for it."""
+    if words[0] == "admin" and words[1:2] and words[1] in PLATFORM_AREAS:
+        return "admin account", words[1:]
+    return words[0], words[1:]
 
 
 def start(command: str, arguments: Sequence[str]) -> int:

@@ -1,4 +1,4 @@
-"""What the parts of a submission agree on; each part is in a folder of its own.
+"""The interfaces between the parts of a submission; each part has its own folder.
 
 `submissions/` stores submissions and moves them (Submissions). `images/` receives and
 checks uploads (Uploads). `sandbox/` plays a policy (PolicyRunner). Nothing here starts
@@ -62,11 +62,11 @@ class SubmissionLogs(Protocol):
     def read(self, submission_id: str, after: int = 0) -> Sequence[LogLine]: ...
 
     def follow(self, submission_id: str, after: int = 0) -> AsyncIterator[LogLine]:
-        """What is there, and what comes, until the submission has ended."""
+        """The lines that exist, and new ones, until the submission has ended."""
 
 
 class Uploads(Protocol):
-    """What was uploaded, by digest."""
+    """The complete uploads, by digest."""
 
     def path_of(self, digest: str) -> Path:
         """The complete file. Raises KeyError."""
@@ -74,7 +74,7 @@ class Uploads(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """What a runner needs of a track.
+    """The part of a track that a runner needs.
 
     splits: of the evaluation; empty for all. verification_episodes: how many the
     verification plays. time_limit_s: of the evaluation.

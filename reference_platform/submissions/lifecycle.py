@@ -46,7 +46,7 @@ _HOUR_S: Final = 3600.0
 _DAY_S: Final = 24 * _HOUR_S
 _ENDS: Final[Mapping[Event, State]] = {"fail": "failed", "stop": "stopped"}
 
-# state → event → next state. What is not in the table is refused.
+# state → event → next state. Everything else is refused.
 TRANSITIONS: Final[Mapping[State, Mapping[Event, State]]] = MappingProxyType(
     {
         "created": {"upload": "uploaded", "expire": "expired", **_ENDS},
@@ -71,7 +71,7 @@ TRANSITIONS: Final[Mapping[State, Mapping[Event, State]]] = MappingProxyType(
 class Waiting:
     """Why a state lasts, how long it may, and what follows.
 
-    event, cause: what happens at the deadline, and who is to blame.
+    event, cause: what happens at the deadline, and who caused it.
     """
 
     deadline_s: float
@@ -200,7 +200,7 @@ def apply(
 
 
 def at_deadline(submission: Submission, now: float) -> Submission | None:
-    """What becomes of a submission that is over its deadline; None: it is not."""
+    """The submission after its deadline; None before the deadline."""
     if submission.deadline_at is None or now < submission.deadline_at:
         return None
     waiting = WAITING[submission.state]

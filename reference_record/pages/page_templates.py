@@ -13,7 +13,7 @@ from importlib.resources import files
 from typing import Any, Protocol
 from urllib.parse import urlsplit
 
-from jinja2 import Environment, PackageLoader
+from jinja2 import BaseLoader, ChoiceLoader, Environment, PackageLoader
 
 from reference_record.declared_parts import declared_parts
 
@@ -84,8 +84,16 @@ def asset_version(name: str) -> str:
 
 @cache
 def _environment() -> Environment:
+    return make_environment()
+
+
+def make_environment(*more: BaseLoader) -> Environment:
+    """The templates of these pages and, before them, those of another program.
+
+    These extend the layout, and use the filters.
+    """
     environment = Environment(
-        loader=PackageLoader(__package__, "templates"),
+        loader=ChoiceLoader([*more, PackageLoader(__package__, "templates")]),
         autoescape=True,
         trim_blocks=True,
         lstrip_blocks=True,

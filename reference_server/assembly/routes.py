@@ -7,6 +7,8 @@ import typing
 from starlette.routing import BaseRoute, Route, Router
 from starlette.types import ASGIApp, Scope
 
+from reference_server.accounts.account_forwarding import PATHS, AccountForwarding
+from reference_server.accounts.account_service import AccountService
 from reference_server.assembly.nearest_path import UnknownPath
 from reference_server.cluster.node_routes import NodeRoutes
 from reference_server.cluster.server_node import ServerNode
@@ -33,8 +35,13 @@ def make_router(
     readiness: Readiness,
     node: ServerNode | None,
     node_routes: NodeRoutes | None,
+    *,
+    accounts: AccountService | None = None,
 ) -> ASGIApp:
-    """Everything that the server answers. node, node_routes: both, or none of them."""
+    """Everything that the server answers. node, node_routes: both, or none of them.
+
+    accounts: the program that keeps them; None if there is none.
+    """
     table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
@@ -48,6 +55,9 @@ def make_router(
         endpoints = node_routes.routed(endpoints)
     routes: list[BaseRoute] = [Route(*endpoint) for endpoint in endpoints.items()]
     routes += health_routes(readiness)
+    if accounts is not None:
+        forwarding = AccountForwarding(accounts, hosts)
+        routes += [Route(path, forwarding) for path in PATHS]
     operations = Router(routes, False, not_found)
     if settings.pages == "off":
         return operations

@@ -7,6 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
+from reference_server.accounts.account_service import AccountService
 from reference_server.assembly.stored_parts import StoredParts
 from reference_server.cluster.server_node import ServerNode
 from reference_server.files.seed_secret import SeedSecret
@@ -95,8 +96,13 @@ class RunParts:
         pools: Pools,
         secrets: Secrets,
         node: ServerNode | None,
+        *,
+        accounts: AccountService | None = None,
     ) -> RunParts:
-        """node: this server as one of several; None for one that is alone."""
+        """node: this server as one of several; None for one that is alone.
+
+        accounts: the program that keeps them; None if there is none.
+        """
         disk_bound = DiskBound(settings.max_disk_bytes, settings.kept_paths)
         registry = RunRegistry(
             stored.store,
@@ -132,6 +138,7 @@ class RunParts:
             command_elsewhere=(
                 no_command_elsewhere if node is None else node.commands.apply
             ),
+            admission=accounts,
         )
         keys, max_bytes = secrets.policy_keys, settings.max_body_bytes
         driver = Driver(service, egress, keys, max_bytes)

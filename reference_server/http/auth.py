@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import re
 import secrets
+import time
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass
 
@@ -49,12 +50,15 @@ NO_ACCOUNT = Caller("", frozenset({"read"}))
 class Tokens:
     """AUTH-006: the tokens of this server, as SHA-256 → account and scopes.
 
-    Those of the file come and go while the server runs; the others stay.
+    Those of the file and of the account service come and go while the server runs; the
+    others stay.
     """
 
     def __init__(self, by_hash: Mapping[str, Caller]) -> None:
         self._by_hash = dict(by_hash)
         self._in_file: Mapping[str, Caller] = {}
+        self._of_accounts: Mapping[str, Caller] = {}
+        self._used: dict[str, float] = {}
         self._sources: list[Callable[[], Awaitable[None]]] = []
 
     @classmethod
@@ -77,6 +81,25 @@ class Tokens:
         """Make these tokens valid, in place of all that the file had before."""
         self._in_file = by_hash
 
+    def replace_those_of_accounts(self, by_hash: Mapping[str, Caller]) -> None:
+        """Make these keys valid, in place of all that the service had before.
+
+        A key of an account that has a token here is not valid: who registers there
+        under its name would own its runs.
+        """
+        here = {*self._by_hash.values(), *self._in_file.values()}
+        names = {caller.account for caller in here}
+        self._of_accounts = {
+            hashed: caller
+            for hashed, caller in by_hash.items()
+            if caller.account not in names
+        }
+
+    def take_used(self) -> Mapping[str, float]:
+        """When keys of the service were used last, since this was called last."""
+        used, self._used = self._used, {}
+        return used
+
     def add_source(self, look_again: Callable[[], Awaitable[None]]) -> None:
         """look_again: reads what may have changed; see authenticate_again."""
         self._sources.append(look_again)
@@ -93,6 +116,8 @@ class Tokens:
         # A look-up by hash takes the same time for every wrong secret.
         hashed = hash_of(secret.strip())
         caller = self._by_hash.get(hashed) or self._in_file.get(hashed)
+        if caller is None and (caller := self._of_accounts.get(hashed)) is not None:
+            self._used[hashed] = time.time()
         if scheme.lower() != "bearer" or caller is None:
             raise Refused("unauthenticated", "There is no valid bearer token.")
         if scope not in caller.scopes:

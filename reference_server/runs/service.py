@@ -17,7 +17,7 @@ from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import Any, Literal, Protocol, cast
 
 import msgspec
 
@@ -88,6 +88,16 @@ async def no_command_elsewhere(
     raise AssertionError("every run is here")
 
 
+class AccountAdmission(Protocol):
+    """Decides whether an account may make a run, beside the limits of this server."""
+
+    async def admit(self, run: Run) -> None:
+        """Raises Refused."""
+
+    async def withdraw(self, run: Run) -> None:
+        """The run was admitted, and not made."""
+
+
 @dataclass(frozen=True, slots=True)
 class RunService:
     """The use cases over one server's parts."""
@@ -110,6 +120,8 @@ class RunService:
     views_elsewhere: ViewsElsewhere = no_views_elsewhere
     # And what carries out a command for a run of another node.
     command_elsewhere: CommandElsewhere = no_command_elsewhere
+    # None where every account may make runs.
+    admission: AccountAdmission | None = None
 
     # --- control plane ---
 
@@ -158,7 +170,20 @@ class RunService:
         self, run: Run, idempotency_key: str | None, body_sha256: str
     ) -> Run:
         """Store a prepared run; or return the one that the key made of this body."""
-        return await self.registry.add(run, idempotency_key, body_sha256)
+        if self.admission is None:
+            return await self.registry.add(run, idempotency_key, body_sha256)
+        if idempotency_key is not None:
+            use = await self.find_by_key(run.account, idempotency_key)
+            if use is not None:  # a repeat makes no run
+                return await self.registry.add(run, idempotency_key, body_sha256)
+        await self.admission.admit(run)
+        stored: Run | None = None
+        try:
+            stored = await self.registry.add(run, idempotency_key, body_sha256)
+        finally:
+            if stored is not run:
+                await self.admission.withdraw(run)
+        return stored
 
     async def find_by_key(self, account: str, idempotency_key: str) -> KeyUse | None:
         """The run that an Idempotency-Key of the account made, if any."""

@@ -33,6 +33,14 @@ class NetworkSettings(BaseModel):
         "comma-separated and without ports, for example eval.example.org or "
         "*.example.org. If empty, any.",
     )
+    account_service: str = Field(
+        "",
+        max_length=100,
+        description="Unix socket of a program of this machine that keeps accounts, as "
+        "`proctor-host` does. Its keys are accepted beside the tokens of this server, "
+        "it admits their runs, and requests below /v1/hosting and /hosting are passed "
+        "on to it. If empty, there is none.",
+    )
     wait_s_max: int = Field(
         30, ge=0, le=600, description="Maximum wait of a long-poll, in seconds."
     )

@@ -17,7 +17,7 @@ from tests.support.paths import ROOT
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
 SOURCES = (
-    *("conformance", "reference_client", "reference_record"),
+    *("conformance", "reference_client", "reference_platform", "reference_record"),
     *("reference_server", "reference_sim"),
 )
 PACKED = "conformance/specification/files"

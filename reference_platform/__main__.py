@@ -1,0 +1,16 @@
+"""`proctor-host`: a server and the platform beside it, on one machine."""
+
+from __future__ import annotations
+
+import sys
+
+from reference_platform.command_line.host_command import start
+from reference_record.command_line.closed_output import run_program
+
+
+def main() -> int:
+    return run_program(start)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""Accounts of people: sign-up, review, passwords, sessions, keys, devices."""

@@ -1,0 +1,220 @@
+"""The use cases of accounts: register, review, sign in, change what is one's own.
+
+HTTP handlers, pages and `proctor admin` call it. All methods raise Refused.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import msgspec
+
+from reference_platform.accounts import account_rules
+from reference_platform.accounts.account_keys import Keys
+from reference_platform.accounts.account_rules import (
+    Account,
+    AccountState,
+    Decision,
+    Role,
+    SignUp,
+)
+from reference_platform.accounts.browser_sessions import Sessions
+from reference_platform.accounts.passwords import GuessLimits, Passwords
+from reference_platform.mail.outbox import Outbox
+from reference_platform.storage.platform_database import Database, audit
+from reference_server.rules.refusal import Refused
+
+_NOT_FOUND: Final = "There is no such account."
+_WRONG: Final = "The name or the password is wrong."
+_AGAIN: Final = {
+    "approve": "Your account is approved. Sign in, and make a key.",
+    "reinstate": "Your account is approved again. Your old keys stay revoked.",
+    "reject": "Your account was not approved.",
+    "suspend": "Your account is suspended, and its keys are revoked.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Accounts:
+    """clock: seconds since the epoch, for tests."""
+
+    database: Database
+    passwords: Passwords
+    guesses: GuessLimits
+    keys: Keys
+    sessions: Sessions
+    outbox: Outbox
+    clock: Callable[[], float] = time.time
+
+    def get(self, account: str) -> Account:
+        found = self.database.row(
+            Account, "SELECT * FROM accounts WHERE account = ?", account
+        )
+        if found is None:
+            raise Refused("not_found", _NOT_FOUND)
+        return found
+
+    def in_state(self, state: AccountState) -> Sequence[Account]:
+        """The one that waits longest is the first."""
+        return self.database.rows(
+            Account,
+            "SELECT * FROM accounts WHERE state = ? ORDER BY created_at LIMIT 500",
+            state,
+        )
+
+    def with_email_of(self, account: Account) -> Sequence[str]:
+        """Other accounts with this address: an administrator looks at twins."""
+        others = self.database.rows(
+            Account,
+            "SELECT * FROM accounts WHERE lower(email) = lower(?) AND account != ?",
+            *(account.email, account.account),
+        )
+        return [other.account for other in others]
+
+    async def register(
+        self, filled: SignUp, role: Role = "participant", address: str = ""
+    ) -> Account:
+        """A pending account. HST-002: an address may be that of several accounts.
+
+        address: of the client, whose sign-ups are limited.
+        """
+        account_rules.check_sign_up(filled)
+        self._check_sign_ups(address)
+        now = self.clock()
+        account = Account(
+            account=filled.account,
+            full_name=filled.full_name.strip(),
+            organisation=filled.organisation.strip(),
+            email=filled.email,
+            email_changed_at=None,
+            evaluation=filled.evaluation,
+            is_own_model=filled.is_own_model,
+            agreed_at=now,
+            password_hash=await self.passwords.hash(filled.password),
+            role=role,
+            state="pending",
+            reason="",
+            created_at=now,
+            decided_at=None,
+        )
+        try:
+            with self.database.transaction():
+                self.database.insert("accounts", account)
+                self._notify_administrators(account)
+        except sqlite3.IntegrityError as error:
+            taken = "is the name of another account"
+            raise Refused(
+                "invalid_request", f"account {taken}.", errors=[("/account", taken)]
+            ) from error
+        return account
+
+    def _check_sign_ups(self, address: str) -> None:
+        """A program that registers again and again is refused as one that guesses."""
+        if address:
+            self.guesses.check(" sign-up", address)
+            self.guesses.note_failure(" sign-up", address)
+
+    def _notify_administrators(self, account: Account) -> None:
+        for administrator in self.in_state("approved"):
+            if administrator.is_administrator:
+                self.outbox.add(
+                    administrator.email,
+                    f"{account.account} waits for review",
+                    f"{account.full_name} of {account.organisation} has registered as "
+                    f"{account.account}. Approve or reject the account on the page "
+                    "Review.",
+                )
+
+    def decide(
+        self, name: str, decision: Decision, reason: str, administrator: str
+    ) -> Account:
+        """HST-003, HST-004: the decision is mailed and stands in the audit log.
+
+        A rejected or suspended account has no keys and no sessions any more.
+        """
+        now = self.clock()
+        with self.database.transaction():
+            account = self.get(name)
+            if name == administrator and decision == "suspend":
+                text = "An administrator cannot suspend itself."
+                raise Refused("forbidden", text)
+            state = account_rules.decide(account, decision, reason)
+            self.database.execute(
+                "UPDATE accounts SET state = ?, reason = ?, decided_at = ? "
+                "WHERE account = ?",
+                *(state, reason.strip(), now, name),
+            )
+            if state != "approved":
+                self.keys.revoke_all(name, now)
+                self.sessions.end_all(name)
+            audit(
+                self.database,
+                now,
+                actor=administrator,
+                act=decision,
+                subject=name,
+                detail=reason.strip(),
+            )
+            because = f"\n\nReason: {reason.strip()}" if reason.strip() else ""
+            self.outbox.add(account.email, _AGAIN[decision], _AGAIN[decision] + because)
+        return msgspec.structs.replace(
+            account, state=state, reason=reason.strip(), decided_at=now
+        )
+
+    async def sign_in(self, name: str, password: str, address: str) -> str:
+        """The cookie of a new session. HST-005: one refusal for each wrong pair."""
+        self.guesses.check(name, address)
+        # Counted before it is compared: tries at the same moment count, too.
+        self.guesses.note_failure(name, address)
+        found = self.database.row(
+            Account, "SELECT * FROM accounts WHERE account = ?", name
+        )
+        stored = None if found is None else found.password_hash
+        if not await self.passwords.is_right(stored, password):
+            raise Refused("unauthenticated", _WRONG)
+        self.guesses.note_success(name, address)
+        return self.sessions.begin(name, self.clock())
+
+    def change_email(self, account: Account, email: str) -> None:
+        """HST-006. A rejected account is reviewed again."""
+        now = self.clock()
+        with self.database.transaction():
+            account = self.get(account.account)
+            account_rules.check_email_change(account, email, now)
+            state = "pending" if account.state == "rejected" else account.state
+            self.database.execute(
+                "UPDATE accounts SET email = ?, email_changed_at = ?, state = ? "
+                "WHERE account = ?",
+                *(email, now, state, account.account),
+            )
+            text = f"The address of {account.account} is now {email}."
+            self.outbox.add(account.email, "Your address was changed", text)
+
+    async def change_password(
+        self, account: Account, current: str, new: str, address: str
+    ) -> None:
+        """All sessions of the account end."""
+        self.guesses.check(account.account, address)
+        self.guesses.note_failure(account.account, address)
+        if not await self.passwords.is_right(account.password_hash, current):
+            raise Refused("forbidden", "The current password is wrong.")
+        self.guesses.note_success(account.account, address)
+        await self.set_password(account, new)
+
+    async def set_password(self, account: Account, new: str) -> None:
+        if errors := account_rules.password_errors(new, account.account):
+            text = f"password {errors[0][1]}."
+            raise Refused("invalid_request", text, errors=errors)
+        hashed = await self.passwords.hash(new)
+        with self.database.transaction():
+            self.database.execute(
+                "UPDATE accounts SET password_hash = ? WHERE account = ?",
+                *(hashed, account.account),
+            )
+            self.sessions.end_all(account.account)
+            text = f"The password of {account.account} was changed."
+            self.outbox.add(account.email, "Your password was changed", text)

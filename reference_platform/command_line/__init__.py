@@ -1,0 +1,1 @@
+"""`proctor-host` starts the platform; `proctor admin account` and others change it."""

@@ -1,0 +1,207 @@
+"""`proctor admin account|track|audit`: what administrators do, on this machine.
+
+It changes the database of the platform, which may run meanwhile: a revoked key ends
+within seconds. Each change stands in the audit log under the user of this machine.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import getpass
+import secrets
+import sys
+import time
+import tomllib
+from collections.abc import Callable, Sequence
+from datetime import datetime
+from pathlib import Path
+
+import msgspec
+
+from reference_platform.accounts.account_keys import SCOPES
+from reference_platform.accounts.account_rules import (
+    DECISIONS,
+    Account,
+    AccountState,
+    Role,
+    SignUp,
+    check_key_scopes,
+    parse_decision,
+)
+from reference_platform.command_line.host_command import DATABASE
+from reference_platform.http.api_calls import time_text
+from reference_platform.parts import Parts
+from reference_platform.storage.platform_database import BadDatabase, audit, audit_lines
+from reference_platform.tracks.track_rules import Track
+from reference_record.command_line.click_commands import (
+    Command,
+    Group,
+    Options,
+    WrongUsage,
+    argument,
+    flag,
+    option,
+    parse_options,
+)
+from reference_record.command_line.closed_output import run_program
+from reference_server.rules.refusal import Refused
+
+_STATES: Sequence[AccountState] = ("pending", "approved", "suspended", "rejected")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Returns the exit code: 0, or 2 with one line on stderr."""
+    try:
+        args = parse_options(build_command(), arguments)
+        args.do(_open(Path(args.database)), args)
+    except (Refused, WrongUsage, BadDatabase, OSError, ValueError) as error:
+        print(f"proctor: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def _open(path: Path) -> Parts:
+    if not path.exists():
+        text = f"there is no {path}; proctor-host makes it, or name it"
+        raise BadDatabase(f"{text} with --database")
+    return Parts.of(path)
+
+
+def build_command() -> Group:
+    """The areas of `proctor admin` that are the platform's."""
+    database = option(
+        "--database", f"file of the platform ({DATABASE})", default=DATABASE
+    )
+    account = argument("account", "name of the account")
+    reason = option("--reason", "it is mailed to the account", default="")
+    decisions = [
+        Command(
+            name, f"{name} an account", [account, reason, database],
+            do=_decide, decision=name,
+        )
+        for name in dict.fromkeys(name for row in DECISIONS.values() for name in row)
+    ]  # fmt: skip
+    profile = [
+        option("--full-name", "its person", required=True),
+        option("--organisation", "its organisation", required=True),
+        option("--email", "its address", required=True),
+        flag("--administrator", "it reviews others"),
+    ]
+    names = ", ".join(SCOPES)
+    scopes = option("--scopes", f"of {names} (read+run)", default="read+run")
+    days = option("--days", "days until it expires (90)", type=float, default=90.0)
+    accounts = [
+        Command("list", "list accounts", [database], do=_list),
+        Command(
+            "add", "make an approved account, print its password",
+            [account, *profile, database], do=_add,
+        ),
+        *decisions,
+        Command("password", "print a new password", [account, database], do=_password),
+        Command(
+            "key", "make a key, print it", [account, scopes, days, database], do=_key
+        ),
+    ]  # fmt: skip
+    file = argument("file", "TOML file of a track", metavar="FILE")
+    tracks = [
+        Command("list", "list tracks", [database], do=_tracks),
+        Command("put", "make or change a track", [file, database], do=_put_track),
+    ]
+    newest = option("--newest", "so many lines (50)", type=int, default=50)
+    return Group(
+        "proctor admin",
+        "manage the challenge of this machine",
+        [
+            Group("account", "who may take part", accounts),
+            Group("track", "what is evaluated", tracks),
+            Command("audit", "what administrators did", [newest, database], do=_audit),
+        ],
+    )
+
+
+Do = Callable[[Parts, Options], None]
+
+
+def _actor() -> str:
+    return f"{getpass.getuser()} on this machine"
+
+
+def _list(parts: Parts, _args: Options) -> None:
+    for state in _STATES:
+        for account in parts.accounts.in_state(state):
+            print(_line_of(account))
+
+
+def _line_of(account: Account) -> str:
+    who = f"{account.full_name}, {account.organisation}, {account.email}"
+    return f"{account.account:<20} {account.state:<10} {who} {account.reason}".rstrip()
+
+
+def _add(parts: Parts, args: Options) -> None:
+    password = secrets.token_urlsafe(12)
+    filled = SignUp(
+        account=args.account, full_name=args.full_name, email=args.email,
+        organisation=args.organisation, password=password, agrees=True,
+    )  # fmt: skip
+    role: Role = "administrator" if args.administrator else "participant"
+    asyncio.run(parts.accounts.register(filled, role))
+    parts.accounts.decide(args.account, "approve", "", _actor())
+    print(password)
+
+
+def _decide(parts: Parts, args: Options) -> None:
+    decision = parse_decision(args.decision)
+    account = parts.accounts.decide(args.account, decision, args.reason, _actor())
+    print(_line_of(account))
+
+
+def _password(parts: Parts, args: Options) -> None:
+    account, password = parts.accounts.get(args.account), secrets.token_urlsafe(12)
+    asyncio.run(parts.accounts.set_password(account, password))
+    _note(parts, "set_password", args.account)
+    print(password)
+
+
+def _key(parts: Parts, args: Options) -> None:
+    account, scopes = parts.accounts.get(args.account), args.scopes.split("+")
+    check_key_scopes(account, scopes)
+    key, secret = parts.keys.make(
+        account.account, "made by the host", scopes, args.days * 86_400, time.time()
+    )
+    _note(parts, "make_key", f"{args.account} {key.key_id}")
+    print(secret)
+
+
+def _tracks(parts: Parts, _args: Options) -> None:
+    for track in parts.tracks.all():
+        dates = f"{time_text(track.opens_at)} to {time_text(track.closes_at)}"
+        print(f"{track.track_id:<24} {track.benchmark_id:<20} {dates}  {track.title}")
+
+
+def _put_track(parts: Parts, args: Options) -> None:
+    values = tomllib.loads(Path(args.file).read_text(encoding="utf-8-sig"))
+    times = {
+        name: value.timestamp()
+        for name, value in values.items()
+        if isinstance(value, datetime)
+    }
+    try:
+        track = msgspec.convert(values | times, type=Track)
+    except msgspec.ValidationError as error:
+        raise WrongUsage(f"{args.file}: {error}") from error
+    parts.tracks.put(track, _actor())
+    print(f"track {track.track_id}")
+
+
+def _audit(parts: Parts, args: Options) -> None:
+    for line in reversed(audit_lines(parts.database, args.newest)):
+        text = f"{time_text(line.at)}  {line.actor}  {line.act}  {line.subject}"
+        print(f"{text}  {line.detail}".rstrip())
+
+
+def _note(parts: Parts, act: str, subject: str) -> None:
+    audit(parts.database, time.time(), actor=_actor(), act=act, subject=subject)
+
+
+if __name__ == "__main__":
+    sys.exit(run_program(main))

@@ -1,0 +1,238 @@
+"""`proctor-host`: starts the platform on a Unix socket, and a server that uses it.
+
+Options behind `--` are for the server. Both end together: with a signal, or when one
+of them ends.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import fcntl
+import os
+import secrets
+import signal
+import socket
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import uvicorn
+
+from reference_platform.accounts.account_rules import SignUp
+from reference_platform.http.server_calls import ServerRuns
+from reference_platform.mail.outbox import BadMailServer, MailServer
+from reference_platform.parts import Parts
+from reference_platform.platform_app import make_application
+from reference_platform.storage.platform_database import BadDatabase
+from reference_record.command_line.click_commands import (
+    Command,
+    Options,
+    WrongUsage,
+    option,
+    parse_options,
+)
+from reference_server.files.private_files import create_empty
+from reference_server.settings import Settings
+from reference_server.settings.setting_options import read_settings
+
+DATABASE = "var/platform.sqlite"
+SOCKET_CHARS_MAX = 100
+END_S = 30.0
+# The names of the environment, for what a command line should not show.
+SMTP_VARIABLE = "PROCTOR_HOST_SMTP"
+
+
+class CannotStart(Exception):
+    """The platform cannot start; the text says why and what to do."""
+
+
+def build_command() -> Command:
+    return Command(
+        "proctor-host",
+        "",
+        [
+            option(
+                "--database", f"file of the platform ({DATABASE})", default=DATABASE
+            ),
+            option(
+                "--smtp",
+                "mail server, smtp://USER:PASSWORD@HOST:PORT or smtps://…; "
+                f"${SMTP_VARIABLE}; without it no mail is sent",
+                envvar=SMTP_VARIABLE,
+            ),
+            option(
+                "--mail-from", "sender of mail (proctor@localhost)",
+                default="proctor@localhost",
+            ),
+            option(
+                "--administrator", "first account, made if there is none (organiser)",
+                default="organiser",
+            ),
+            option(
+                "--administrator-email", "its address, which gets the mail of a host",
+                default="",
+            ),
+        ],
+        help_text="Host a challenge: accounts, keys, tracks and a server, as one "
+        "command. Options of the server stand behind --.",
+        epilog="proctor-host -- --port 8460 --public-url https://eval.example.org",
+    )  # fmt: skip
+
+
+def start() -> int:
+    """The exit code; a failure to start is 2 and one line on stderr."""
+    ours, theirs = _split(sys.argv[1:])
+    try:
+        options = parse_options(build_command(), ours)
+        settings = read_settings(theirs)
+        with _locked(Path(options.database)):
+            return asyncio.run(_Host.of(options, settings, theirs).run())
+    except (CannotStart, WrongUsage, BadDatabase, BadMailServer, OSError) as error:
+        print(f"proctor-host: {error}", file=sys.stderr)
+        return 2
+
+
+def _split(arguments: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
+    if "--" not in arguments:
+        return arguments, ()
+    at = arguments.index("--")
+    return arguments[:at], arguments[at + 1 :]
+
+
+@contextlib.contextmanager
+def _locked(database: Path) -> Iterator[None]:
+    lock = database.with_name(f"{database.name}.lock")
+    create_empty(lock)
+    with lock.open() as held:
+        try:
+            fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError as error:
+            text = f"another proctor-host uses {database}; end it, or name another file"
+            raise CannotStart(f"{text} with --database") from error
+        yield
+
+
+@dataclass(frozen=True, slots=True)
+class _Host:
+    """The platform and its server."""
+
+    parts: Parts
+    options: Options
+    url: str
+    socket_path: str
+    server_command: Sequence[str]
+
+    @classmethod
+    def of(cls, options: Options, settings: Settings, theirs: Sequence[str]) -> _Host:
+        path = Path(options.database)
+        socket_path = str(path.absolute().with_suffix(".sock"))
+        if len(socket_path) > SOCKET_CHARS_MAX:
+            raise CannotStart(f"the path {socket_path} is too long for a Unix socket")
+        mail = MailServer(options.smtp, options.mail_from) if options.smtp else None
+        port = settings.port or _free_port(settings.host)
+        host = "127.0.0.1" if settings.host in ("0.0.0.0", "") else settings.host  # noqa: S104
+        host = f"[{host}]" if ":" in host else host
+        command = [
+            *(sys.executable, "-m", "reference_server", *theirs),
+            *("--port", str(port), "--account-service", socket_path),
+        ]
+        return cls(
+            Parts.of(path, mail, public_url=settings.public_url),
+            options,
+            f"http://{host}:{port}",
+            socket_path,
+            command,
+        )
+
+    async def run(self) -> int:
+        """Until a signal, or until one of both ends."""
+        runs = ServerRuns(self.url)
+        config = uvicorn.Config(
+            make_application(self.parts, runs),
+            # The server is the only client, and names its own.
+            proxy_headers=True,
+            forwarded_allow_ips="*",
+            log_level="warning",
+            server_header=False,
+            timeout_graceful_shutdown=2,
+        )
+        platform = _Platform(config)
+        listener = await asyncio.to_thread(_listen, self.socket_path)
+        serving = asyncio.create_task(platform.serve([listener]))
+        try:
+            await self._make_administrator()
+            while not platform.started:
+                if serving.done():
+                    return 2
+                await asyncio.sleep(0.01)
+            return await self._run_server()
+        finally:
+            platform.should_exit = True
+            await serving
+            self.parts.database.close()
+
+    async def _run_server(self) -> int:
+        server = await asyncio.create_subprocess_exec(*self.server_command)
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGINT, signal.SIGTERM):
+            loop.add_signal_handler(number, _end, server, number)
+        print(f"proctor-host: {self.url}/hosting", flush=True)
+        try:
+            return await server.wait()
+        finally:
+            if server.returncode is None:
+                server.terminate()
+                with contextlib.suppress(TimeoutError):
+                    await asyncio.wait_for(server.wait(), END_S)
+
+    async def _make_administrator(self) -> None:
+        """The first account, which can approve the others."""
+        accounts = self.parts.accounts
+        if any(one.role == "administrator" for one in accounts.in_state("approved")):
+            return
+        name, password = self.options.administrator, secrets.token_urlsafe(12)
+        filled = SignUp(
+            account=name, full_name="Administrator", organisation="Host",
+            email=self.options.administrator_email or "administrator@localhost.local",
+            password=password, agrees=True,
+        )  # fmt: skip
+        await accounts.register(filled, "administrator")
+        accounts.decide(name, "approve", "", "proctor-host")
+        print(f"proctor-host: administrator {name}, password, shown this once:")
+        print(password, flush=True)
+
+
+class _Platform(uvicorn.Server):
+    """Signals are for the host, which ends it last."""
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        yield
+
+
+def _end(server: asyncio.subprocess.Process, number: int) -> None:
+    """A second signal ends the server at once, as it does by itself."""
+    with contextlib.suppress(ProcessLookupError):
+        server.send_signal(number)
+
+
+def _listen(path: str) -> socket.socket:
+    """A socket that only this user can connect to; another one there was left over."""
+    Path(path).unlink(missing_ok=True)
+    listener = socket.socket(socket.AF_UNIX)
+    before = os.umask(0o177)
+    try:
+        listener.bind(path)
+    finally:
+        os.umask(before)
+    return listener
+
+
+def _free_port(host: str) -> int:
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.socket(family) as listener:
+        listener.bind((host, 0))
+        port: int = listener.getsockname()[1]
+    return port

@@ -1,0 +1,135 @@
+"""From HTTP to an operation of the hosting API and back: what all have in common.
+
+A request is authenticated by a key; its body is decoded into one structure, and refused
+by what is wrong in it. Every refusal is a problem of the standard.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from typing import Any, Final, TypeVar
+
+import msgspec
+from starlette.requests import Request
+from starlette.responses import Response
+
+from reference_platform.accounts.account_keys import Key
+from reference_platform.accounts.account_rules import Account
+from reference_platform.parts import Parts
+from reference_server.http.bodies.request_bodies import read_body
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import Refused
+
+log = logging.getLogger("proctor.hosting")
+
+BODY_BYTES_MAX: Final = 2**16
+Body = TypeVar("Body")
+
+
+@dataclass(frozen=True, slots=True)
+class ApiCall:
+    """One request. key, account: of its caller; None where none is needed."""
+
+    request: Request
+    parts: Parts
+    key: Key | None = None
+    caller: Account | None = None
+
+    @property
+    def account(self) -> Account:
+        assert self.caller is not None, "an operation without scope has no caller"
+        return self.caller
+
+    @property
+    def now(self) -> float:
+        return self.parts.clock()
+
+    def path(self, name: str) -> str:
+        return str(self.request.path_params[name])
+
+    async def body(self, kind: type[Body]) -> Body:
+        """Raises Refused, which points at what is wrong."""
+        media_type = self.request.headers.get("content-type", "").partition(";")[0]
+        if media_type.strip().lower() != "application/json":
+            raise Refused("unsupported_media_type", "The body is not JSON.")
+        data = await read_body(self.request, BODY_BYTES_MAX)
+        try:
+            return msgspec.json.decode(data, type=kind)
+        except msgspec.ValidationError as error:
+            text, _, at = str(error).partition(" - at `$")
+            pointer = at.rstrip("`").replace(".", "/").replace("[", "/")
+            pointer = pointer.replace("]", "")
+            errors = [(pointer, text)]
+            raise Refused("invalid_request", f"{text}.", errors=errors) from error
+        except msgspec.DecodeError as error:
+            raise Refused("malformed_body", "The body is not JSON.") from error
+
+
+Handler = Callable[[ApiCall], Awaitable[Response]]
+Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+def endpoint_of(
+    parts: Parts, handlers: dict[str, tuple[Handler, str | None]]
+) -> Endpoint:
+    """The endpoint of a path. handlers: method → handler, and the scope that it needs.
+
+    HST-014: `host` is that of an administrator, whatever the scopes of its key.
+    """
+
+    async def answer(request: Request) -> Response:
+        try:
+            handler, scope = handlers[request.method]
+            key = account = None
+            if scope is not None:
+                key, account = _authenticate(parts, request, scope)
+            return await handler(ApiCall(request, parts, key, account))
+        except Refused as refused:
+            return problem_response(refused)
+        except Exception:
+            log.exception("a request failed")
+            defect = Refused("internal_error", "The platform has a defect.")
+            return problem_response(defect)
+
+    return answer
+
+
+def _authenticate(parts: Parts, request: Request, scope: str) -> tuple[Key, Account]:
+    scheme, _, secret = request.headers.get("authorization", "").partition(" ")
+    key = parts.keys.find(secret.strip(), parts.clock())
+    if scheme.lower() != "bearer" or key is None:
+        raise Refused("unauthenticated", "There is no valid key.")
+    parts.keys.note_used({key.hash: parts.clock()})
+    account = parts.accounts.get(key.account)
+    if scope not in key.scopes.split():
+        raise Refused("forbidden", f"The key has no scope `{scope}`.")
+    if scope == "host" and not account.is_administrator:
+        raise Refused("forbidden", "The account is no administrator.")
+    return key, account
+
+
+def json_response(content: Any, status: int = 200) -> Response:
+    return Response(
+        msgspec.json.encode(content),
+        status_code=status,
+        media_type="application/json",
+        headers={"Cache-Control": "no-store"},
+    )
+
+
+def time_text(at: float | None) -> str | None:
+    """RFC 3339 in UTC, with milliseconds, as everywhere in the standard."""
+    if at is None:
+        return None
+    moment = datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds")
+    return moment.replace("+00:00", "Z")
+
+
+def public_url(parts: Parts, request: Request) -> str:
+    """Where people reach the server: as the host says, or as this request did."""
+    if parts.public_url:
+        return parts.public_url.rstrip("/")
+    return f"{request.url.scheme}://{request.headers.get('host', '')}"

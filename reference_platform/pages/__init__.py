@@ -1,0 +1,1 @@
+"""Pages of the platform, below /hosting: forms of participants and administrators."""

@@ -1,0 +1,213 @@
+"""Sessions, forms, refusals and headers, which all pages of the platform share.
+
+The cookie of a session is a new secret at each sign-in. Every form carries a second
+secret, which other sites cannot know; a form without a session repeats that of a cookie
+made with it. A form that was refused is shown again with the reason.
+"""
+
+from __future__ import annotations
+
+import logging
+import re
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from functools import cache
+from http import HTTPStatus
+from typing import Any, Final
+from urllib.parse import parse_qsl, quote
+
+from jinja2 import Environment, PackageLoader
+from starlette.requests import Request
+from starlette.responses import HTMLResponse, RedirectResponse, Response
+
+from reference_platform.accounts.account_rules import Account
+from reference_platform.accounts.browser_sessions import Session
+from reference_platform.http.api_calls import time_text
+from reference_platform.parts import Parts
+from reference_record.pages.page_templates import make_environment
+from reference_server.generated.problem_codes import PROBLEMS
+from reference_server.http.bodies.request_bodies import read_body
+from reference_server.http.pages.cookies import read_cookie
+from reference_server.http.pages.page_links import ServerLinks
+from reference_server.http.pages.page_routes import FORM, FORM_BYTES_MAX, HEADERS
+from reference_server.http.pages.page_sessions import LOGIN_COOKIE as FORM_COOKIE
+from reference_server.http.pages.page_sessions import (
+    LOGIN_S,
+    forget_cookie,
+    is_from_other_site,
+    is_same,
+    login_secret,
+    new_login_secret,
+    set_cookie,
+)
+from reference_server.rules.refusal import Refused
+
+log = logging.getLogger("proctor.hosting")
+
+BASE: Final = "/hosting"
+COOKIE: Final = "proctor_hosting"
+_FORMS: Final = (f"{BASE}/register", f"{BASE}/login")
+_NEXT: Final = re.compile(r"/hosting(/[a-z0-9_-]+)*(\?code=[A-Za-z-]{0,16})?")
+_DEFECT: Final = "The platform has a defect. Try it again."
+_STALE: Final = "This form is too old, or it came from another site. Send it again."
+
+
+@dataclass(frozen=True, slots=True)
+class PageCall:
+    """One request of a browser. session, reader: None for one who has not signed in.
+
+    form: what was sent with POST. address: of the client.
+    """
+
+    request: Request
+    parts: Parts
+    session: Session | None
+    reader: Account | None
+    form: dict[str, str]
+    secret: str
+
+    @property
+    def account(self) -> Account:
+        assert self.reader is not None, "the page needs a sign-in"
+        return self.reader
+
+    @property
+    def links(self) -> ServerLinks:
+        return ServerLinks.of(self.request.url.path)
+
+    @property
+    def address(self) -> str:
+        return (self.request.client or ("",))[0]
+
+    @property
+    def csrf(self) -> str:
+        """The secret that the forms of this answer carry."""
+        return self.secret if self.session is None else self.session.csrf
+
+    def path(self, name: str) -> str:
+        return str(self.request.path_params[name])
+
+    def page(self, template: str, *, problem: str = "", **values: Any) -> Response:
+        """problem: why what was sent is refused; it stands above the page."""
+        text = _environment().get_template(f"hosting/{template}.html.j2").render(
+            links=self.links, form_csrf=self.csrf, reader=self.reader, problem=problem,
+            form=self.form, **values,
+        )  # fmt: skip
+        return HTMLResponse(text, HTTPStatus.BAD_REQUEST if problem else HTTPStatus.OK)
+
+    def redirect(self, path: str) -> Response:
+        """To another page of the platform."""
+        return RedirectResponse(self.links.to(BASE + path), HTTPStatus.SEE_OTHER)
+
+    def to_login(self) -> Response:
+        target = self.request.url.path
+        if self.request.method == "GET" and self.request.url.query:
+            target += f"?{self.request.url.query}"
+        return self.redirect(f"/login?next={quote(safe_next(target), safe='')}")
+
+    def begin_session(self, cookie: str, target: str) -> Response:
+        response: Response = RedirectResponse(
+            self.links.to(safe_next(target)), HTTPStatus.SEE_OTHER
+        )
+        is_secure = self.request.url.scheme == "https"
+        set_cookie(response, COOKIE, cookie, seconds=12 * 3600, is_secure=is_secure)
+        forget_cookie(response, FORM_COOKIE)
+        return response
+
+
+Show = Callable[[PageCall], Awaitable[Response]]
+Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+def page_endpoint(parts: Parts, show: Show, needs: str = "") -> Endpoint:
+    """The endpoint of a page. needs: `account`, `administrator`, or nothing.
+
+    A page of administrators is not found by others.
+    """
+
+    async def answer(request: Request) -> Response:
+        call = PageCall(request, parts, None, None, {}, new_login_secret())
+        try:
+            call = await _read(request, parts, call.secret)
+            if needs and call.reader is None:
+                response = call.to_login()
+            else:
+                _check_reader(call, needs)
+                response = await show(call)
+        except Refused as refused:
+            response = call.page("notice", heading="Refused", problem=refused.detail)
+            response.status_code = PROBLEMS[refused.code]["status"]
+        except Exception:
+            log.exception("a page could not be made")
+            response = call.page("notice", heading="Refused", problem=_DEFECT)
+            response.status_code = HTTPStatus.INTERNAL_SERVER_ERROR
+        if call.session is None:
+            _set_form_cookie(request, response, call.secret)
+        for name, value in HEADERS.items():
+            response.headers.setdefault(name, value)
+        return response
+
+    return answer
+
+
+def _check_reader(call: PageCall, needs: str) -> None:
+    if needs == "administrator" and not call.account.is_administrator:
+        raise Refused("not_found", "There is no such page.")
+
+
+async def _read(request: Request, parts: Parts, secret: str) -> PageCall:
+    """The call, with a form that is this platform's own. Raises Refused."""
+    now = parts.clock()
+    cookie = read_cookie(request, COOKIE)
+    session = parts.sessions.find(cookie, now) if cookie else None
+    reader = None if session is None else parts.accounts.get(session.account)
+    form: dict[str, str] = {}
+    if request.method == "POST":
+        form = await _read_form(request)
+        expected = login_secret(request) if session is None else session.csrf
+        is_ours = is_same(form.pop("csrf", ""), expected)
+        if not is_ours or is_from_other_site(request):
+            raise Refused("forbidden", _STALE)
+    return PageCall(request, parts, session, reader, form, secret)
+
+
+async def _read_form(request: Request) -> dict[str, str]:
+    kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if kind != FORM:
+        raise Refused("unsupported_media_type", "This is not a form of this page.")
+    body = await read_body(request, FORM_BYTES_MAX)
+    try:
+        pairs = parse_qsl(
+            body.decode(), keep_blank_values=True, max_num_fields=64, errors="strict"
+        )
+    except ValueError as error:
+        raise Refused("malformed_body", "The form cannot be read.") from error
+    return dict(pairs)
+
+
+def _set_form_cookie(request: Request, response: Response, secret: str) -> None:
+    """For a form that needs no session; a new one with each page that has it.
+
+    From all of them it is a cookie of one folder, so that there are never two.
+    """
+    if request.url.path in _FORMS and not 300 <= response.status_code < 400:
+        is_secure = request.url.scheme == "https"
+        set_cookie(response, FORM_COOKIE, secret, seconds=LOGIN_S, is_secure=is_secure)
+
+
+def safe_next(path: str) -> str:
+    """The path after the sign-in: only a page of the platform."""
+    is_page = _NEXT.fullmatch(path) and not path.startswith(f"{BASE}/log")
+    return path if is_page else BASE
+
+
+@cache
+def _environment() -> Environment:
+    environment = make_environment(PackageLoader(__package__, "templates"))
+    environment.filters["at"] = _at
+    return environment
+
+
+def _at(at: float | None) -> str:
+    text = time_text(at)
+    return "–" if text is None else f"{text[:10]} {text[11:16]} UTC"

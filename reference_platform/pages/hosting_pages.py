@@ -1,0 +1,307 @@
+"""The pages of participants and administrators: each form calls one use case."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import msgspec
+from starlette.responses import Response
+from starlette.routing import BaseRoute, Route
+
+from reference_platform.accounts.account_keys import SCOPES
+from reference_platform.accounts.account_rules import (
+    DECISIONS,
+    SignUp,
+    check_key_scopes,
+    parse_decision,
+)
+from reference_platform.http.server_calls import ServerRuns
+from reference_platform.pages.form_calls import (
+    BASE,
+    COOKIE,
+    PageCall,
+    Show,
+    page_endpoint,
+)
+from reference_platform.parts import Parts
+from reference_platform.storage.platform_database import audit_lines
+from reference_server.http.pages.cookies import read_cookie
+from reference_server.http.pages.page_sessions import forget_cookie
+from reference_server.rules.refusal import Refused
+
+DAY_S: Final = 86_400.0
+AUDIT_LINES: Final = 100
+
+
+def page_routes(parts: Parts, runs: ServerRuns) -> list[BaseRoute]:
+    """Path → page, and who may see it."""
+    pages = PageHandlers(runs)
+    shown: dict[str, tuple[Show, str]] = {
+        "": (show_index, ""),
+        "/": (show_index, ""),
+        "/register": (show_register, ""),
+        "/login": (show_login, ""),
+        "/account": (show_account, "account"),
+        "/keys": (show_keys, "account"),
+        "/device": (show_device, "account"),
+        "/tracks/{track_id}": (pages.show_track, "account"),
+        "/review": (show_review, "administrator"),
+    }
+    changed: dict[str, tuple[Show, str]] = {
+        "/register": (register, ""),
+        "/login": (sign_in, ""),
+        "/logout": (sign_out, ""),
+        "/account/email": (change_email, "account"),
+        "/account/password": (change_password, "account"),
+        "/keys": (make_key, "account"),
+        "/keys/{key_id}/revoke": (revoke_key, "account"),
+        "/device": (decide_device, "account"),
+        "/tracks/{track_id}/enter": (enter_track, "account"),
+        "/review/accounts/{account}": (decide_account, "administrator"),
+        "/review/entries/{track_id}/{account}": (decide_entry, "administrator"),
+    }
+    routes: list[BaseRoute] = [
+        Route(BASE + path, page_endpoint(parts, *row), methods=[method])
+        for method, table in (("GET", shown), ("POST", changed))
+        for path, row in table.items()
+    ]
+    return [*routes, Route(BASE + "/{rest:path}", page_endpoint(parts, show_nothing))]
+
+
+async def show_nothing(_call: PageCall) -> Response:
+    raise Refused("not_found", "There is no such page.")
+
+
+async def show_index(call: PageCall) -> Response:
+    tracks = call.parts.tracks.all()
+    return call.page("index", tracks=tracks, now=call.parts.clock())
+
+
+# --- sign-up and sign-in ---
+
+
+async def show_register(call: PageCall) -> Response:
+    return call.page("register")
+
+
+async def register(call: PageCall) -> Response:
+    names = ("account", "full_name", "organisation", "email", "password")
+    filled = {name: call.form.get(name, "") for name in names}
+    evaluation = call.form.get("evaluation", "own_machine")
+    ticked = {name: name in call.form for name in ("is_own_model", "agrees")}
+    try:
+        sign_up = msgspec.convert(
+            filled | ticked | {"evaluation": evaluation}, type=SignUp
+        )
+        account = await call.parts.accounts.register(sign_up, address=call.address)
+    except msgspec.ValidationError:
+        return call.page("register", problem="Choose a kind of evaluation.")
+    except Refused as refused:
+        return call.page("register", problem=refused.detail)
+    text = (
+        f"The account {account.account} waits for its review. The host writes to "
+        f"{account.email}."
+    )
+    return call.page("notice", heading="Registered", text=text)
+
+
+async def show_login(call: PageCall) -> Response:
+    return call.page("login", next=call.request.query_params.get("next", ""))
+
+
+async def sign_in(call: PageCall) -> Response:
+    target = call.form.get("next", "")
+    name, password = call.form.get("account", ""), call.form.get("password", "")
+    try:
+        cookie = await call.parts.accounts.sign_in(name, password, call.address)
+    except Refused as refused:
+        return call.page("login", problem=refused.detail, next=target)
+    call.parts.sessions.end(read_cookie(call.request, COOKIE))
+    return call.begin_session(cookie, target)
+
+
+async def sign_out(call: PageCall) -> Response:
+    call.parts.sessions.end(read_cookie(call.request, COOKIE))
+    response = call.redirect("/login")
+    forget_cookie(response, COOKIE)
+    return response
+
+
+# --- what is one's own ---
+
+
+async def show_account(call: PageCall, problem: str = "") -> Response:
+    return call.page("account", problem=problem)
+
+
+async def change_email(call: PageCall) -> Response:
+    try:
+        call.parts.accounts.change_email(call.account, call.form.get("email", ""))
+    except Refused as refused:
+        return await show_account(call, refused.detail)
+    return call.redirect("/account")
+
+
+async def change_password(call: PageCall) -> Response:
+    current, new = call.form.get("current", ""), call.form.get("password", "")
+    try:
+        await call.parts.accounts.change_password(
+            call.account, current, new, call.address
+        )
+    except Refused as refused:
+        return await show_account(call, refused.detail)
+    return call.redirect("/login")
+
+
+async def show_keys(
+    call: PageCall, problem: str = "", secret: str = "", label: str = ""
+) -> Response:
+    """secret: of the key that was just made; no other page shows it."""
+    now = call.parts.clock()
+    keys = call.parts.keys.of_account(call.account.account, now)
+    scopes = [name for name in SCOPES if name != "host"]
+    if call.account.is_administrator:
+        scopes = [*SCOPES]
+    return call.page(
+        "keys", problem=problem, keys=keys, secret=secret, label=label, scopes=scopes
+    )
+
+
+async def make_key(call: PageCall) -> Response:
+    account = call.account
+    scopes = [name for name in SCOPES if f"scope_{name}" in call.form]
+    days = call.form.get("days", "90")
+    try:
+        check_key_scopes(account, scopes)
+        lifetime_s = float(days) * DAY_S if days.isdecimal() else 0.0
+        key, secret = call.parts.keys.make(
+            account.account, call.form.get("label", ""), scopes, lifetime_s,
+            call.parts.clock(),
+        )  # fmt: skip
+    except Refused as refused:
+        return await show_keys(call, refused.detail)
+    return await show_keys(call, secret=secret, label=key.label)
+
+
+async def revoke_key(call: PageCall) -> Response:
+    account, now = call.account.account, call.parts.clock()
+    call.parts.keys.revoke(account, call.path("key_id"), now)
+    return call.redirect("/keys")
+
+
+async def show_device(call: PageCall) -> Response:
+    """HST-005: codes are not guessed either."""
+    code = call.request.query_params.get("code", "")
+    device, problem = None, ""
+    name = call.account.account
+    if code:
+        try:
+            call.parts.accounts.guesses.check(f"{name} device", call.address)
+            device = call.parts.devices.find(code)
+        except Refused as refused:
+            if refused.code == "not_found":
+                call.parts.accounts.guesses.note_failure(f"{name} device", call.address)
+            problem = refused.detail
+    return call.page("device", device=device, problem=problem)
+
+
+async def decide_device(call: PageCall) -> Response:
+    check_key_scopes(call.account, ())
+    is_approved = call.form.get("decision") == "approve"
+    call.parts.devices.decide(
+        call.form.get("code", ""), call.account.account, approve=is_approved
+    )
+    text = "The program gets no key."
+    if is_approved:
+        text = "The program has a key now. You can close this page."
+    return call.page("notice", heading="Sign in a program", text=text)
+
+
+# --- tracks ---
+
+
+class PageHandlers:
+    """The pages that show what the server has. runs: reads it there."""
+
+    def __init__(self, runs: ServerRuns) -> None:
+        self._runs = runs
+
+    async def show_track(self, call: PageCall) -> Response:
+        tracks, name = call.parts.tracks, call.account.account
+        track = tracks.get(call.path("track_id"))
+        problem = ""
+        try:
+            await tracks.refresh(name, self._runs)
+        except Refused as refused:
+            problem = refused.detail
+        return call.page(
+            "track",
+            track=track,
+            now=call.parts.clock(),
+            entrant=tracks.entrant(track.track_id, name),
+            usages=tracks.usages_of(track, name),
+            runs=tracks.runs_of(name, track.track_id)[:50],
+            stale=problem,
+        )
+
+
+async def enter_track(call: PageCall) -> Response:
+    if call.account.state != "approved":
+        raise Refused("forbidden", "Only an approved account enters a track.")
+    track_id = call.path("track_id")
+    call.parts.tracks.enter(track_id, call.account)
+    return call.redirect(f"/tracks/{track_id}")
+
+
+# --- administrators ---
+
+
+async def show_review(call: PageCall, problem: str = "") -> Response:
+    parts = call.parts
+    accounts = parts.accounts
+    waiting = [
+        (account, accounts.with_email_of(account))
+        for account in accounts.in_state("pending")
+    ]
+    decided = [
+        account
+        for state in ("approved", "suspended", "rejected")
+        for account in accounts.in_state(state)
+    ]
+    return call.page(
+        "review",
+        problem=problem,
+        waiting=waiting,
+        decided=decided,
+        decisions=DECISIONS,
+        entrants=parts.tracks.waiting_entrants(),
+        mail=parts.outbox.waiting(),
+        audit=audit_lines(parts.database, AUDIT_LINES),
+    )
+
+
+async def decide_account(call: PageCall) -> Response:
+    try:
+        call.parts.accounts.decide(
+            call.path("account"),
+            parse_decision(call.form.get("decision", "")),
+            call.form.get("reason", ""),
+            call.account.account,
+        )
+    except Refused as refused:
+        return await show_review(call, refused.detail)
+    return call.redirect("/review")
+
+
+async def decide_entry(call: PageCall) -> Response:
+    try:
+        call.parts.tracks.decide_entry(
+            call.path("track_id"),
+            call.parts.accounts.get(call.path("account")),
+            accept=call.form.get("decision") == "accept",
+            reason=call.form.get("reason", ""),
+            actor=call.account.account,
+        )
+    except Refused as refused:
+        return await show_review(call, refused.detail)
+    return call.redirect("/review")

@@ -1,0 +1,1 @@
+"""The SQLite file that has everything of the platform, and its tables."""

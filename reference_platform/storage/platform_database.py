@@ -1,0 +1,195 @@
+"""The database of the platform: its tables, and transactions.
+
+One file, used by the platform and by `proctor admin` at the same time. Statements are
+short, so they are executed where they are called. Times are seconds since the epoch.
+"""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict, is_dataclass
+from pathlib import Path
+from typing import Any, Final, TypeVar
+
+import msgspec
+
+from reference_server.files.private_files import create_empty
+
+SCHEMA_VERSION: Final = 1
+BUSY_MS: Final = 5000
+_TABLES: Final = """
+CREATE TABLE accounts (
+    account TEXT PRIMARY KEY, full_name TEXT NOT NULL, organisation TEXT NOT NULL,
+    email TEXT NOT NULL, email_changed_at REAL, evaluation TEXT NOT NULL,
+    is_own_model INTEGER NOT NULL, agreed_at REAL NOT NULL, password_hash TEXT NOT NULL,
+    role TEXT NOT NULL, state TEXT NOT NULL, reason TEXT NOT NULL,
+    created_at REAL NOT NULL, decided_at REAL
+) STRICT;
+CREATE TABLE keys (
+    key_id TEXT PRIMARY KEY, hash TEXT NOT NULL UNIQUE, account TEXT NOT NULL,
+    label TEXT NOT NULL, scopes TEXT NOT NULL, made_at REAL NOT NULL,
+    expires_at REAL NOT NULL, used_at REAL, revoked_at REAL
+) STRICT;
+CREATE INDEX keys_of_account ON keys (account);
+CREATE TABLE sessions (
+    hash TEXT PRIMARY KEY, account TEXT NOT NULL, csrf TEXT NOT NULL,
+    begun_at REAL NOT NULL, used_at REAL NOT NULL
+) STRICT;
+CREATE TABLE devices (
+    hash TEXT PRIMARY KEY, user_code TEXT NOT NULL UNIQUE, label TEXT NOT NULL,
+    state TEXT NOT NULL, account TEXT NOT NULL, expires_at REAL NOT NULL,
+    polled_at REAL NOT NULL
+) STRICT;
+CREATE TABLE tracks (track_id TEXT PRIMARY KEY, document TEXT NOT NULL) STRICT;
+CREATE TABLE entrants (
+    track_id TEXT NOT NULL, account TEXT NOT NULL, state TEXT NOT NULL,
+    reason TEXT NOT NULL, entered_at REAL NOT NULL, PRIMARY KEY (track_id, account)
+) STRICT;
+CREATE TABLE track_runs (
+    run_id TEXT PRIMARY KEY, track_id TEXT NOT NULL, account TEXT NOT NULL,
+    made_at REAL NOT NULL, state TEXT NOT NULL, score REAL
+) STRICT;
+CREATE INDEX runs_of_account ON track_runs (account, track_id);
+CREATE TABLE submissions (
+    submission_id TEXT PRIMARY KEY, account TEXT NOT NULL, track_id TEXT NOT NULL,
+    kind TEXT NOT NULL, state TEXT NOT NULL, entered_at REAL NOT NULL,
+    created_at REAL NOT NULL, deadline_at REAL, reason TEXT NOT NULL,
+    digest TEXT NOT NULL, preset TEXT NOT NULL, policy_name TEXT NOT NULL,
+    cause TEXT NOT NULL, run_id TEXT NOT NULL, verification_run_id TEXT NOT NULL,
+    started_at REAL, is_counted INTEGER NOT NULL
+) STRICT;
+CREATE INDEX submissions_of_account ON submissions (account, track_id);
+CREATE INDEX submissions_by_state ON submissions (state, entered_at);
+CREATE TABLE audit (
+    number INTEGER PRIMARY KEY AUTOINCREMENT, at REAL NOT NULL, actor TEXT NOT NULL,
+    act TEXT NOT NULL, subject TEXT NOT NULL, detail TEXT NOT NULL
+) STRICT;
+CREATE TABLE mail (
+    number INTEGER PRIMARY KEY AUTOINCREMENT, recipient TEXT NOT NULL,
+    subject TEXT NOT NULL, body TEXT NOT NULL, made_at REAL NOT NULL, sent_at REAL,
+    tries INTEGER NOT NULL, error TEXT NOT NULL
+) STRICT;
+"""
+Value = str | int | float | bytes | None
+Record = TypeVar("Record")
+
+
+class BadDatabase(Exception):
+    """The file cannot be used; the text says why."""
+
+
+class Database:
+    """Opens the file, and makes it if it is missing. Raises BadDatabase."""
+
+    def __init__(self, path: Path) -> None:
+        try:
+            create_empty(path)  # for its owner alone
+            self._connection = sqlite3.connect(path, isolation_level=None)
+            self._connection.row_factory = sqlite3.Row
+            self._connection.execute(f"PRAGMA busy_timeout = {BUSY_MS}")
+            self._connection.execute("PRAGMA journal_mode = WAL")
+            self._connection.execute("PRAGMA synchronous = FULL")
+            with self.transaction():
+                self._make_tables()
+        except (OSError, sqlite3.Error) as error:
+            text = f"the database of the platform, {path}, cannot be used ({error})"
+            raise BadDatabase(text) from error
+        self.path = path
+
+    def _make_tables(self) -> None:
+        version = self._connection.execute("PRAGMA user_version").fetchone()[0]
+        if version == SCHEMA_VERSION:
+            return
+        if version:
+            raise sqlite3.DatabaseError(f"it is of version {version}")
+        for statement in filter(str.strip, _TABLES.split(";")):
+            self._connection.execute(statement)
+        self._connection.execute(f"PRAGMA user_version = {SCHEMA_VERSION}")
+
+    def close(self) -> None:
+        self._connection.close()
+
+    @contextmanager
+    def transaction(self) -> Iterator[None]:
+        """All statements inside are stored, or none; within another one, with it."""
+        if self._connection.in_transaction:
+            yield
+            return
+        self._connection.execute("BEGIN IMMEDIATE")
+        try:
+            yield
+        except BaseException:
+            self._connection.execute("ROLLBACK")
+            raise
+        self._connection.execute("COMMIT")
+
+    def rows(self, kind: type[Record], statement: str, *values: Value) -> list[Record]:
+        """The rows as records of a kind, whose members are columns by their names."""
+        found = self._connection.execute(statement, values).fetchall()
+        return [msgspec.convert(dict(row), kind, strict=False) for row in found]
+
+    def row(self, kind: type[Record], statement: str, *values: Value) -> Record | None:
+        """The first of these rows."""
+        return next(iter(self.rows(kind, statement, *values)), None)
+
+    def number(self, statement: str, *values: Value) -> float | None:
+        """The one value of the one row."""
+        found: float | None = self._connection.execute(statement, values).fetchone()[0]
+        return found
+
+    def execute(self, statement: str, *values: Value) -> int:
+        """How many rows were changed."""
+        return self._connection.execute(statement, values).rowcount
+
+    def insert(self, table: str, record: object) -> None:
+        """A new row; raises sqlite3.IntegrityError if it exists."""
+        values = _members(record)
+        names, marks = ", ".join(values), ", ".join("?" * len(values))
+        statement = f"INSERT INTO {table} ({names}) VALUES ({marks})"  # noqa: S608
+        self._connection.execute(statement, [*values.values()])
+
+    def data_version(self) -> int:
+        """Another number after each change by another process."""
+        version: int = self._connection.execute("PRAGMA data_version").fetchone()[0]
+        return version + self._connection.total_changes
+
+
+def _members(record: object) -> Mapping[str, Any]:
+    if is_dataclass(record) and not isinstance(record, type):
+        return asdict(record)
+    members: Mapping[str, Any] = msgspec.structs.asdict(record)  # type: ignore[arg-type]
+    return members
+
+
+def audit(
+    database: Database,
+    at: float,
+    *,
+    actor: str,
+    act: str,
+    subject: str,
+    detail: str = "",
+) -> None:
+    """Note what an administrator has done; in the transaction that does it."""
+    database.execute(
+        "INSERT INTO audit (at, actor, act, subject, detail) VALUES (?, ?, ?, ?, ?)",
+        *(at, actor, act, subject, detail),
+    )
+
+
+class AuditLine(msgspec.Struct, frozen=True):
+    number: int
+    at: float
+    actor: str
+    act: str
+    subject: str
+    detail: str
+
+
+def audit_lines(database: Database, newest: int) -> Sequence[AuditLine]:
+    """The newest lines of the audit log, the newest first."""
+    return database.rows(
+        AuditLine, "SELECT * FROM audit ORDER BY number DESC LIMIT ?", newest
+    )

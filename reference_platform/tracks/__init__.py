@@ -1,0 +1,1 @@
+"""Tracks: what a challenge evaluates, when, for whom, and how often."""

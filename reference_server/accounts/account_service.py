@@ -1,0 +1,164 @@
+"""The questions of a server to the program that keeps accounts, over a Unix socket.
+
+`POST /keys` with `{known, used, wait}` is answered by `{version, keys}` as soon as its
+version is another one than `known`, or by 204 after a while; `keys` maps the SHA-256 of
+a key to its account and scopes, `used` says when keys were used. `POST /runs` asks
+whether an account may make a run: 204, or 403 or 429 with `{code, detail, members}`.
+`DELETE /runs/ID` says that it was not made. Any program may answer them.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import time
+from collections.abc import Mapping
+from typing import Any, Literal
+
+import httpcore
+import msgspec
+
+from reference_server.http.auth import READ_ALL, SCOPES, Caller, Tokens
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Run
+from reference_server.telemetry.repeated_failures import RepeatedFailures
+
+log = logging.getLogger("proctor.accounts")
+
+# A revoked key ends within the first, plus one look of tokens/open_requests.py. Without
+# an answer for the second, no key of the service is accepted any more.
+WAIT_S, SILENT_S, RETRY_S = 2.0, 60.0, 0.25
+_TIMEOUTS = {"connect": 2.0, "read": 10.0, "write": 10.0, "pool": 10.0}
+NOT_REACHED = (
+    httpcore.NetworkError,
+    httpcore.TimeoutException,
+    httpcore.ProtocolError,
+    OSError,
+)
+
+
+class _Key(msgspec.Struct):
+    account: str
+    scopes: list[str]
+
+
+class _Keys(msgspec.Struct):
+    version: str
+    keys: dict[str, _Key]
+
+
+class _Refusal(msgspec.Struct):
+    code: Literal["forbidden", "quota_exceeded"]
+    detail: str
+    members: dict[str, Any] = {}
+
+
+class AccountService:
+    """The keys of the service are accepted, and its accounts asked for, while open."""
+
+    def __init__(self, path: str, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self.connections = httpcore.AsyncConnectionPool(uds=path, max_connections=1000)
+        self._failures = RepeatedFailures(log)
+        self._version, self._asking = "", asyncio.Lock()
+        self._looks = 0
+        self._accounts: frozenset[str] = frozenset()
+        self._following: asyncio.Task[None] | None = None
+        tokens.add_source(self.look_again)
+
+    async def open(self) -> None:
+        self._following = asyncio.create_task(self._follow())
+
+    async def close(self) -> None:
+        if self._following is not None:
+            self._following.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await self._following
+        await self.connections.aclose()
+
+    async def look_again(self) -> None:
+        """Read the keys: one of them may have just been made. One look serves all."""
+        asked_at = self._looks
+        async with self._asking:
+            if self._looks == asked_at:
+                self._looks += 1
+                with contextlib.suppress(*NOT_REACHED, msgspec.MsgspecError):
+                    await self._read_keys(wait_s=0)
+
+    async def admit(self, run: Run) -> None:
+        """Raises Refused if its account may not make this run."""
+        if run.account not in self._accounts:
+            return
+        select = run.submission.get("select", {})
+        asked = {
+            "run_id": run.run_id,
+            "account": run.account,
+            "benchmark_id": run.manifest["benchmark_id"],
+            "splits": list(select.get("splits") or []),
+            "tasks": list(select.get("tasks") or []),
+        }
+        try:
+            status, body = await self._ask("POST", "/runs", asked)
+            if status == 204:
+                return
+            refusal = msgspec.json.decode(body, type=_Refusal)
+        except (*NOT_REACHED, msgspec.MsgspecError) as error:
+            self._failures.report("no run is admitted", repr(error))
+            text = "The accounts of this server cannot be read now."
+            raise Refused("unavailable", text) from error
+        raise Refused(refusal.code, refusal.detail, members=refusal.members)
+
+    async def withdraw(self, run: Run) -> None:
+        """An admitted run was not made. Lost, it is noticed by the service itself."""
+        if run.account in self._accounts:
+            with contextlib.suppress(*NOT_REACHED):
+                await self._ask("DELETE", f"/runs/{run.run_id}", {})
+
+    async def _follow(self) -> None:
+        """Keep the keys as the service has them, until cancelled."""
+        answered_at = time.monotonic()
+        while True:
+            try:
+                await self._read_keys(wait_s=WAIT_S)
+                answered_at = time.monotonic()
+            except (*NOT_REACHED, msgspec.MsgspecError) as error:
+                self._failures.report("the keys of accounts are not read", repr(error))
+                if time.monotonic() - answered_at > SILENT_S:
+                    self._adopt("", {})
+                await asyncio.sleep(RETRY_S)
+
+    async def _read_keys(self, wait_s: float) -> None:
+        asked = {"known": self._version, "wait": wait_s}
+        asked["used"] = self._tokens.take_used()
+        status, body = await self._ask("POST", "/keys", asked)
+        if status == 200:
+            read = msgspec.json.decode(body, type=_Keys)
+            self._adopt(read.version, read.keys)
+        elif status != 204:
+            raise httpcore.RemoteProtocolError(f"the answer has status {status}")
+
+    def _adopt(self, version: str, keys: Mapping[str, _Key]) -> None:
+        allowed = SCOPES | {READ_ALL}
+        self._tokens.replace_those_of_accounts(
+            {
+                hashed: Caller(key.account, scopes)
+                for hashed, key in keys.items()
+                if (scopes := allowed & frozenset(key.scopes))
+            }
+        )
+        self._version = version
+        # Runs of an account whose keys were revoked meanwhile are asked for, too.
+        self._accounts |= {key.account for key in keys.values()}
+
+    async def _ask(
+        self, method: str, path: str, body: Mapping[str, Any]
+    ) -> tuple[int, bytes]:
+        response = await self.connections.request(
+            method,
+            f"http://accounts{path}",
+            headers=[(b"host", b"accounts"), (b"content-type", b"application/json")],
+            content=msgspec.json.encode(body),
+            extensions={"timeout": _TIMEOUTS},
+        )
+        return response.status, response.content

@@ -1,0 +1,91 @@
+"""The platform in this process, and as a program with a mail server."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator, Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+from argon2 import PasswordHasher
+
+from reference_platform.accounts.account_rules import SignUp
+from reference_platform.http.server_calls import ServerRuns
+from reference_platform.parts import Parts
+from reference_platform.platform_app import make_application
+from tests.support.platform.hosted_server import (
+    HostedServer,
+    MailReceiver,
+    mail_receiver,
+)
+
+
+class Clock:
+    """Stands still until a test moves it."""
+
+    def __init__(self) -> None:
+        self.now = 1_800_000_000.0
+
+    def __call__(self) -> float:
+        return self.now
+
+
+@pytest.fixture
+def clock() -> Clock:
+    return Clock()
+
+
+@pytest.fixture
+def parts(tmp_path: Path, clock: Clock) -> Iterator[Parts]:
+    """The platform with passwords that are quick to hash."""
+    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
+    made = Parts.of(tmp_path / "platform.sqlite", clock=clock, hasher=hasher)
+    yield made
+    made.database.close()
+
+
+@pytest.fixture
+async def client(parts: Parts) -> AsyncIterator[httpx.AsyncClient]:
+    """A browser, or a program, at the platform."""
+    app = make_application(parts, ServerRuns("http://127.0.0.1:9"))
+    transport = httpx.ASGITransport(app)
+    async with httpx.AsyncClient(
+        transport=transport, base_url="http://host.example"
+    ) as client:
+        yield client
+
+
+@pytest.fixture
+async def ada(parts: Parts) -> str:
+    """An approved account."""
+    return await approved(parts, "ada")
+
+
+async def approved(parts: Parts, name: str, role: str = "participant") -> str:
+    filled = SignUp(
+        account=name, full_name="A. Person", organisation="A Laboratory",
+        email=f"{name}@example.org", password="correct horse", agrees=True,
+    )  # fmt: skip
+    await parts.accounts.register(filled, role)  # type: ignore[arg-type]
+    parts.accounts.decide(name, "approve", "", "a test")
+    return name
+
+
+def key_of(parts: Parts, account: str, *scopes: str, lifetime_s: float = 3600) -> str:
+    names = scopes or ("read", "run", "account")
+    return parts.keys.make(account, "", names, lifetime_s, parts.clock())[1]
+
+
+@pytest.fixture(scope="module")
+def mail() -> Iterator[MailReceiver]:
+    with mail_receiver() as receiver:
+        yield receiver
+
+
+@pytest.fixture(scope="module")
+def host(
+    tmp_path_factory: pytest.TempPathFactory, mail: MailReceiver
+) -> Iterator[HostedServer]:
+    """`proctor-host`, for all tests of a module."""
+    with HostedServer(tmp_path_factory.mktemp("host"), mail.url) as host:
+        yield host

@@ -1,0 +1,160 @@
+"""From a registration to a score, as people do it: pages, mail, commands."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import httpx
+import pytest
+
+from tests.support.pages.browser import Browser
+from tests.support.paths import ROOT
+from tests.support.platform.hosted_server import HostedServer, MailReceiver
+from tests.support.waiting import wait_until
+
+pytestmark = pytest.mark.slow("starts a host, a browser and an evaluation")
+
+POLICY = """
+class Policy:
+    def reset(self, instruction):
+        pass
+
+    def act(self, observation):
+        return {"score": [1.0], "success": [1.0], "end": [1.0], "delay_s": [0.0],
+                "fault": [0.0], "vector": [0.0] * 8, "clipped": [0.0] * 2}
+"""
+# What a submitted form may not do: the page shows it, and nothing is executed.
+HOSTILE_NAME = "<script>document.title='taken'</script> & “Ada”"
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with Browser() as browser:
+        yield browser
+
+
+def fill(browser: Browser, **values: str) -> None:
+    for name, value in values.items():
+        field = f"document.querySelector('[name={name}]')"
+        browser.evaluate(f"{field}.value = {value!r}")
+
+
+def submit(browser: Browser, button: str) -> None:
+    """Press the button with this text."""
+    browser.follow(
+        "[...document.querySelectorAll('button')]"
+        f".find(one => one.innerText === {button!r}).click()"
+    )
+
+
+def sign_in(browser: Browser, host: HostedServer, name: str, password: str) -> None:
+    browser.call("Network.clearBrowserCookies")
+    browser.open(f"{host.url}/hosting/login")
+    fill(browser, account=name, password=password)
+    submit(browser, "Sign in")
+
+
+def proctor(host: HostedServer, key: str, folder: Path, *words: str) -> str:
+    """What `proctor` prints; it plays on the machine of the participant."""
+    done = subprocess.run(
+        [sys.executable, "-m", "reference_client.command", *words, "--url", host.url],
+        cwd=folder, capture_output=True, text=True, timeout=120, check=False,
+        env=os.environ | {"PROCTOR_TOKEN": key, "PYTHONPATH": str(ROOT)},
+    )  # fmt: skip
+    return f"{done.stdout}{done.stderr}\nexit {done.returncode}"
+
+
+def register(browser: Browser, host: HostedServer) -> None:
+    browser.open(f"{host.url}/hosting/register")
+    fill(
+        browser, account="ada", full_name=HOSTILE_NAME, organisation="A Laboratory",
+        email="ada@example.org", password="correct horse",
+    )  # fmt: skip
+    browser.evaluate("document.querySelector('[name=agrees]').checked = true")
+    submit(browser, "Register")
+    assert "waits for its review" in browser.text
+    # Without approval there is no key.
+    sign_in(browser, host, "ada", "correct horse")
+    browser.open(f"{host.url}/hosting/keys")
+    assert "Only an approved account has keys" in browser.text
+
+
+def approve(browser: Browser, host: HostedServer, mail: MailReceiver) -> None:
+    """The administrator gets a mail, and approves on the page."""
+    assert "registered as ada" in mail.wait_for("host@example.org", "waits for review")
+    sign_in(browser, host, "organiser", host.password)
+    browser.open(f"{host.url}/hosting/review")
+    assert HOSTILE_NAME in browser.text
+    assert browser.evaluate("document.title") == "Review · Proctor"
+    assert browser.find_faults() == []
+    submit(browser, "Approve")
+    mail.wait_for("ada@example.org", "approved")
+    assert "organiser  approve  ada" in host.admin("audit")
+
+
+def make_key(browser: Browser, host: HostedServer) -> str:
+    """A key, which the next page does not show any more."""
+    browser.open(f"{host.url}/hosting/keys")
+    fill(browser, label="laptop")
+    submit(browser, "Make a key")
+    key = str(browser.evaluate("document.getElementById('secret').innerText"))
+    browser.open(f"{host.url}/hosting/keys")
+    assert "laptop" in browser.text
+    assert key not in browser.text
+    assert browser.find_faults() == []
+    return key
+
+
+def test_a_participant_registers_and_is_evaluated(
+    host: HostedServer, mail: MailReceiver, browser: Browser, tmp_path: Path
+) -> None:
+    host.put_track()
+    register(browser, host)
+    approve(browser, host, mail)
+    sign_in(browser, host, "ada", "correct horse")
+    key = make_key(browser, host)
+    browser.open(f"{host.url}/hosting/tracks/letters")
+    submit(browser, "Enter this track")
+    # It evaluates from its own machine, and the page shows the score.
+    (tmp_path / "mine.py").write_text(POLICY)
+    play = ("run", "--policy", "mine.py:Policy", "--benchmark", "calibration")
+    assert "exit 0" in proctor(host, key, tmp_path, *play)
+    browser.open(f"{host.url}/hosting/tracks/letters")
+    assert "completed" in browser.text
+    assert "1 of 2" in browser.text
+    assert browser.find_faults() == []
+    browser.open(f"{host.url}/hosting/keys")
+    assert "–" not in browser.evaluate("document.querySelector('tbody').innerText")
+    assert not browser.errors
+    with host.client(key) as client:
+        revoke_while_following(browser, client)
+
+
+def revoke_while_following(browser: Browser, client: httpx.Client) -> None:
+    """The last run of the day is followed; its stream ends when the key is revoked."""
+    body = {"benchmark_id": "calibration", "policy": {"name": "x"}}
+    run_id = client.post("/v1/runs", json=body).json()["run_id"]
+    refused = client.post("/v1/runs", json=body)
+    assert (refused.status_code, refused.json()["limit"]) == (429, "per_day")
+    ended: list[float] = []
+
+    def follow() -> None:
+        with client.stream("GET", f"/v1/runs/{run_id}/events") as events:
+            for _ in events.iter_lines():
+                pass
+        ended.append(time.monotonic())
+
+    following = threading.Thread(target=follow)
+    following.start()
+    submit(browser, "Revoke")
+    revoked_at = time.monotonic()
+    following.join(20)
+    assert ended
+    assert ended[0] - revoked_at < 5
+    wait_until(lambda: client.get(f"/v1/runs/{run_id}").status_code == 401, "401")

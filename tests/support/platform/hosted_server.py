@@ -1,0 +1,161 @@
+"""`proctor-host` as a process, a mail server for it, and forms of its pages."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import socketserver
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from email import message_from_bytes
+from email.message import Message
+from pathlib import Path
+from typing import Any, Self
+
+import httpx
+
+from tests.support.paths import ROOT
+from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_until
+
+TRACK = """
+track_id = "letters"
+title = "Calibration letters"
+benchmark_id = "calibration"
+opens_at = 2020-01-01T00:00:00Z
+closes_at = 2120-01-01T00:00:00Z
+per_day = 2
+at_once = 2
+"""
+
+
+class _SmtpHandler(socketserver.StreamRequestHandler):
+    """Takes every mail; what a client needs of SMTP, and no more."""
+
+    server: MailReceiver
+
+    def handle(self) -> None:
+        self._answer("220 here")
+        for line in self.rfile:
+            command = line[:4].upper()
+            if command == b"DATA":
+                self._answer("354 go on")
+                body = b"".join(iter(self.rfile.readline, b".\r\n"))
+                self.server.mails.append(message_from_bytes(body))
+            self._answer("221 end" if command == b"QUIT" else "250 yes")
+
+    def _answer(self, text: str) -> None:
+        self.wfile.write(text.encode() + b"\r\n")
+
+
+class MailReceiver(socketserver.ThreadingTCPServer):
+    """An SMTP server on a free port; mails: what it was sent."""
+
+    daemon_threads = True
+
+    def __init__(self) -> None:
+        super().__init__(("127.0.0.1", 0), _SmtpHandler)
+        self.mails: list[Message] = []
+        self.url = f"smtp://127.0.0.1:{self.server_address[1]}"
+
+    def wait_for(self, recipient: str, words: str) -> str:
+        """The body of a mail to an address that has these words in its subject."""
+
+        def found() -> list[Message]:
+            return [
+                mail
+                for mail in list(self.mails)
+                if mail["To"] == recipient and words in mail["Subject"]
+            ]
+
+        wait_until(found, f"a mail to {recipient} about {words}")
+        return str(found()[0].get_payload())
+
+
+@contextmanager
+def mail_receiver() -> Iterator[MailReceiver]:
+    with MailReceiver() as receiver:
+        thread = threading.Thread(target=receiver.serve_forever, daemon=True)
+        thread.start()
+        yield receiver
+        receiver.shutdown()
+
+
+class HostedServer:
+    """`proctor-host` on a free port, with its files in `directory`."""
+
+    def __init__(self, directory: Path, smtp: str) -> None:
+        self.directory, self._smtp = directory, smtp
+        self.database = directory / "platform.sqlite"
+        self.start()
+
+    def start(self, *server_options: str) -> None:
+        environment = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
+        environment["PROCTOR_DATABASE"] = str(self.directory / "proctor.sqlite")
+        environment["PROCTOR_HOST_SMTP"] = self._smtp
+        command = [
+            *(sys.executable, "-m", "reference_platform", "--database"),
+            *(str(self.database), "--administrator-email", "host@example.org"),
+            *("--", "--port", "0", *server_options),
+        ]
+        with (self.directory / "log").open("ab") as log:
+            self.process = subprocess.Popen(
+                command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=log,
+                text=True,
+            )  # fmt: skip
+        assert self.process.stdout is not None
+        self.password = self.url = ""
+        for line in self.process.stdout:
+            if "shown this once" in line:
+                self.password = next(self.process.stdout).strip()
+            if "Proctor listens" in line:
+                self.url = line.split()[-1]
+                break
+        assert self.url, (self.directory / "log").read_text()[-2000:]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end()
+
+    def end(self, number: signal.Signals = signal.SIGTERM) -> int:
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        code = self.process.wait(TIMEOUT_S)
+        assert self.process.stdout is not None
+        self.process.stdout.close()
+        return code
+
+    def client(self, key: str = "", **settings: Any) -> httpx.Client:
+        headers = {"Authorization": f"Bearer {key}"} if key else {}
+        return httpx.Client(
+            base_url=self.url, headers=headers, timeout=TIMEOUT_S, trust_env=False,
+            **settings,
+        )  # fmt: skip
+
+    def admin(self, *words: str) -> str:
+        """What `proctor admin` prints."""
+        command = [sys.executable, "-m", "reference_client.command", "admin", *words]
+        done = subprocess.run(
+            [*command, "--database", str(self.database)],
+            cwd=ROOT, capture_output=True, text=True, timeout=TIMEOUT_S, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        return done.stdout.strip()
+
+    def put_track(self, text: str = TRACK) -> None:
+        file = self.directory / "track.toml"
+        file.write_text(text)
+        self.admin("track", "put", str(file))
+
+
+def form_secret(page: str) -> str:
+    """What the forms of a page carry."""
+    found = re.search(r'name="csrf" value="([A-Za-z0-9_-]{43})"', page)
+    assert found is not None, page
+    return found[1]
