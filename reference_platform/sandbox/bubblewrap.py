@@ -156,9 +156,14 @@ class BubblewrapSandbox:
         self._follower.start()
 
     def _kill(self, reason: str) -> None:
-        """Kill the first process of the sandbox: the kernel then kills all of them."""
+        """Kill the first process of the sandbox: the kernel then kills all of them.
+
+        That process dies with its parent, but not before it has asked for it.
+        """
         if self._end_reason is None and self._process.poll() is None:
             self._end_reason = reason
+            with contextlib.suppress(OSError):
+                signal.pidfd_send_signal(self._process_fd, signal.SIGKILL)
             self._process.kill()
 
     def _follow(self) -> None:

@@ -99,6 +99,13 @@ async def test_the_socket_is_the_way_in() -> None:
         sandbox.connect()
 
 
+async def test_a_sandbox_that_is_ended_at_once_leaves_nothing() -> None:
+    for _ in range(20):
+        sandbox = await BubblewrapMaker().start(spec_of(ECHO), WrittenLog())
+        async with asyncio.timeout(10):
+            await sandbox.close("The test is over.")
+
+
 @pytest.mark.parametrize("kind", ["link", "folder of links", "file", "nothing"])
 async def test_no_link_leads_to_a_socket_of_the_host(kind: str) -> None:
     """A policy that names a socket of the host gets the platform to no connection."""

@@ -22,9 +22,6 @@ from reference_client.errors import ProctorError
 from reference_client.protocol.retry_policy import Interrupted
 from reference_platform.images.bounded_archives import InvalidArchive
 from reference_platform.images.unpacked_roots import UnpackingFailed
-from reference_platform.runner.policy_bridge import bridge
-from reference_platform.runner.policy_specs import PolicySpecs
-from reference_platform.runner.server_runs import ServerRun, hosted_name, hosted_url
 from reference_platform.sandbox.interface import (
     SOCKET_PATH,
     NotListening,
@@ -39,6 +36,13 @@ from reference_platform.submissions.interfaces import (
     Track,
 )
 from reference_platform.submissions.lifecycle import Submission
+from reference_platform.submissions.policy_bridge import bridge
+from reference_platform.submissions.policy_specs import PolicySpecs
+from reference_platform.submissions.server_runs import (
+    ServerRun,
+    hosted_name,
+    hosted_url,
+)
 
 # The account of verifications.
 PLATFORM_ACCOUNT = "platform"
@@ -50,8 +54,11 @@ Purpose = Literal["verification", "evaluation"]
 
 
 @dataclass(frozen=True, slots=True)
-class CallLimits:
-    """listen_s: until the policy listens. call_s: one call. retries: of a call."""
+class PolicyTimes:
+    """How long a policy may take until it listens, for a call, and to be verified.
+
+    retries: of a call without an answer.
+    """
 
     listen_s: float = 120.0
     call_s: float = 30.0
@@ -87,7 +94,7 @@ class SandboxedRunner:
         logs: SubmissionLogs,
         server_url: str,
         sockets: Path,
-        limits: CallLimits | None = None,
+        times: PolicyTimes | None = None,
     ) -> None:
         sockets.mkdir(mode=0o700, parents=True, exist_ok=True)
         self._maker = maker
@@ -96,7 +103,7 @@ class SandboxedRunner:
         self._logs = logs
         self._server_url = server_url
         self._sockets = sockets
-        self._limits = limits or CallLimits()
+        self._times = times or PolicyTimes()
         self._plays: dict[str, _Play] = {}
 
     async def verify(
@@ -148,7 +155,7 @@ class SandboxedRunner:
         for remark in remarks:
             self._say(play, remark)
         is_short = play.purpose == "verification"
-        limit_s = self._limits.verification_s if is_short else play.track.time_limit_s
+        limit_s = self._times.verification_s if is_short else play.track.time_limit_s
         spec = replace(spec, limits=replace(spec.limits, wall_clock_s=limit_s))
         async with self._server_run(play, limit_s) as server_run:
             run = await server_run.read(play.run_id) if play.run_id else None
@@ -188,7 +195,7 @@ class SandboxedRunner:
     ) -> Outcome | None:
         """None once the policy listens; else how it ended before that."""
         loop = asyncio.get_running_loop()
-        deadline = loop.time() + self._limits.listen_s
+        deadline = loop.time() + self._times.listen_s
         while sandbox.end is None:
             try:
                 (await asyncio.to_thread(sandbox.connect)).close()
@@ -197,7 +204,7 @@ class SandboxedRunner:
                     return Outcome(False, "It was stopped.", "owner")
                 if loop.time() > deadline:
                     text = f"The policy does not listen at {SOCKET_PATH} after "
-                    text += f"{self._limits.listen_s:g} s."
+                    text += f"{self._times.listen_s:g} s."
                     return Outcome(False, text, "policy")
                 await asyncio.sleep(0.02)
             else:
@@ -221,8 +228,8 @@ class SandboxedRunner:
             "policy_server": {
                 "url": hosted_url(socket_name),
                 "protocol": "proctor",
-                "call_timeout_s": self._limits.call_s,
-                "max_retries": self._limits.retries,
+                "call_timeout_s": self._times.call_s,
+                "max_retries": self._times.retries,
             },
         }
         if play.track.splits:
