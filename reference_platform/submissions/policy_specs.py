@@ -28,7 +28,7 @@ class PolicySpecs:
         Raises InvalidArchive if the upload is to blame, UnpackingFailed otherwise.
         """
         try:
-            archive = self.uploads.path_of(submission.digest)
+            archive = self.uploads.path_of(submission.account, submission.digest)
         except KeyError as error:
             raise UnpackingFailed("The upload is not there any more.") from error
         unpacked = await self.roots.get(submission.kind, submission.digest, archive)

@@ -92,7 +92,7 @@ class UploadedFiles:
     def __init__(self) -> None:
         self.paths: dict[str, Path] = {}
 
-    def path_of(self, digest: str) -> Path:
+    def path_of(self, account: str, digest: str) -> Path:
         return self.paths[digest]
 
 
