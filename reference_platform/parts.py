@@ -16,6 +16,7 @@ from reference_platform.accounts.devices import Devices
 from reference_platform.accounts.passwords import GuessLimits, Passwords
 from reference_platform.mail.outbox import MailServer, Outbox
 from reference_platform.storage.platform_database import Database
+from reference_platform.submissions.submission_store import SubmissionStore
 from reference_platform.tracks.tracks import Tracks
 
 
@@ -30,6 +31,7 @@ class Parts:
     accounts: Accounts
     devices: Devices
     tracks: Tracks
+    submissions: SubmissionStore
     clock: Callable[[], float]
     public_url: str = ""
 
@@ -55,6 +57,7 @@ class Parts:
         )
         devices = Devices(database, keys, clock)
         tracks = Tracks(database, outbox, clock)
+        submissions = SubmissionStore(database, tracks, clock)
         return cls(
             database,
             outbox,
@@ -63,6 +66,7 @@ class Parts:
             accounts,
             devices,
             tracks,
+            submissions,
             clock,
             public_url,
         )

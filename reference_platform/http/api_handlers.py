@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Final
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from typing import Any, Final, Literal
 from urllib.parse import parse_qsl
 
 import msgspec
@@ -22,6 +23,7 @@ from reference_platform.http.api_calls import (
     time_text,
 )
 from reference_platform.parts import Parts
+from reference_platform.submissions.lifecycle import Submission
 from reference_platform.tracks.track_rules import Track, Usage
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.rules.refusal import Refused
@@ -34,6 +36,13 @@ class NewKey(msgspec.Struct, forbid_unknown_fields=True):
     label: str = ""
     scopes: tuple[str, ...] = ("read", "run")
     lifetime_s: float = 90 * 86_400.0
+
+
+class NewSubmission(msgspec.Struct, forbid_unknown_fields=True):
+    track_id: str
+    kind: Literal["image", "code"] = "image"
+    preset: str = ""
+    policy_name: str = ""
 
 
 class DecisionBody(msgspec.Struct, forbid_unknown_fields=True):
@@ -51,6 +60,13 @@ def api_routes(parts: Parts) -> list[BaseRoute]:
         "/tracks": {"GET": (list_tracks, "read")},
         "/tracks/{track_id}": {"GET": (get_track, "read")},
         "/tracks/{track_id}/entries": {"POST": (enter_track, "run")},
+        "/submissions": {
+            "GET": (list_submissions, "read"),
+            "POST": (create_submission, "run"),
+        },
+        "/submissions/{submission_id}": {"GET": (get_submission, "read")},
+        "/submissions/{submission_id}/start": {"POST": (start_submission, "run")},
+        "/submissions/{submission_id}/stop": {"POST": (stop_submission, "run")},
         "/device_authorizations": {"POST": (begin_device, None)},
         "/device_tokens": {"POST": (poll_device, None)},
         "/reviews": {"GET": (list_reviews, "host")},
@@ -181,6 +197,47 @@ def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
 
 def _usage_view(usage: Usage) -> Mapping[str, Any]:
     return msgspec.structs.asdict(usage) | {"resets_at": time_text(usage.resets_at)}
+
+
+# --- submissions ---
+
+
+async def create_submission(call: ApiCall) -> Response:
+    body = await call.body(NewSubmission)
+    submission = call.parts.submissions.create(
+        call.account, body.track_id, body.kind, body.preset, body.policy_name
+    )
+    return json_response(submission_view(submission), 201)
+
+
+async def list_submissions(call: ApiCall) -> Response:
+    found = call.parts.submissions.of_account(call.account.account)
+    return json_response({"submissions": [submission_view(one) for one in found]})
+
+
+async def get_submission(call: ApiCall) -> Response:
+    return _own_submission(call, call.parts.submissions.get_own)
+
+
+async def start_submission(call: ApiCall) -> Response:
+    return _own_submission(call, call.parts.submissions.start)
+
+
+async def stop_submission(call: ApiCall) -> Response:
+    return _own_submission(call, call.parts.submissions.stop)
+
+
+def _own_submission(call: ApiCall, act: Callable[[str, str], Submission]) -> Response:
+    submission = act(call.path("submission_id"), call.account.account)
+    return json_response(submission_view(submission))
+
+
+def submission_view(submission: Submission) -> Mapping[str, Any]:
+    times = ("entered_at", "created_at", "deadline_at", "started_at")
+    shown = asdict(submission)
+    del shown["account"]
+    shown |= {name: time_text(shown[name]) for name in times}
+    return shown | {"next_action": submission.next_action}
 
 
 # --- devices: RFC 8628 ---

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import asyncio
 import hashlib
-from collections.abc import Mapping
+import time
+from collections.abc import Callable, Mapping
 from typing import Any, Final
 
 import httpcore
@@ -20,10 +21,10 @@ from starlette.responses import Response
 from reference_platform.accounts.account_keys import Keys, new_secret
 from reference_platform.parts import Parts
 from reference_platform.tracks.track_rules import AskedRun
+from reference_platform.tracks.tracks import PLATFORM_ACCOUNT
 from reference_server.http.auth import hash_of
 from reference_server.rules.refusal import Refused
 
-ACCOUNT: Final = "platform"
 LOOK_S: Final = 0.1
 WAIT_S_MAX: Final = 30.0
 BODY_BYTES_MAX: Final = 2**22
@@ -35,11 +36,36 @@ class _AskedKeys(msgspec.Struct):
     used: dict[str, float] = {}
 
 
+class PlatformTokens:
+    """Keys with which the platform acts for accounts; they end with this process.
+
+    It implements `submissions.interfaces.AccountTokens`.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.time) -> None:
+        self._clock = clock
+        self._tokens: dict[str, tuple[str, float]] = {}
+
+    def make_token(self, account: str, lifetime_s: float) -> str:
+        secret = new_secret()
+        self._tokens[hash_of(secret)] = account, self._clock() + lifetime_s
+        return secret
+
+    def revoke_token(self, token: str) -> None:
+        self._tokens.pop(hash_of(token), None)
+
+    def valid(self, now: float) -> Mapping[str, str]:
+        """Their accounts, by the hashes of the tokens."""
+        self._tokens = {h: row for h, row in self._tokens.items() if row[1] > now}
+        return {hashed: account for hashed, (account, _) in self._tokens.items()}
+
+
 class ServerRuns:
     """Reads the runs of all accounts. url: of the server, on this machine."""
 
     def __init__(self, url: str) -> None:
         self._url = url
+        self.tokens = PlatformTokens()
         self.secret = new_secret()
         self._connections = httpcore.AsyncConnectionPool(max_connections=8)
 
@@ -100,12 +126,17 @@ class ServerHandlers:
         loop, database = asyncio.get_running_loop(), self._parts.database
         seen, until = database.data_version(), min(until, loop.time() + 1.0)
         # Another process may have changed it: nothing but a look shows that.
-        while loop.time() < until and database.data_version() == seen:  # noqa: ASYNC110
+        tokens = self._runs.tokens.valid(self._parts.clock())
+        while loop.time() < until and database.data_version() == seen:
             await asyncio.sleep(LOOK_S)
+            if self._runs.tokens.valid(self._parts.clock()) != tokens:
+                return
 
     def _keys(self, keys: Keys) -> bytes:
-        own = {"account": ACCOUNT, "scopes": ["read", "read_all"]}
+        own = {"account": PLATFORM_ACCOUNT, "scopes": ["read", "read_all"]}
         found: dict[str, Mapping[str, Any]] = {hash_of(self._runs.secret): own}
+        for hashed, account in self._runs.tokens.valid(self._parts.clock()).items():
+            found[hashed] = {"account": account, "scopes": ["read", "run"]}
         for key in keys.valid(self._parts.clock()):
             scopes = [name for name in key.scopes.split() if name in ("read", "run")]
             if scopes:

@@ -40,6 +40,12 @@ class Submissions(Protocol):
         evaluation, the run of `begin_verification` that of the verification.
         """
 
+    def note_run(self, submission_id: str, run_id: str) -> None:
+        """The run of a submission in its state, as soon as the server has it."""
+
+    def end_late(self) -> Sequence[Submission]:
+        """End those that are over their deadlines; returns them as they are now."""
+
 
 @dataclass(frozen=True, slots=True)
 class LogLine:

@@ -60,7 +60,7 @@ class TrackRun(msgspec.Struct, frozen=True):
         return self.state in OPEN_STATES
 
 
-OPEN_STATES: Final = ("admitted", "queued", "ready", "running", "stopping")
+OPEN_STATES: Final = ("admitted", "queued", "ready", "running", "stopping", "hosted")
 
 
 class Usage(msgspec.Struct, frozen=True):
@@ -80,6 +80,7 @@ class AskedRun(msgspec.Struct, frozen=True):
     benchmark_id: str
     splits: tuple[str, ...] = ()
     tasks: tuple[str, ...] = ()
+    policy_url: str = ""
 
 
 def check_track(track: Track) -> None:

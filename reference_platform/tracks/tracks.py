@@ -26,7 +26,20 @@ from reference_server.rules.refusal import Refused
 
 # A run that the server does not know yet may be stored a moment later.
 UNKNOWN_S: Final = 60.0
+# The account of verifications, and the end of the addresses of hosted policies.
+PLATFORM_ACCOUNT: Final = "platform"
+HOSTED_ENDING: Final = ".sandbox.invalid"
 EntrantState = Literal["waiting", "entered", "rejected"]
+
+
+_RUNS: Final = (
+    "SELECT * FROM (SELECT run_id, track_id, account, made_at, state, score "
+    "FROM track_runs UNION ALL "
+    "SELECT submission_id, track_id, account, started_at, "
+    "CASE WHEN state IN ('queued', 'running') THEN 'hosted' ELSE 'completed' END, NULL "
+    "FROM submissions WHERE is_counted = 1) "
+    "WHERE account = ? AND (track_id = ? OR ? = '') ORDER BY made_at DESC"
+)
 
 
 class _Document(msgspec.Struct):
@@ -157,19 +170,33 @@ class Tracks:
     # --- runs ---
 
     def runs_of(self, account: str, track_id: str = "") -> Sequence[TrackRun]:
-        """The newest first; of every track if none is named."""
+        """The newest first; of every track if none is named.
+
+        A hosted submission that counts is one of them, under its own id (HST-012).
+        """
         return self.database.rows(
             TrackRun,
-            "SELECT * FROM track_runs WHERE account = ? AND (track_id = ? OR ? = '') "
-            "ORDER BY made_at DESC",
+            _RUNS,
             *(account, track_id, track_id),
         )
+
+    def check_room(self, track_id: str, account: str) -> None:
+        """Raises Refused if the track has no room for one more run of the account."""
+        track = self.get(track_id)
+        asked = AskedRun("", account, track.benchmark_id, track.splits)
+        choose_track([track], asked, self.runs_of(account), self.clock())
 
     def usages_of(self, track: Track, account: str) -> list[Usage]:
         return usages(track, self.runs_of(account, track.track_id), self.clock())
 
-    async def admit(self, asked: AskedRun, reader: RunReader) -> Track:
-        """Count the run for a track. Raises Refused (HST-010, HST-011)."""
+    async def admit(self, asked: AskedRun, reader: RunReader) -> Track | None:
+        """Count the run for a track. Raises Refused (HST-010, HST-011).
+
+        A run of the platform itself, and the one of a submission that was counted when
+        it was started, are not counted.
+        """
+        if asked.account == PLATFORM_ACCOUNT or self._is_of_submission(asked):
+            return None
         try:
             return self._admit(asked)
         except Refused as refused:
@@ -178,6 +205,17 @@ class Tracks:
         # Runs may have ended, or failed by a fault of the server, since they were read.
         await self.refresh(asked.account, reader)
         return self._admit(asked)
+
+    def _is_of_submission(self, asked: AskedRun) -> bool:
+        """Whether it calls a hosted policy, and a submission waits for its run."""
+        if not asked.policy_url.endswith(HOSTED_ENDING):
+            return False
+        statement = (
+            "SELECT count(*) FROM submissions JOIN tracks USING (track_id) "
+            "WHERE account = ? AND state = 'running' AND run_id = '' "
+            "AND json_extract(document, '$.benchmark_id') = ?"
+        )
+        return bool(self.database.number(statement, asked.account, asked.benchmark_id))
 
     def _admit(self, asked: AskedRun) -> Track:
         now = self.clock()
@@ -208,6 +246,8 @@ class Tracks:
         HST-013: one that failed while it was played there is not counted any more.
         """
         for run in self.runs_of(account):
+            if run.state == "hosted":  # the platform itself ends it
+                continue
             if run.state not in OPEN_STATES and run.state != "stopped":
                 continue
             seen = await reader.read_run(run.run_id)

@@ -97,6 +97,7 @@ class AccountService:
             "benchmark_id": run.manifest["benchmark_id"],
             "splits": list(select.get("splits") or []),
             "tasks": list(select.get("tasks") or []),
+            "policy_url": run.submission.get("policy_server", {}).get("url", ""),
         }
         try:
             status, body = await self._ask("POST", "/runs", asked)

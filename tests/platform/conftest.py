@@ -9,25 +9,15 @@ import httpx
 import pytest
 from argon2 import PasswordHasher
 
-from reference_platform.accounts.account_rules import SignUp
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
+from tests.support.platform.approved_accounts import Clock, approved
 from tests.support.platform.hosted_server import (
     HostedServer,
     MailReceiver,
     mail_receiver,
 )
-
-
-class Clock:
-    """Stands still until a test moves it."""
-
-    def __init__(self) -> None:
-        self.now = 1_800_000_000.0
-
-    def __call__(self) -> float:
-        return self.now
 
 
 @pytest.fixture
@@ -59,21 +49,6 @@ async def client(parts: Parts) -> AsyncIterator[httpx.AsyncClient]:
 async def ada(parts: Parts) -> str:
     """An approved account."""
     return await approved(parts, "ada")
-
-
-async def approved(parts: Parts, name: str, role: str = "participant") -> str:
-    filled = SignUp(
-        account=name, full_name="A. Person", organisation="A Laboratory",
-        email=f"{name}@example.org", password="correct horse", agrees=True,
-    )  # fmt: skip
-    await parts.accounts.register(filled, role)  # type: ignore[arg-type]
-    parts.accounts.decide(name, "approve", "", "a test")
-    return name
-
-
-def key_of(parts: Parts, account: str, *scopes: str, lifetime_s: float = 3600) -> str:
-    names = scopes or ("read", "run", "account")
-    return parts.keys.make(account, "", names, lifetime_s, parts.clock())[1]
 
 
 @pytest.fixture(scope="module")

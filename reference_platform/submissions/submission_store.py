@@ -1,0 +1,198 @@
+"""The stored submissions, and their use cases: create, start, stop.
+
+Every change is one transaction through the table of `lifecycle`. It implements
+`interfaces.Submissions`.
+"""
+
+from __future__ import annotations
+
+import secrets
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import Final, Literal
+
+from reference_platform.accounts.account_rules import Account
+from reference_platform.storage.platform_database import Database, audit
+from reference_platform.submissions.lifecycle import (
+    FINAL,
+    WAITING,
+    Cause,
+    Event,
+    IllegalTransition,
+    State,
+    Submission,
+    apply,
+    at_deadline,
+)
+from reference_platform.tracks.tracks import Tracks
+from reference_server.rules.refusal import Refused
+
+OPEN_MAX: Final = 10  # of one account that have not ended
+_NOT_FOUND: Final = "The account has no such submission."
+
+
+@dataclass(frozen=True, slots=True)
+class SubmissionStore:
+    database: Database
+    tracks: Tracks
+    clock: Callable[[], float] = time.time
+
+    def get(self, submission_id: str) -> Submission:
+        """Raises KeyError."""
+        found = self.database.row(
+            Submission,
+            "SELECT * FROM submissions WHERE submission_id = ?",
+            submission_id,
+        )
+        if found is None:
+            raise KeyError(submission_id)
+        return found
+
+    def get_own(self, submission_id: str, account: str) -> Submission:
+        """Raises Refused, also for one of another account (HST-009)."""
+        try:
+            found = self.get(submission_id)
+        except KeyError as error:
+            raise Refused("not_found", _NOT_FOUND) from error
+        if found.account != account:
+            raise Refused("not_found", _NOT_FOUND)
+        return found
+
+    def of_account(self, account: str) -> Sequence[Submission]:
+        """The newest first."""
+        return self.database.rows(
+            Submission,
+            "SELECT * FROM submissions WHERE account = ? ORDER BY created_at DESC",
+            account,
+        )
+
+    def in_states(self, *states: State) -> Sequence[Submission]:
+        """The one that entered its state first is the first."""
+        found = [
+            one
+            for state in states
+            for one in self.database.rows(
+                Submission, "SELECT * FROM submissions WHERE state = ?", state
+            )
+        ]
+        return sorted(found, key=lambda one: one.entered_at)
+
+    def create(
+        self,
+        account: Account,
+        track_id: str,
+        kind: Literal["image", "code"],
+        preset: str,
+        policy_name: str,
+    ) -> Submission:
+        """Raises Refused. Nothing is counted before it is started."""
+        track, now = self.tracks.get(track_id), self.clock()
+        entrant = self.tracks.entrant(track_id, account.account)
+        if entrant is None or entrant.state != "entered":
+            raise Refused("forbidden", "The account has not entered this track.")
+        if not track.is_open(now):
+            raise Refused("forbidden", f"The track {track_id} is not open now.")
+        if (kind == "code") != bool(preset) or not policy_name.isprintable():
+            text = "Code needs a preset, an image has none; the name is one line."
+            raise Refused("invalid_request", text)
+        waiting = WAITING["created"]
+        submission = Submission(
+            f"sub_{secrets.token_hex(12)}", account.account, track_id, kind, "created",
+            now, now, now + waiting.deadline_s, waiting.reason,
+            preset=preset, policy_name=policy_name,
+        )  # fmt: skip
+        with self.database.transaction():
+            mine = self.of_account(account.account)
+            if sum(one.state not in FINAL for one in mine) >= OPEN_MAX:
+                text = f"The account has {OPEN_MAX} submissions that have not ended."
+                raise Refused("quota_exceeded", text)
+            self.database.insert("submissions", submission)
+        return submission
+
+    def move(
+        self,
+        submission_id: str,
+        event: Event,
+        *,
+        reason: str = "",
+        cause: Cause = "",
+        run_id: str = "",
+        digest: str = "",
+    ) -> Submission:
+        """Raises KeyError and IllegalTransition."""
+        with self.database.transaction():
+            before = self.get(submission_id)
+            after = apply(before, event, self.clock(), reason=reason, cause=cause)
+            if run_id and event in ("begin_verification", "pass_verification"):
+                after = replace(after, verification_run_id=run_id)
+            elif run_id:
+                after = replace(after, run_id=run_id)
+            self._store(replace(after, digest=digest or after.digest))
+        return after
+
+    def note_run(self, submission_id: str, run_id: str) -> None:
+        """The run of a submission in its state, as soon as the server has it."""
+        with self.database.transaction():
+            before = self.get(submission_id)
+            is_evaluated = before.state == "running"
+            after = replace(before, verification_run_id=run_id)
+            self._store(replace(before, run_id=run_id) if is_evaluated else after)
+
+    def start(self, submission_id: str, account: str) -> Submission:
+        """Count it, and queue it (HST-012). Raises Refused."""
+        with self.database.transaction():
+            submission = self.get_own(submission_id, account)
+            if submission.state == "verified":
+                self.tracks.check_room(submission.track_id, account)
+            return self._moved(submission_id, "start")
+
+    def stop(self, submission_id: str, account: str) -> Submission:
+        """By its owner. Raises Refused."""
+        self.get_own(submission_id, account)
+        return self._moved(submission_id, "stop", "Its owner stopped it.", "owner")
+
+    def stop_by_host(self, submission_id: str, reason: str, actor: str) -> Submission:
+        """Raises Refused. The audit log has it."""
+        with self.database.transaction():
+            submission = self._moved(submission_id, "stop", reason, "host")
+            audit(
+                self.database, self.clock(), actor=actor, act="stop_submission",
+                subject=submission_id, detail=reason,
+            )  # fmt: skip
+        return submission
+
+    def end_late(self) -> Sequence[Submission]:
+        """End those that are over their deadlines; returns them as they are now."""
+        now = self.clock()
+        ended = []
+        with self.database.transaction():
+            late = self.database.rows(
+                Submission, "SELECT * FROM submissions WHERE deadline_at <= ?", now
+            )
+            for submission in late:
+                after = at_deadline(submission, now)
+                if after is not None:
+                    self._store(after)
+                    ended.append(after)
+        return ended
+
+    def _moved(
+        self, submission_id: str, event: Event, reason: str = "", cause: Cause = ""
+    ) -> Submission:
+        try:
+            return self.move(submission_id, event, reason=reason, cause=cause)
+        except KeyError as error:
+            raise Refused("not_found", _NOT_FOUND) from error
+        except IllegalTransition as error:
+            raise Refused("illegal_transition", str(error)) from error
+
+    def _store(self, submission: Submission) -> None:
+        values = asdict(submission)
+        del values["submission_id"]
+        names = ", ".join(f"{name} = ?" for name in values)
+        self.database.execute(
+            f"UPDATE submissions SET {names} WHERE submission_id = ?",  # noqa: S608
+            *values.values(),
+            submission.submission_id,
+        )

@@ -1,0 +1,204 @@
+"""Tables of decisions: accounts, tracks and their quotas, states of a submission."""
+
+from __future__ import annotations
+
+import typing
+
+import msgspec
+import pytest
+
+from reference_platform.accounts.account_rules import (
+    DECISIONS,
+    Account,
+    AccountState,
+    Decision,
+    decide,
+)
+from reference_platform.submissions import lifecycle
+from reference_platform.submissions.lifecycle import (
+    FINAL,
+    STATES,
+    TRANSITIONS,
+    WAITING,
+    Event,
+    IllegalTransition,
+    State,
+    Submission,
+)
+from reference_platform.tracks.track_rules import (
+    DAY_S,
+    AskedRun,
+    Track,
+    TrackRun,
+    check_track,
+    choose_track,
+)
+from reference_server.rules.refusal import Refused
+
+NOW = 1_800_000_000.0
+
+
+def account(state: AccountState) -> Account:
+    return Account(
+        "ada", "A", "B", "a@b.org", None, "both", False, NOW, "", "participant", state,
+        "", NOW, None,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("state", typing.get_args(AccountState))
+@pytest.mark.parametrize("decision", typing.get_args(Decision))
+def test_a_decision_is_in_the_table(state: AccountState, decision: Decision) -> None:
+    expected = DECISIONS[state].get(decision)
+    if expected is None:
+        with pytest.raises(Refused, match="is not possible"):
+            decide(account(state), decision, "a reason")
+        return
+    assert decide(account(state), decision, "a reason") == expected
+    if decision in ("reject", "suspend"):
+        with pytest.raises(Refused, match="needs a reason"):
+            decide(account(state), decision, " ")
+
+
+# --- submissions ---
+
+
+def submission(state: State) -> Submission:
+    waiting = WAITING.get(state)
+    deadline = None if waiting is None else NOW + waiting.deadline_s
+    return Submission(
+        "sub_1", "ada", "letters", "image", state, NOW, NOW, deadline, "",
+        is_counted=state in ("queued", "running"),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("state", STATES)
+@pytest.mark.parametrize("event", typing.get_args(Event))
+def test_an_event_is_in_the_table(state: State, event: Event) -> None:
+    expected = TRANSITIONS[state].get(event)
+    if expected is None:
+        with pytest.raises(IllegalTransition):
+            lifecycle.apply(submission(state), event, NOW)
+        return
+    after = lifecycle.apply(submission(state), event, NOW, cause="owner")
+    assert after.state == expected
+    assert (after.deadline_at is None) == (expected in FINAL)
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_every_state_ends(state: State) -> None:
+    """A submission that is not final has a reason, a next action and a deadline."""
+    assert (state in FINAL) == (state not in WAITING) == (not TRANSITIONS[state])
+    if state in FINAL:
+        assert lifecycle.at_deadline(submission(state), NOW * 2) is None
+        return
+    waiting = WAITING[state]
+    assert lifecycle.at_deadline(submission(state), NOW) is None
+    ended = lifecycle.at_deadline(submission(state), NOW + waiting.deadline_s)
+    assert ended is not None
+    assert ended.state in FINAL
+    assert waiting.reason in ended.reason
+    assert not (ended.is_counted and ended.cause == "platform")
+
+
+@pytest.mark.parametrize(
+    ("cause", "is_counted"), [("policy", True), ("platform", False), ("host", True)]
+)
+def test_a_fault_of_the_platform_gives_the_quota_back(
+    cause: lifecycle.Cause, is_counted: bool
+) -> None:
+    """Counted from the start on, which is after the verification."""
+    after = submission("verified")
+    assert not after.is_counted
+    events: tuple[Event, ...] = ("start", "begin_run")
+    for event in events:
+        after = lifecycle.apply(after, event, NOW)
+        assert after.is_counted
+    failed = lifecycle.apply(after, "fail", NOW, cause=cause)
+    assert failed.is_counted == is_counted
+
+
+# --- tracks ---
+
+TRACK = Track(
+    "letters", "Letters", "calibration", NOW - DAY_S, NOW + DAY_S,
+    per_day=2, total=4, at_once=1,
+)  # fmt: skip
+RUN = AskedRun("run_9", "ada", "calibration")
+
+
+def runs(*ages_s: float, state: str = "completed") -> list[TrackRun]:
+    return [TrackRun("r", "letters", "ada", NOW - age, state, None) for age in ages_s]
+
+
+def refusal(track: Track, asked: AskedRun = RUN, *made: TrackRun) -> Refused:
+    with pytest.raises(Refused) as caught:
+        choose_track([track], asked, made, NOW)
+    return caught.value
+
+
+@pytest.mark.parametrize(
+    ("track", "asked", "words"),
+    [
+        ({}, {"benchmark_id": "tabletop"}, "No track of this account"),
+        ({}, {"splits": ("a",)}, "without `select`"),
+        ({}, {"tasks": ("a",)}, "without `select`"),
+        ({"splits": ("a", "b")}, {"splits": ("a",)}, "the splits a, b"),
+        ({"opens_at": NOW + 1}, {}, "not open now"),
+        ({"closes_at": NOW}, {}, "not open now"),
+    ],
+    ids=str,
+)
+def test_a_run_outside_of_a_track_is_refused(
+    track: dict[str, object], asked: dict[str, object], words: str
+) -> None:
+    changed = msgspec.structs.replace(TRACK, **track)
+    refused = refusal(changed, msgspec.structs.replace(RUN, **asked))
+    assert refused.code == "forbidden"
+    assert words in refused.detail
+    assert choose_track([TRACK], RUN, [], NOW) == TRACK
+
+
+@pytest.mark.parametrize(
+    ("made", "limit", "resets_at"),
+    [
+        (runs(10, 50), "per_day", NOW - 50 + DAY_S),
+        (runs(10, 50, 90), "per_day", NOW - 50 + DAY_S),
+        (runs(*[2 * DAY_S] * 4), "total", None),
+        (runs(5, state="running"), "at_once", None),
+        (runs(DAY_S, state="admitted"), "at_once", None),
+    ],
+    ids=str,
+)
+def test_a_limit_says_when_it_opens(
+    made: list[TrackRun], limit: str, resets_at: float | None
+) -> None:
+    refused = refusal(TRACK, RUN, *made)
+    assert (refused.code, refused.members["limit"]) == ("quota_exceeded", limit)
+    assert refused.members.get("resets_at") == resets_at
+
+
+@pytest.mark.parametrize(
+    "made",
+    [runs(10), runs(DAY_S, DAY_S + 1), runs(1, 2, 3, 4, 5, state="refunded")],
+    ids=str,
+)
+def test_a_limit_that_is_not_reached_admits(made: list[TrackRun]) -> None:
+    assert choose_track([TRACK], RUN, made, NOW) == TRACK
+
+
+def test_the_track_with_room_is_chosen() -> None:
+    """Two tracks evaluate the same; the one that closes first is used up."""
+    later = msgspec.structs.replace(TRACK, track_id="later", closes_at=NOW + 2 * DAY_S)
+    assert choose_track([later, TRACK], RUN, runs(10), NOW) == TRACK
+    assert choose_track([later, TRACK], RUN, runs(10, 20), NOW) == later
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [{"track_id": "A B"}, {"title": " "}, {"closes_at": 0.0}, {"per_day": 0}],
+    ids=str,
+)
+def test_a_wrong_track_is_refused(changed: dict[str, object]) -> None:
+    check_track(TRACK)
+    with pytest.raises(Refused, match=next(iter(changed))):
+        check_track(msgspec.structs.replace(TRACK, **changed))

@@ -1,0 +1,91 @@
+"""Submissions as they are stored: created, counted, stopped, ended by deadlines."""
+
+from __future__ import annotations
+
+import pytest
+
+from reference_platform.parts import Parts
+from reference_platform.submissions.lifecycle import WAITING, Event, Submission
+from reference_platform.tracks.track_rules import AskedRun, Track
+from reference_server.rules.refusal import Refused
+from tests.support.platform.approved_accounts import Clock, approved
+from tests.support.platform.shown_runs import ShownRuns
+
+TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
+
+
+def create(
+    parts: Parts, account: str, per_day: int | None = None, total: int | None = None
+) -> Submission:
+    now = parts.clock()
+    track = Track(
+        "letters", "Letters", "calibration", now, now + 1e7,
+        per_day=per_day, total=total,
+    )  # fmt: skip
+    parts.tracks.put(track, "a test")
+    owner = parts.accounts.get(account)
+    parts.tracks.enter("letters", owner)
+    return parts.submissions.create(owner, "letters", "image", "", "mine")
+
+
+def verify(parts: Parts, submission: Submission) -> str:
+    for event in TO_VERIFIED:
+        parts.submissions.move(submission.submission_id, event)
+    return submission.submission_id
+
+
+async def test_a_submission_counts_from_its_start(parts: Parts, ada: str) -> None:
+    """One a day: a second start is refused until the platform's fault is known."""
+    first = verify(parts, create(parts, ada, per_day=1))
+    second = verify(parts, create(parts, ada, per_day=1))
+    parts.submissions.start(first, ada)
+    with pytest.raises(Refused, match="in 24 hours"):
+        parts.submissions.start(second, ada)
+    with pytest.raises(Refused, match="in 24 hours"):
+        await parts.tracks.admit(AskedRun("run_1", ada, "calibration"), ShownRuns())
+    parts.submissions.move(first, "fail", cause="platform", reason="The disk is full.")
+    parts.submissions.start(second, ada)
+
+
+async def test_its_own_run_is_not_counted_again(parts: Parts, ada: str) -> None:
+    """The run of the sandbox is admitted while the submission waits for it, once."""
+    url = "http://0123.sandbox.invalid"
+    asked = AskedRun("run_1", ada, "calibration", policy_url=url)
+    name = verify(parts, create(parts, ada, total=1))
+    parts.submissions.start(name, ada)
+    with pytest.raises(Refused):
+        await parts.tracks.admit(asked, ShownRuns())
+    parts.submissions.move(name, "begin_run")
+    await parts.tracks.admit(asked, ShownRuns())
+    parts.submissions.note_run(name, "run_1")
+    with pytest.raises(Refused):
+        await parts.tracks.admit(asked, ShownRuns())
+
+
+async def test_other_accounts_have_no_submission_of_mine(
+    parts: Parts, ada: str
+) -> None:
+    eve = await approved(parts, "eve")
+    name = verify(parts, create(parts, ada))
+    for act in (
+        parts.submissions.get_own,
+        parts.submissions.start,
+        parts.submissions.stop,
+    ):
+        with pytest.raises(Refused, match="no such submission"):
+            act(name, eve)
+    assert parts.submissions.stop(name, ada).state == "stopped"
+
+
+async def test_deadlines_end_a_submission(parts: Parts, clock: Clock, ada: str) -> None:
+    """An owner who never uploads, and a platform that never verifies."""
+    late = create(parts, ada).submission_id
+    stuck = create(parts, ada).submission_id
+    parts.submissions.move(stuck, "upload")
+    assert not parts.submissions.end_late()
+    clock.now += WAITING["uploaded"].deadline_s
+    ended = {one.submission_id: one for one in parts.submissions.end_late()}
+    assert (ended[late].state, ended[late].cause) == ("expired", "owner")
+    assert (ended[stuck].state, ended[stuck].cause) == ("failed", "platform")
+    assert all(one.reason for one in ended.values())
+    assert parts.submissions.get(stuck) == ended[stuck]

@@ -1,0 +1,107 @@
+"""Runs that count for a track: admitted at the server, refreshed, refunded."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from reference_platform.parts import Parts
+from reference_platform.tracks.track_rules import AskedRun, Track
+from reference_platform.tracks.tracks import UNKNOWN_S
+from reference_server.rules.refusal import Refused
+from tests.support.platform.approved_accounts import Clock
+from tests.support.platform.shown_runs import ShownRuns
+
+
+def asked(number: int) -> AskedRun:
+    return AskedRun(f"run_{number}", "ada", "calibration")
+
+
+async def enter(parts: Parts, ada: str, **changed: Any) -> None:
+    now = parts.clock()
+    track = Track("letters", "Letters", "calibration", now, now + 1e6, **changed)
+    parts.tracks.put(track, "a test")
+    parts.tracks.enter("letters", parts.accounts.get(ada))
+
+
+@pytest.mark.parametrize(
+    ("state", "mode", "admits"),
+    [
+        ("completed", "pull", True),
+        ("stopped", "pull", True),
+        ("failed", "pull", True),
+        ("running", "pull", False),
+        ("queued", "push", False),
+    ],
+)
+async def test_a_run_that_has_ended_makes_room(
+    parts: Parts, ada: str, state: str, mode: str, admits: bool
+) -> None:
+    await enter(parts, ada, at_once=1)
+    server = ShownRuns()
+    await parts.tracks.admit(asked(1), server)
+    server.runs["run_1"] = {"state": state, "mode": mode}
+    if admits:
+        await parts.tracks.admit(asked(2), server)
+    else:
+        with pytest.raises(Refused, match="at a time"):
+            await parts.tracks.admit(asked(2), server)
+
+
+async def test_a_fault_of_the_server_gives_the_run_back(parts: Parts, ada: str) -> None:
+    """One of one run a day has failed at the server. Expect that it is not counted."""
+    await enter(parts, ada, per_day=1)
+    server = ShownRuns()
+    await parts.tracks.admit(asked(1), server)
+    server.runs["run_1"] = {"state": "running"}
+    with pytest.raises(Refused, match="in 24 hours"):
+        await parts.tracks.admit(asked(2), server)
+    server.runs["run_1"] = {"state": "failed"}
+    await parts.tracks.admit(asked(2), server)
+    states = {run.run_id: run.state for run in parts.tracks.runs_of(ada)}
+    assert states == {"run_1": "refunded", "run_2": "admitted"}
+
+
+async def test_a_run_that_was_never_made_is_not_counted(
+    parts: Parts, clock: Clock, ada: str
+) -> None:
+    """The server was killed between the question and the run."""
+    await enter(parts, ada, total=1)
+    await parts.tracks.admit(asked(1), ShownRuns())
+    with pytest.raises(Refused):
+        await parts.tracks.admit(asked(2), ShownRuns())
+    clock.now += UNKNOWN_S + 1
+    await parts.tracks.admit(asked(2), ShownRuns())
+    parts.tracks.withdraw("run_2")
+    await parts.tracks.admit(asked(3), ShownRuns())
+
+
+@pytest.mark.parametrize(
+    ("entry", "accounts", "state"),
+    [
+        ("open", (), "entered"),
+        ("review", (), "waiting"),
+        ("listed", ("ada",), "entered"),
+        ("listed", ("eve",), None),
+    ],
+)
+async def test_who_may_enter(
+    parts: Parts, ada: str, entry: Any, accounts: tuple[str, ...], state: str | None
+) -> None:
+    if state is None:
+        with pytest.raises(Refused, match="Only accounts that the host has listed"):
+            await enter(parts, ada, entry=entry, accounts=accounts)
+        return
+    await enter(parts, ada, entry=entry, accounts=accounts)
+    entrant = parts.tracks.entrant("letters", ada)
+    assert entrant is not None
+    assert entrant.state == state
+    if state == "waiting":
+        with pytest.raises(Refused, match="entered no track"):
+            await parts.tracks.admit(asked(1), ShownRuns())
+        account = parts.accounts.get(ada)
+        parts.tracks.decide_entry(
+            "letters", account, accept=True, reason="", actor="boss"
+        )
+    await parts.tracks.admit(asked(1), ShownRuns())
