@@ -25,7 +25,13 @@ from reference_platform.http.server_calls import ServerRuns
 from reference_platform.mail.outbox import BadMailServer, MailServer
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
+from reference_platform.sandbox.interface import SandboxUnavailable
 from reference_platform.storage.platform_database import BadDatabase
+from reference_platform.submissions.hosted_parts import (
+    HostedParts,
+    sockets_of,
+    try_sandbox,
+)
 from reference_record.command_line.click_commands import (
     Command,
     Options,
@@ -38,6 +44,7 @@ from reference_server.settings import Settings
 from reference_server.settings.setting_options import read_settings
 
 DATABASE = "var/platform.sqlite"
+SUBMISSIONS = "var/submissions"
 SOCKET_CHARS_MAX = 100
 END_S = 30.0
 # The names of the environment, for what a command line should not show.
@@ -73,6 +80,15 @@ def build_command() -> Command:
             option(
                 "--administrator-email", "its address, which gets the mail of a host",
                 default="",
+            ),
+            option(
+                "--submissions",
+                f"folder of hosted submissions ({SUBMISSIONS}); off: none are run",
+                default=SUBMISSIONS, metavar="FOLDER",
+            ),
+            option(
+                "--sandboxes", "how many policies run at a time (1)",
+                type=int, default=1, metavar="N",
             ),
         ],
         help_text="Host a challenge: accounts, keys, tracks and a server, as one "
@@ -137,6 +153,7 @@ class _Host:
         command = [
             *(sys.executable, "-m", "reference_server", *theirs),
             *("--port", str(port), "--account-service", socket_path),
+            *("--policy-sockets", str(sockets_of(Path(options.submissions)))),
         ]
         return cls(
             Parts.of(path, mail, public_url=settings.public_url),
@@ -149,8 +166,9 @@ class _Host:
     async def run(self) -> int:
         """Until a signal, or until one of both ends."""
         runs = ServerRuns(self.url)
+        hosted = await self._hosted(runs)
         config = uvicorn.Config(
-            make_application(self.parts, runs),
+            make_application(self.parts, runs, hosted),
             # The server is the only client, and names its own.
             proxy_headers=True,
             forwarded_allow_ips="*",
@@ -172,6 +190,26 @@ class _Host:
             platform.should_exit = True
             await serving
             self.parts.database.close()
+
+    async def _hosted(self, runs: ServerRuns) -> HostedParts | None:
+        """None, with a line on stderr, where this host cannot run submissions."""
+        if self.options.submissions == "off":
+            return None
+        folder = await asyncio.to_thread(Path(self.options.submissions).absolute)
+        try:
+            hosted = HostedParts.of(
+                folder,
+                self.parts.submissions,
+                runs.tokens,
+                self.url,
+                self.options.sandboxes,
+            )
+            await try_sandbox(folder / "roots")
+        except (SandboxUnavailable, OSError) as error:
+            text = "This host runs no submissions"
+            print(f"proctor-host: {text}: {error}", file=sys.stderr)
+            return None
+        return hosted
 
     async def _run_server(self) -> int:
         server = await asyncio.create_subprocess_exec(*self.server_command)

@@ -38,7 +38,6 @@ from reference_platform.sandbox.interface import (
 from reference_platform.sandbox.policy_socket import connect_to_policy
 from reference_platform.sandbox.system_calls import compiled_filter
 
-PREFIX = "proctor-sandbox-"
 # Users of sandboxes, where the platform is root; nothing on the host belongs to them.
 _USERS = range(1_900_000_000, 1_900_004_096)
 # How long bubblewrap may take to set a sandbox up, and to be gone.
@@ -81,7 +80,7 @@ class BubblewrapMaker:
                 f"(Debian: apt-get install {' '.join(packages)})."
             )
         self._groups = ControlGroups()
-        self._groups.remove_left(PREFIX)
+        self._groups.remove_left()
         users = _users_of_sandboxes()
         # From anywhere: a platform that starts again takes other users than before.
         begin = secrets.randbelow(len(users)) if users else 0
@@ -98,8 +97,7 @@ class BubblewrapMaker:
         user = next(self._users, None)
         if user is not None:
             _check_reachable(spec)
-        name = f"{PREFIX}{secrets.token_hex(8)}"
-        group = self._groups.make(name, spec.limits)
+        group = self._groups.make(spec.limits)
         try:
             process, child = _spawn(spec, group, user)
         except BaseException:

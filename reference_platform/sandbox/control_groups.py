@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import secrets
 import signal
 import time
 from collections.abc import Mapping
@@ -22,6 +23,7 @@ _ROOT = Path("/sys/fs/cgroup")
 _CONTROLLERS = ("cpu", "memory", "pids")
 _CPU_PERIOD_US = 100_000
 _REMOVE_S = 10.0
+_PREFIX = "proctor-sandbox-"  # then the platform's process, and a random name
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,10 +83,11 @@ class ControlGroups:
         self._folders, self._is_v2 = _own_folders(root, own)
         self.problem = self._find_problem()
 
-    def make(self, name: str, limits: Limits) -> ControlGroup | None:
+    def make(self, limits: Limits) -> ControlGroup | None:
         """The group of a new sandbox; None where groups cannot be made."""
         if self.problem is not None:
             return None
+        name = f"{_PREFIX}{_process_name(os.getpid())}-{secrets.token_hex(8)}"
         folders = tuple(dict.fromkeys(p / name for p in self._folders.values()))
         group = ControlGroup(folders)
         try:
@@ -99,16 +102,16 @@ class ControlGroups:
             raise
         return group
 
-    def remove_left(self, prefix: str) -> int:
-        """Remove the groups that a killed platform has left, with their processes."""
+    def remove_left(self) -> None:
+        """Remove the groups that killed platforms have left, with their processes."""
         left = {
             path.name
             for folder in self._folders.values()
-            for path in folder.glob(f"{prefix}*")
+            for path in folder.glob(f"{_PREFIX}*")
+            if not _is_alive(path.name.removeprefix(_PREFIX).rpartition("-")[0])
         }
         for name in left:
             ControlGroup(tuple(p / name for p in self._folders.values())).remove()
-        return len(left)
 
     def _find_problem(self) -> str | None:
         missing = [name for name in _CONTROLLERS if name not in self._folders]
@@ -124,6 +127,20 @@ class ControlGroups:
         except OSError as error:
             return f"control groups cannot be made ({error})"
         return None
+
+
+def _process_name(number: int) -> str:
+    """The number of a process and when it began: a number is given out again."""
+    status = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()
+    return f"{number}-{status[19]}"
+
+
+def _is_alive(name: str) -> bool:
+    number = name.partition("-")[0]
+    try:
+        return _process_name(int(number)) == name
+    except (OSError, ValueError):
+        return False
 
 
 def _own_folders(root: Path, own: str) -> tuple[dict[str, Path], bool]:

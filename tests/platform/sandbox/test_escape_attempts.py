@@ -143,4 +143,4 @@ def test_nothing_is_left(
         if os.access(path, os.R_OK)
     ]
     assert not [command for command in commands if b"/policy/escape" in command]
-    assert not list(Path("/sys/fs/cgroup").glob("**/proctor-sandbox-*"))
+    assert not list(Path("/sys/fs/cgroup").glob(f"**/proctor-sandbox-{os.getpid()}-*"))

@@ -199,7 +199,8 @@ def test_a_killed_platform_leaves_no_process() -> None:
         assert time.monotonic() < deadline, left
         time.sleep(0.01)
     BubblewrapMaker()  # the next platform removes the groups
-    assert not list(Path("/sys/fs/cgroup").glob("*/**/proctor-sandbox-*"))
+    groups = Path("/sys/fs/cgroup").glob(f"**/proctor-sandbox-{platform.pid}-*")
+    assert not list(groups)
 
 
 def _processes_with(mark: str) -> list[str]:
@@ -269,9 +270,9 @@ def test_version_2_of_control_groups(tmp_path: Path) -> None:
     groups = ControlGroups(tmp_path, "0::/system.slice/proctor.service\n")
     assert groups.problem is None
     assert (unit / "cgroup.subtree_control").read_text() == "+cpu +memory +pids"
-    group = groups.make("proctor-sandbox-1", SMALL)
+    group = groups.make(SMALL)
     assert group is not None
-    folder = unit / "proctor-sandbox-1"
+    (folder,) = unit.glob("proctor-sandbox-*")
     assert {file.name: file.read_text() for file in folder.iterdir()} == {
         "cpu.max": "200000 100000",
         "memory.max": str(SMALL.memory_bytes),
