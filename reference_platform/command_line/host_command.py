@@ -11,6 +11,7 @@ import contextlib
 import fcntl
 import os
 import secrets
+import shutil
 import signal
 import socket
 import sys
@@ -212,7 +213,9 @@ class _Host:
         return hosted
 
     async def _run_server(self) -> int:
-        server = await asyncio.create_subprocess_exec(*self.server_command)
+        server = await asyncio.create_subprocess_exec(
+            *_ending_with_us(), *self.server_command
+        )
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, _end, server, number)
@@ -240,6 +243,13 @@ class _Host:
         accounts.decide(name, "approve", "", "proctor-host")
         print(f"proctor-host: administrator {name}, password, shown this once:")
         print(password, flush=True)
+
+
+def _ending_with_us() -> Sequence[str]:
+    """What makes a program end when this process is killed, where that can be done."""
+    if shutil.which("setpriv") is None:
+        return ()
+    return ("setpriv", "--pdeathsig", "KILL", "--")
 
 
 class _Platform(uvicorn.Server):

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from argon2 import PasswordHasher
 
 from reference_client.protocol.hosting_client import pack_code
+from reference_platform.accounts.account_rules import Role
+from reference_platform.parts import Parts
 from tests.support.paths import ROOT
+from tests.support.platform.approved_accounts import approved
 from tests.support.platform.archives import digest_of
 from tests.support.platform.hosted_server import HostedServer, mail_receiver
 from tests.support.platform.sandboxes import open_folder
@@ -44,19 +50,15 @@ per_day = 2
 """
 
 
-def key_of(host: HostedServer, name: str) -> str:
-    """The key of an approved account that has entered the track."""
-    filled = {
-        "account": name, "full_name": "A. Person", "organisation": "A Laboratory",
-        "email": f"{name}@example.org", "password": "correct horse", "agrees": True,
-    }  # fmt: skip
-    with host.client() as client:
-        assert client.post("/v1/hosting/accounts", json=filled).status_code == 202
-    host.admin("account", "approve", name)
-    key = host.admin("account", "key", name).splitlines()[-1]
-    with host.client(key) as client:
-        path = "/v1/hosting/tracks/letters/entries"
-        assert client.post(path).status_code == 201
+def key_of(host: HostedServer, name: str, *scopes: str) -> str:
+    """The key of a new approved account that has entered the track."""
+    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
+    parts = Parts.of(host.database, hasher=hasher)
+    role: Role = "administrator" if "host" in scopes else "participant"
+    account = asyncio.run(approved(parts, name, role))
+    parts.tracks.enter("letters", parts.accounts.get(account))
+    key = parts.keys.make(account, "", scopes or ("read", "run"), 3600, time.time())[1]
+    parts.database.close()
     return key
 
 
@@ -134,8 +136,7 @@ def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> No
         with host.client(key) as client:
             refused = client.get("/v1/hosting/images")
             assert refused.status_code == 403
-        own = host.admin("account", "key", "organiser", "--scopes", "read+host")
-        with host.client(own.splitlines()[-1]) as client:
+        with host.client(key_of(host, "gil", "read", "host")) as client:
             (waiting,) = client.get("/v1/hosting/images").json()["images"]
             assert (waiting["digest"], waiting["account"]) == (digest, "cyd")
             assert waiting["dockerfile"] == "FROM scratch"
