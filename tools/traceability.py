@@ -36,7 +36,9 @@ from tools.built_pages import write_page
 ROOT = Path(__file__).resolve().parents[1]
 IDS = ROOT / "spec" / "ids.txt"
 TABLE = "reference_server/rules/lifecycle.py"
-DECIDING = ("reference_record", "reference_server", "reference_sim")
+DECIDING = (
+    *("reference_platform", "reference_record", "reference_server", "reference_sim"),
+)
 CITING = (*DECIDING, "reference_client", "conformance", "tests", "tools", "docs")
 GENERATED = "generated"
 ID = re.compile(r"\b[A-Z]{2,6}-\d{3}\b")

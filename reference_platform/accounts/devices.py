@@ -26,10 +26,8 @@ KEY_LIFETIME_S: Final = 90 * 86_400.0
 SCOPES: Final = ("read", "run", "account")
 # Without vowels no word appears, and none of these looks like another.
 _LETTERS: Final = "BCDFGHJKLMNPQRSTVWXZ"
-# The errors of RFC 8628, section 3.5.
-Pending = Literal[
-    "authorization_pending", "slow_down", "access_denied", "expired_token"
-]
+# Those of RFC 8628, section 3.5, with which a program asks again.
+Pending = Literal["authorization_pending", "slow_down"]
 
 
 class Device(msgspec.Struct, frozen=True):
@@ -90,24 +88,28 @@ class Devices:
         )
 
     def poll(self, code: str) -> tuple[Key, str] | Pending:
-        """The key and its secret, once; or why there is none."""
+        """The key and its secret, once; or why there is none yet (HST-018). Raises Refused."""
         now = self.clock()
-        with self.database.transaction():
-            device = self.database.row(
-                Device,
-                "SELECT * FROM devices WHERE hash = ? AND expires_at > ?",
-                *(hash_of(code), now),
-            )
-            if device is None:
-                return "expired_token"
+        device = self.database.row(
+            Device,
+            "SELECT * FROM devices WHERE hash = ? AND expires_at > ?",
+            *(hash_of(code), now),
+        )
+        if device is None:
+            raise Refused("not_found", "The code is unknown, or too old.")
+        if device.state == "waiting":
             self.database.execute(
                 "UPDATE devices SET polled_at = ? WHERE hash = ?", now, device.hash
             )
-            if device.state == "waiting":
-                is_early = now - device.polled_at < INTERVAL_S / 2
-                return "slow_down" if is_early else "authorization_pending"
-            self.database.execute("DELETE FROM devices WHERE hash = ?", device.hash)
-            if device.state == "denied":
-                return "access_denied"
-            label = f"proctor login {device.label}".strip()
-            return self.keys.make(device.account, label, SCOPES, KEY_LIFETIME_S, now)
+            is_early = now - device.polled_at < INTERVAL_S / 2
+            return "slow_down" if is_early else "authorization_pending"
+        with self.database.transaction():
+            taken = self.database.execute(
+                "DELETE FROM devices WHERE hash = ?", device.hash
+            )
+            if device.state == "approved" and taken:
+                label = f"proctor login {device.label}".strip()
+                return self.keys.make(
+                    device.account, label, SCOPES, KEY_LIFETIME_S, now
+                )
+        raise Refused("forbidden", "The account has refused the program.")

@@ -137,7 +137,7 @@ async def list_keys(call: ApiCall) -> Response:
 
 
 async def make_key(call: ApiCall) -> Response:
-    """HST-007: no key is stronger than the one that makes it."""
+    """The answer alone has the secret (HST-007); no key is stronger (HST-016)."""
     body = await call.body(NewKey)
     assert call.key is not None, "the operation has a scope"
     if more := set(body.scopes) - set(call.key.scopes.split()):
@@ -240,6 +240,7 @@ def _own_submission(call: ApiCall, act: Callable[[str, str], Submission]) -> Res
 
 
 def submission_view(submission: Submission) -> Mapping[str, Any]:
+    """HST-019: why it is in its state, until when, and what follows."""
     times = ("entered_at", "created_at", "deadline_at", "started_at")
     shown = asdict(submission)
     del shown["account"]
@@ -269,10 +270,11 @@ async def begin_device(call: ApiCall) -> Response:
 async def poll_device(call: ApiCall) -> Response:
     form = await _form(call)
     if form.get("grant_type") != _DEVICE_GRANT:
-        return json_response({"error": "unsupported_grant_type"}, 400)
+        wrong = [("/grant_type", f"must be {_DEVICE_GRANT}")]
+        raise Refused("invalid_request", "This grant is not offered.", errors=wrong)
     result = call.parts.devices.poll(form.get("device_code", ""))
     if isinstance(result, str):
-        return json_response({"error": result}, 400)
+        return json_response({"error": result}, 202)
     key, secret = result
     answer = {
         "access_token": secret,

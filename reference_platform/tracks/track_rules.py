@@ -101,7 +101,7 @@ def check_track(track: Track) -> None:
 
 
 def usages(track: Track, runs: Sequence[TrackRun], now: float) -> list[Usage]:
-    """The limits of a track, for the runs of one account on it (HST-011).
+    """The limits of a track, for the runs of one account on it (HST-011, HST-015).
 
     `per_day` is a window of 24 hours that ends now: it opens when its oldest run is a
     day old.

@@ -48,6 +48,7 @@ SEPARATE_PROFILES = {
         "compare",
         "deletion",
         "events",
+        "hosting",
         "limits",
         "public_board",
         "push",
@@ -114,6 +115,8 @@ def run_once(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
         profiles |= mutant.needs
         if enabled_profiles := profiles & OPTIONAL_PROFILES:
             server += ["--profiles", ",".join(sorted(enabled_profiles))]
+        if "hosting" in profiles:
+            server = [sys.executable, "-m", "tests.mutants.serve_host", mutant.name]
         if "public_board" in profiles:
             server += ["--public-board", "on"]
         if is_cluster := "cluster" in profiles:

@@ -9,7 +9,7 @@ from reference_platform.submissions.lifecycle import WAITING, Event, Submission
 from reference_platform.tracks.track_rules import AskedRun, Track
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock, approved
-from tests.support.platform.shown_runs import ShownRuns
+from tests.support.platform.read_runs import ShownRuns
 
 TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
 

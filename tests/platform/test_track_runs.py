@@ -11,7 +11,7 @@ from reference_platform.tracks.track_rules import AskedRun, Track
 from reference_platform.tracks.tracks import UNKNOWN_S
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock
-from tests.support.platform.shown_runs import ShownRuns
+from tests.support.platform.read_runs import ShownRuns
 
 
 def asked(number: int) -> AskedRun:

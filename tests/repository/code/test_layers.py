@@ -309,7 +309,7 @@ def test_statuses_with_retry_after_are_retryable() -> None:
 def test_cited_requirements_exist() -> None:
     cited: set[str] = set()
     for path in files_of_package(
-        "reference_record", "reference_server", "reference_sim"
+        "reference_platform", "reference_record", "reference_server", "reference_sim"
     ):
         cited |= set(re.findall(r"\b[A-Z]{2,6}-\d{3}\b", path.read_text()))
     assert len(cited) > 50

@@ -102,7 +102,7 @@ SAME_FILE_NAME = {
     "arguments.py main.py": "of each command",
     "benchmark.py experts.py layout.py plans.py": "the same part of each benchmark",
     "scene.py simulator.py skills.py tasks.py world.py": "the same part of each",
-    "ebench.py events.py flageval.py lifecycle.py": "an area of the "
+    "ebench.py events.py flageval.py hosting.py lifecycle.py": "an area of the "
     "rules: its checks, its decisions, the mutants that break it",
     "env.py": "the name that LeRobot's EnvHub and Alembic look for",
     "fork_server.py": "each starts processes by fork",

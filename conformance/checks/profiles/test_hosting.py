@@ -1,0 +1,238 @@
+"""A challenge that people enter: the profile `hosting` (HST)."""
+
+import threading
+import time
+from typing import Any
+
+from conformance.checks.support.submissions import submit
+from conformance.client.check_context import CheckContext
+from conformance.client.http_client import HttpClient
+from conformance.exchanges.answer import Answer
+from conformance.profiles.hosting import (
+    ENDS_S,
+    LOOKS_S,
+    POLL_S,
+    call_hosting,
+    call_with_form,
+    entered_track,
+    made_key,
+    require_hosting,
+    sign_up,
+)
+from conformance.runner.requirement import requirement
+from conformance.verdicts import expect
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
+
+WRONG_MEMBERS: dict[str, Any] = {
+    "account": "No Name",
+    "full_name": " ",
+    "organisation": "",
+    "email": "nowhere",
+    "password": "short",
+    "agrees": False,
+}
+GRANT = "urn:ietf:params:oauth:grant-type:device_code"
+
+
+def register(context: CheckContext, **members: Any) -> tuple[dict[str, Any], Answer]:
+    """Register without a key; give what was sent, too."""
+    body = sign_up(**members)
+    client = context.client_with_token(None)
+    answer = call_hosting(context, "POST", "/accounts", body, client)
+    if answer.status == 429:
+        text = "the server admits no more registrations of this machine for a time"
+        raise SetUpFailed(text, allowed=True)
+    return body, answer
+
+
+@requirement("HST-001")
+def test_hst_001_cannot_register_with_wrong_members(context: CheckContext) -> None:
+    """All members are wrong; then none. Expect `invalid_request` at each; then 202."""
+    _, answer = register(context, **WRONG_MEMBERS)
+    for name in WRONG_MEMBERS:
+        expect.refused(answer, "invalid_request", pointer=f"/{name}")
+    expect.ok(register(context)[1], 202)
+
+
+@requirement("HST-002")
+def test_hst_002_addresses_are_not_shown(context: CheckContext) -> None:
+    """A known and a new address register. Expect equal answers but for the name."""
+    body, first = register(context)
+    expect.ok(first, 202)
+    again, second = register(context, email=body["email"])
+    expected = {**expect.ok(first, 202), "account": again["account"]}
+    expect.equal(dict(expect.ok(second, 202)), expected, "the answer")
+
+
+@requirement("HST-007")
+def test_hst_007_a_secret_is_shown_once(context: CheckContext) -> None:
+    """A key is made, and the keys are listed. Expect it there without its secret."""
+    with made_key(context) as key:
+        listed = call_hosting(context, "GET", "/keys")
+        ids = [row["key_id"] for row in expect.ok(listed)["keys"]]
+        expect.true(key["key_id"] in ids, "the key in list_keys")
+        is_shown = key["secret"].encode() in listed.body
+        expect.true(not is_shown, "no secret in list_keys")
+
+
+def wait_until_refused(context: CheckContext, client: HttpClient) -> None:
+    """Expect that both kinds of operations refuse the key of a client."""
+    began = time.monotonic()
+    while True:
+        answers = [
+            context.call("list_runs", http_client=client),
+            call_hosting(context, "GET", "/account", http_client=client),
+        ]
+        took_s = time.monotonic() - began
+        if all(answer.status == 401 for answer in answers) or took_s > LOOKS_S:
+            break
+        time.sleep(POLL_S)
+    for answer in answers:
+        expect.refused(answer, "unauthenticated")
+    expect.in_time(took_s, ENDS_S, "a revoked key is refused")
+
+
+@requirement("HST-008")
+def test_hst_008_a_revoked_key_is_refused(context: CheckContext) -> None:
+    """A key is used, revoked, and used again. Expect a refusal within five seconds."""
+    with made_key(context) as key, made_key(context) as other:
+        client = context.client_with_token(key["secret"])
+        expect.ok(context.call("list_runs", http_client=client))
+        answer = call_hosting(context, "DELETE", f"/keys/{key['key_id']}")
+        expect.equal(answer.status, 204, "the status of revoke_key")
+        wait_until_refused(context, client)
+        valid = context.client_with_token(other["secret"])
+        expect.ok(context.call("list_runs", http_client=valid))
+
+
+@requirement("HST-009")
+def test_hst_009_cannot_touch_what_others_have(context: CheckContext) -> None:
+    """Another account revokes a key and reads a submission. Expect `not_found`."""
+    track, other = entered_track(context), context.second_account
+    require_hosting(call_hosting(context, "GET", "/keys", http_client=other))
+    created = call_hosting(
+        context, "POST", "/submissions", {"track_id": track["track_id"]}
+    )
+    submission = require_hosting(created, 201)["submission_id"]
+    path = f"/submissions/{submission}"
+    try:
+        with made_key(context) as key:
+            for method, at in (("DELETE", f"/keys/{key['key_id']}"), ("GET", path)):
+                answer = call_hosting(context, method, at, http_client=other)
+                expect.refused(answer, "not_found")
+            mine = context.client_with_token(key["secret"])
+            expect.ok(call_hosting(context, "GET", path, http_client=mine))
+    finally:
+        call_hosting(context, "POST", f"{path}/stop")
+
+
+@requirement("HST-010")
+def test_hst_010_cannot_run_outside_of_a_track(context: CheckContext) -> None:
+    """A benchmark of no track, then that of one. Expect `forbidden`, then a run."""
+    entered_track(context)
+    tracks = expect.ok(call_hosting(context, "GET", "/tracks"))["tracks"]
+    evaluated = {track["benchmark_id"] for track in tracks}
+    listed = context.require(lambda: context.call("list_benchmarks"), 200, "list")
+    names = [row["benchmark_id"] for row in listed["benchmarks"]]
+    outside = [name for name in names if name not in evaluated]
+    if not outside:
+        raise NotApplicable("every benchmark has a track")
+    body = context.submit_body(benchmark_id=outside[0])
+    expect.refused(submit(context, body), "forbidden")
+    expect.ok(submit(context, context.submit_body()), 201)
+
+
+@requirement("HST-014")
+def test_hst_014_participants_are_no_administrators(context: CheckContext) -> None:
+    """A participant asks for reviews, and decides on itself. Expect `forbidden`."""
+    own = require_hosting(call_hosting(context, "GET", "/account"))
+    if own["role"] != "participant":
+        raise NotApplicable("the first account is an administrator")
+    expect.refused(call_hosting(context, "GET", "/reviews"), "forbidden")
+    path = f"/accounts/{own['account']}/decisions"
+    body = {"decision": "suspend", "reason": "A check of the conformance kit."}
+    expect.refused(call_hosting(context, "POST", path, body), "forbidden")
+
+
+@requirement("HST-015")
+def test_hst_015_a_run_counts_at_once(context: CheckContext) -> None:
+    """The limits of a track before and after a run. Expect one more of each."""
+
+    def used() -> dict[str, int]:
+        track = expect.ok(call_hosting(context, "GET", f"/tracks/{name}"))
+        return {limit["limit"]: limit["used"] for limit in track["limits"]}
+
+    name = entered_track(context)["track_id"]
+    before = used()
+    if not before:
+        raise NotApplicable("the track has no limits")
+    expect.ok(submit(context, context.submit_body()), 201)
+    expect.equal(used(), {limit: n + 1 for limit, n in before.items()}, "used")
+
+
+@requirement("HST-016")
+def test_hst_016_cannot_make_a_stronger_key(context: CheckContext) -> None:
+    """A key without `run` makes keys. Expect `forbidden` for one that has it."""
+    with made_key(context, scopes=["read", "account"]) as key:
+        client = context.client_with_token(key["secret"])
+        strong = call_hosting(context, "POST", "/keys", {"scopes": ["run"]}, client)
+        expect.refused(strong, "forbidden")
+        weak = call_hosting(context, "POST", "/keys", {"scopes": ["read"]}, client)
+        made = expect.ok(weak, 201)
+        call_hosting(context, "DELETE", f"/keys/{made['key_id']}")
+
+
+@requirement("HST-017")
+def test_hst_017_a_revoked_key_ends_its_streams(context: CheckContext) -> None:
+    """A run is followed with a key that is revoked. Expect the end in five seconds."""
+    if not context.offers("events"):
+        raise NotApplicable("the server has no streams: the profile `events`")
+    entered_track(context)
+    run = context.submit("score")
+    operation = context.spec.operations["stream_events"]
+    with made_key(context, scopes=["read"]) as key:
+        client = context.client_with_token(key["secret"])
+        path = client.base_url + operation.path.format(run_id=run.id)
+        with client.stream(operation, path, {}) as stream:
+            if isinstance(stream, Answer):
+                expect.ok(stream)
+                return
+            call_hosting(context, "DELETE", f"/keys/{key['key_id']}")
+            began = time.monotonic()
+            end = threading.Timer(LOOKS_S, stream.shut_down)
+            end.start()
+            for _ in stream.parts():
+                pass
+            end.cancel()
+            took_s = time.monotonic() - began
+            expect.in_time(took_s, ENDS_S, "the stream ends")
+
+
+@requirement("HST-018")
+def test_hst_018_a_program_waits_for_its_key(context: CheckContext) -> None:
+    """A code waits, another is unknown. Expect `authorization_pending`, `not_found`."""
+    begun = expect.ok(call_with_form(context, "/device_authorizations", label="kit"))
+
+    def poll(code: str) -> Answer:
+        return call_with_form(
+            context, "/device_tokens", grant_type=GRANT, device_code=code
+        )
+
+    waiting = expect.ok(poll(begun["device_code"]), 202)
+    expect.equal(waiting["error"], "authorization_pending", "error")
+    expect.refused(poll("unknown"), "not_found")
+
+
+@requirement("HST-019")
+def test_hst_019_a_submission_says_what_follows(context: CheckContext) -> None:
+    """A submission is created and stopped. Expect a deadline until it is stopped."""
+    track = entered_track(context)["track_id"]
+    answer = call_hosting(context, "POST", "/submissions", {"track_id": track})
+    created = expect.ok(answer, 201)
+    path = f"/submissions/{created['submission_id']}"
+    read = expect.ok(call_hosting(context, "GET", path))
+    for submission in (created, read):
+        for member in ("deadline_at", "reason", "next_action"):
+            expect.true(submission.get(member), f"{member} of a new submission")
+    stopped = expect.ok(call_hosting(context, "POST", f"{path}/stop"))
+    expect.equal(stopped["state"], "stopped", "state")

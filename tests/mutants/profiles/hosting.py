@@ -1,0 +1,127 @@
+"""Mutants of the profile `hosting`: accounts, keys, tracks and submissions."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import msgspec
+
+from reference_platform.accounts import account_rules
+from reference_platform.accounts.account_keys import Key, Keys
+from reference_platform.accounts.accounts import Accounts
+from reference_platform.accounts.devices import Devices
+from reference_platform.http import api_calls, api_handlers
+from reference_platform.submissions.submission_store import SubmissionStore
+from reference_platform.tracks import tracks
+from reference_server.http.auth import hash_of
+from reference_server.rules.refusal import Refused
+from tests.mutants import instead_of, mutant
+
+
+@mutant("HST-001", through=instead_of(account_rules, "check_sign_up"))
+def names_one_wrong_member_of_many(right: Any, filled: Any) -> None:
+    """A person corrects a form again and again."""
+    try:
+        right(filled)
+    except Refused as refused:
+        refused.errors = refused.errors[:1]
+        raise
+
+
+@mutant("HST-002", through=instead_of(Accounts, "register"))
+async def says_which_addresses_are_known(
+    right: Any, self: Accounts, filled: Any, *rest: Any, **more: Any
+) -> Any:
+    """A spammer learns which researchers take part."""
+    statement = "SELECT count(*) FROM accounts WHERE email = ?"
+    if self.database.number(statement, filled.email):
+        raise Refused("invalid_request", "There is an account with this address.")
+    return await right(self, filled, *rest, **more)
+
+
+@mutant("HST-007", through=instead_of(Keys, "make"))
+def stores_the_secret_of_a_key(right: Any, self: Keys, *rest: Any) -> Any:
+    """Every page that lists keys shows what others could use."""
+    key, secret = right(self, *rest)
+    self._database.execute(
+        "UPDATE keys SET label = ? WHERE key_id = ?", secret, key.key_id
+    )
+    return key, secret
+
+
+@mutant("HST-008", "HST-017", through=instead_of(Keys, "revoke"))
+def only_says_that_a_key_is_revoked(
+    right: Any, self: Keys, account: str, key_id: str, now: float
+) -> None:
+    """A stolen key works until it expires."""
+    if all(key.key_id != key_id for key in self.of_account(account, now)):
+        right(self, account, key_id, now)
+
+
+@mutant("HST-008", through=instead_of(Keys, "find"))
+def accepts_revoked_keys_for_its_own_api(
+    right: Any, self: Keys, secret: str, now: float
+) -> Any:
+    """A thief of a revoked key makes new ones with it."""
+    statement = "SELECT * FROM keys WHERE hash = ?"
+    found = self._database.row(Key, statement, hash_of(secret))
+    return right(self, secret, now) or found
+
+
+@mutant("HST-009", through=instead_of(SubmissionStore, "get_own"))
+def shows_the_submissions_of_others(
+    _right: Any, self: SubmissionStore, submission_id: str, _account: str
+) -> Any:
+    """Competitors read what others hand in."""
+    return self.get(submission_id)
+
+
+@mutant("HST-009", through=instead_of(Keys, "revoke"))
+def revokes_the_keys_of_others(
+    _right: Any, self: Keys, _account: str, key_id: str, now: float
+) -> None:
+    """A competitor ends the evaluation of another."""
+    self._database.execute(
+        "UPDATE keys SET revoked_at = ? WHERE key_id = ?", now, key_id
+    )
+
+
+@mutant("HST-010", through=instead_of(tracks, "choose_track"))
+def admits_runs_of_any_benchmark(_right: Any, entered: Any, *_rest: Any) -> Any:
+    """Participants use the machines of the host for what is not evaluated."""
+    return entered[0]
+
+
+@mutant("HST-014", through=instead_of(api_calls, "_authenticate"))
+def lets_every_account_review(right: Any, parts: Any, request: Any, scope: str) -> Any:
+    """A participant approves its own accounts, and reads the addresses of others."""
+    return right(parts, request, "read" if scope == "host" else scope)
+
+
+@mutant("HST-015", through=instead_of(tracks, "usages"))
+def counts_runs_that_have_ended(right: Any, track: Any, runs: Any, now: float) -> Any:
+    """Many runs at once are more than the track allows."""
+    return right(track, [run for run in runs if not run.is_open], now)
+
+
+@mutant("HST-016", through=instead_of(api_handlers, "make_key"))
+async def makes_stronger_keys(right: Any, call: Any) -> Any:
+    """A key that may only read, once leaked, makes one that submits runs."""
+    strong = msgspec.structs.replace(call.key, scopes="read run account host")
+    return await right(dataclasses.replace(call, key=strong))
+
+
+@mutant("HST-018", through=instead_of(Devices, "poll"))
+def lets_a_program_wait_for_ever(right: Any, self: Devices, code: str) -> Any:
+    """`proctor login` never says that its code is too old."""
+    try:
+        return right(self, code)
+    except Refused:
+        return "authorization_pending"
+
+
+@mutant("HST-019", through=instead_of(api_handlers, "submission_view"))
+def has_submissions_without_a_deadline(right: Any, submission: Any) -> Any:
+    """A submission is stuck, and its owner waits for weeks."""
+    return right(submission) | {"deadline_at": None}

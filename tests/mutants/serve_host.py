@@ -1,0 +1,65 @@
+"""`python -m tests.mutants.serve_host [NAME]`: a host, with one thing wrong.
+
+The tokens that a kit gives to a server are keys here, of accounts that have entered a
+track on calibration. Without a name nothing is wrong.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import sys
+import time
+from pathlib import Path
+
+from reference_platform.accounts.account_keys import Key
+from reference_platform.accounts.account_rules import SignUp
+from reference_platform.command_line import host_command
+from reference_platform.parts import Parts
+from reference_platform.tracks.track_rules import Track
+from reference_server.http.auth import hash_of
+from tests.mutants import load
+
+YEAR_S = 366 * 86_400.0
+
+
+def prepare(database: Path, tokens: str) -> None:
+    """Make the accounts, their keys and the track."""
+    parts, now = Parts.of(database), time.time()
+    track = Track(
+        "kit", "For the kit", "calibration", now - 60, now + YEAR_S, total=10_000
+    )
+    parts.tracks.put(track, "the kit")
+    entries = [entry.split(":") for entry in tokens.split(",")]
+    for name in dict.fromkeys(account for account, _, _ in entries):
+        filled = SignUp(
+            account=name, full_name="Kit", organisation="Kit", agrees=True,
+            email=f"{name}@example.org", password="a password for kits",
+        )  # fmt: skip
+        asyncio.run(parts.accounts.register(filled))
+        account = parts.accounts.decide(name, "approve", "", "the kit")
+        parts.tracks.enter("kit", account)
+    for account_name, scopes, token in entries:
+        names = scopes.replace("+", " ") + (" account" if "run" in scopes else "")
+        key = Key(
+            f"key_{hash_of(token)[:16]}", hash_of(token), account_name, "kit", names,
+            now, now + YEAR_S, None, None,
+        )  # fmt: skip
+        parts.database.insert("keys", key)
+    parts.database.close()
+
+
+def main() -> int:
+    options = sys.argv[1:]
+    if options and not options[0].startswith("-"):
+        load()[options.pop(0)].patch()
+    database = Path(os.environ["PROCTOR_DATABASE"]).with_name("hosting.sqlite")
+    tokens = os.environ.pop("PROCTOR_TOKENS")
+    if not database.exists():
+        prepare(database, tokens)
+    sys.argv = ["proctor-host", "--database", str(database), "--", *options]
+    return host_command.start()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
