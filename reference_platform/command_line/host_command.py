@@ -26,7 +26,7 @@ from reference_platform.http.server_calls import ServerRuns
 from reference_platform.mail.outbox import BadMailServer, MailServer
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
-from reference_platform.sandbox.interface import SandboxUnavailable
+from reference_platform.sandbox.sandbox_interface import SandboxUnavailable
 from reference_platform.storage.platform_database import BadDatabase
 from reference_platform.submissions.hosted_parts import (
     HostedParts,
@@ -246,7 +246,7 @@ class _Host:
 
 
 def _ending_with_us() -> Sequence[str]:
-    """What makes a program end when this process is killed, where that can be done."""
+    """Words that make a program end when this process is killed, if there are any."""
     if shutil.which("setpriv") is None:
         return ()
     return ("setpriv", "--pdeathsig", "KILL", "--")

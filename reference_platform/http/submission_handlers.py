@@ -21,7 +21,7 @@ from reference_platform.images.image_reviews import (
     ReviewedImage,
 )
 from reference_platform.images.presets import Presets
-from reference_platform.images.uploads import Upload, UploadFolder
+from reference_platform.images.upload_folder import Upload, UploadFolder
 from reference_platform.submissions.interfaces import LogLine
 from reference_platform.submissions.lifecycle import FINAL, Submission
 from reference_platform.submissions.submission_logs import FileLogs
@@ -34,7 +34,7 @@ _EVENT_STREAM: Final = "text/event-stream"
 
 class NewSubmission(msgspec.Struct, forbid_unknown_fields=True):
     track_id: str
-    kind: Literal["image", "code"]
+    kind: Literal["image", "code"] = "image"
     preset: str = ""
     policy_name: str = ""
 
@@ -196,18 +196,18 @@ class SubmissionHandlers:
             "submission_id": submission.submission_id,
             "track_id": submission.track_id,
             "kind": submission.kind,
-            "preset": submission.preset or None,
+            "preset": submission.preset,
             "policy_name": submission.policy_name,
-            "digest": submission.digest or None,
-            "image_state": None if image is None else image.state,
+            "digest": submission.digest,
+            "image_state": "" if image is None else image.state,
             "state": submission.state,
             "reason": submission.reason,
-            "cause": submission.cause or None,
-            "next_action": submission.next_action or None,
+            "cause": submission.cause,
+            "next_action": submission.next_action,
             "created_at": time_text(submission.created_at),
             "entered_at": time_text(submission.entered_at),
             "deadline_at": time_text(submission.deadline_at),
-            "run_id": submission.run_id or None,
+            "run_id": submission.run_id,
             "is_counted": submission.is_counted,
         }
 

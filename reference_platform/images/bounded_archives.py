@@ -20,7 +20,7 @@ import zstandard
 
 # A header of tar, with extended attributes, is smaller; contents are read in parts.
 READ_BYTES_MAX = 2**20
-# What `zstd --long` needs, and no more.
+# As `zstd --long` needs.
 _WINDOW_BYTES_MAX = 2**27
 
 
@@ -29,7 +29,7 @@ class InvalidArchive(Exception):
 
 
 class Readable(Protocol):
-    """What is read from."""
+    """A source of bytes."""
 
     def read(self, size: int, /) -> bytes: ...
 
@@ -74,7 +74,9 @@ class ForwardReader(io.RawIOBase):
     def seekable(self) -> bool:
         return True
 
-    def tell(self) -> int:
+    @property
+    def position(self) -> int:
+        """How many bytes were read."""
         return self._position
 
     def read(self, size: int = -1, /) -> bytes:
@@ -91,6 +93,8 @@ class ForwardReader(io.RawIOBase):
 
     def seek(self, offset: int, whence: int = io.SEEK_SET, /) -> int:
         """Forward only. Raises InvalidArchive."""
+        if (offset, whence) == (0, io.SEEK_CUR):  # where it is
+            return self._position
         if whence != io.SEEK_SET or offset < self._position:
             raise InvalidArchive("It has a header that points back.")
         while (left := offset - self._position) and self.read(
@@ -145,7 +149,7 @@ def decompressed(source: DigestReader) -> Readable:
 
 @contextmanager
 def archive_errors() -> Iterator[None]:
-    """What readers of archives raise for a broken one, as InvalidArchive."""
+    """Raises InvalidArchive for the errors of libraries at a broken archive."""
     try:
         yield
     except (

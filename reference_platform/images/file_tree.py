@@ -54,7 +54,7 @@ Node: TypeAlias = File | Link | Folder
 
 @dataclass(slots=True)
 class Remarks:
-    """What was left out; `texts` is for the log."""
+    """Counts the things that were left out; `texts` is for the log."""
 
     devices: int = 0
     privileged: int = 0

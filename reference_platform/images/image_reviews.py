@@ -1,8 +1,8 @@
 """The review of an image: an administrator decides before it is run for the first time.
 
-A decision is about bytes, by their digest: whoever uploads the same bytes is served by
-it. A Dockerfile is shown to the reviewer, and never built. Code on a preset of the host
-needs no review.
+A decision is about bytes, by their digest: it holds for every account that uploads the
+same bytes. A Dockerfile is shown to the reviewer, and never built. Code on a preset of
+the host needs no review.
 """
 
 from __future__ import annotations

@@ -89,7 +89,7 @@ class ImageConfig(msgspec.Struct):
 
 
 class ImageProgram(msgspec.Struct, frozen=True):
-    """What runs in an unpacked image. remarks: what was left out, for the log."""
+    """The program of an unpacked image. remarks: what was left out, for the log."""
 
     command: list[str]
     environment: dict[str, str]
@@ -157,7 +157,7 @@ def _read_blobs(file: BinaryIO) -> tuple[_Blobs, Index]:
             continue
         if name.startswith("blobs/sha256/"):
             digest = "sha256:" + name.removeprefix("blobs/sha256/")
-            places[digest] = (reader.tell(), entry.size)
+            places[digest] = (reader.position, entry.size)
         elif name == "index.json":
             index = _decoded(reader.read(entry.size), Index, name)
     if index is None:

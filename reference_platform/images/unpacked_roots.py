@@ -1,7 +1,7 @@
 """Unpacked images and code, by the digest of what was uploaded.
 
-A folder is complete or not there: it is unpacked beside its place and renamed. What was
-refused is not kept.
+A folder is complete or not there: it is unpacked beside its place and renamed. Nothing
+is left of an archive that was refused.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from reference_platform.images.oci_archive import ImageProgram
 from reference_platform.images.unpack_program import Refusal
 
 UNPACK_S_MAX = 3600.0
-# What stays free on the host's disk, whatever an archive has.
+# So much stays free on the host's disk, whatever an archive has.
 _FREE_BYTES = 2**30
 _PROGRAM_FILE, _ROOT = "program.json", "root"
 
 
 class UnpackingFailed(Exception):
-    """The platform could not unpack it; the archive is not to blame."""
+    """The platform could not unpack it; the archive is right."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,7 +25,8 @@ from pathlib import Path
 from socket import socket
 
 from reference_platform.sandbox.control_groups import ControlGroup, ControlGroups
-from reference_platform.sandbox.interface import (
+from reference_platform.sandbox.policy_socket import connect_to_policy
+from reference_platform.sandbox.sandbox_interface import (
     SOCKET_PATH,
     SOCKET_VARIABLE,
     Limits,
@@ -35,7 +36,6 @@ from reference_platform.sandbox.interface import (
     SandboxUnavailable,
     WriteLine,
 )
-from reference_platform.sandbox.policy_socket import connect_to_policy
 from reference_platform.sandbox.system_calls import compiled_filter
 
 # Users of sandboxes, where the platform is root; nothing on the host belongs to them.
@@ -317,7 +317,7 @@ def _process_limits(limits: Limits, user: int | None, *, has_group: bool) -> lis
         values["cpu"] = max(1, int(limits.wall_clock_s * limits.cpus))
     command = ["prlimit"]
     for name, value in values.items():
-        # The platform may itself have less, and nobody can raise that.
+        # The platform may itself have less, which cannot be raised.
         most = resource.getrlimit(getattr(resource, f"RLIMIT_{name.upper()}"))[1]
         least = value if most == resource.RLIM_INFINITY else min(value, most)
         command.append(f"--{name}={least}:{least}")

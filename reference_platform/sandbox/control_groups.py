@@ -17,7 +17,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from reference_platform.sandbox.interface import Limits
+from reference_platform.sandbox.sandbox_interface import Limits
 
 _ROOT = Path("/sys/fs/cgroup")
 _CONTROLLERS = ("cpu", "memory", "pids")
@@ -38,7 +38,7 @@ class ControlGroup:
         return tuple(folder / "cgroup.procs" for folder in self.folders)
 
     def refusals(self) -> list[str]:
-        """What the group has refused, a sentence each."""
+        """A sentence for each kind of thing that the group has refused."""
         texts = []
         killed = self._count(("memory.events", "memory.oom_control"), "oom_kill")
         if killed:

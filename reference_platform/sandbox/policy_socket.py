@@ -13,7 +13,7 @@ import socket
 import stat
 from pathlib import Path, PurePosixPath
 
-from reference_platform.sandbox.interface import SOCKET_PATH, NotListening
+from reference_platform.sandbox.sandbox_interface import SOCKET_PATH, NotListening
 
 _FOLDER = os.O_PATH | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 _ANY_FILE = os.O_PATH | os.O_NOFOLLOW | os.O_CLOEXEC

@@ -1,9 +1,9 @@
 """The filter of system calls, which libseccomp compiles for the kernel.
 
-What is not named here does not exist for a policy (ENOSYS), also what later kernels
-add. Calls that no policy needs and that attack the kernel, the host or other processes
-kill their process, so that its end names them; programs that ask whether a call exists
-are not killed for it.
+A call that is not named here does not exist for a policy (ENOSYS); so it is with those
+that later kernels add. Calls that no policy needs and that attack the kernel, the host
+or other processes kill their process, so that its end names them; programs that ask
+whether a call exists are not killed for it.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from reference_platform.sandbox.interface import SandboxUnavailable
+from reference_platform.sandbox.sandbox_interface import SandboxUnavailable
 
 _ALLOW = 0x7FFF0000
 _KILL_PROCESS = 0x80000000

@@ -1,4 +1,4 @@
-"""What hosted submissions need, put together in one folder of the host.
+"""The parts of hosted submissions, put together in one folder of the host.
 
 `uploads/`, `roots/` (which users of sandboxes enter), `logs/`, `presets/`, and
 `sockets/`, which the server is given as `--policy-sockets`.
@@ -13,16 +13,16 @@ from typing import Final
 from reference_platform.images.image_reviews import ImageReviews
 from reference_platform.images.presets import Presets
 from reference_platform.images.unpacked_roots import UnpackedRoots
-from reference_platform.images.uploads import UploadFolder
+from reference_platform.images.upload_folder import UploadFolder
 from reference_platform.sandbox.bubblewrap import BubblewrapMaker
-from reference_platform.sandbox.interface import SandboxSpec, SandboxUnavailable
+from reference_platform.sandbox.sandbox_interface import SandboxSpec, SandboxUnavailable
 from reference_platform.submissions.interfaces import AccountTokens
 from reference_platform.submissions.lifecycle import FINAL
 from reference_platform.submissions.policy_specs import PolicySpecs
 from reference_platform.submissions.sandboxed_runner import SandboxedRunner
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.submissions.submission_store import SubmissionStore
-from reference_platform.submissions.supervisor import SubmissionSupervisor
+from reference_platform.submissions.submission_supervisor import SubmissionSupervisor
 
 # `sockets/` and a name; the path of a Unix socket has at most 107 bytes.
 _FOLDER_CHARS_MAX: Final = 107 - len("/sockets/.sock") - 32

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from reference_platform.images.presets import BadPreset, Presets
 from reference_platform.images.unpacked_roots import UnpackedRoots, UnpackingFailed
-from reference_platform.sandbox.interface import CODE_PATH, Limits, SandboxSpec
+from reference_platform.sandbox.sandbox_interface import CODE_PATH, Limits, SandboxSpec
 from reference_platform.submissions.interfaces import Uploads
 from reference_platform.submissions.lifecycle import Submission
 
@@ -23,9 +23,9 @@ class PolicySpecs:
     limits: Limits = field(default_factory=Limits)
 
     async def make(self, submission: Submission) -> tuple[SandboxSpec, list[str]]:
-        """What is run, and remarks for the log.
+        """The specification of its sandbox, and remarks for the log.
 
-        Raises InvalidArchive if the upload is to blame, UnpackingFailed otherwise.
+        Raises InvalidArchive for a fault of the upload, UnpackingFailed otherwise.
         """
         try:
             archive = self.uploads.path_of(submission.account, submission.digest)

@@ -2,7 +2,7 @@
 
 A verification and an evaluation take the same way; a verification stops its run after
 some episodes, and belongs to the platform, so that it uses no quota and has no entry.
-What is counted, scored, stopped and resumed is decided by the rules of runs.
+The rules of runs decide what is counted, scored, stopped and resumed.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from reference_client.errors import ProctorError
 from reference_client.protocol.retry_policy import Interrupted
 from reference_platform.images.bounded_archives import InvalidArchive
 from reference_platform.images.unpacked_roots import UnpackingFailed
-from reference_platform.sandbox.interface import (
+from reference_platform.sandbox.sandbox_interface import (
     SOCKET_PATH,
     NotListening,
     Sandbox,
@@ -36,13 +36,13 @@ from reference_platform.submissions.interfaces import (
     Track,
 )
 from reference_platform.submissions.lifecycle import Submission
-from reference_platform.submissions.policy_bridge import bridge
 from reference_platform.submissions.policy_specs import PolicySpecs
 from reference_platform.submissions.server_runs import (
     ServerRun,
     hosted_name,
     hosted_url,
 )
+from reference_platform.submissions.socket_bridge import bridge
 
 # The account of verifications.
 PLATFORM_ACCOUNT = "platform"

@@ -27,7 +27,7 @@ _decoder = msgspec.json.Decoder(LogLine)
 
 @dataclass(slots=True)
 class _Written:
-    """What of one log is on the disk. policy_bytes: of the texts of the policy."""
+    """The size of one log on the disk. policy_bytes: of the texts of the policy."""
 
     lines: int = 0
     policy_bytes: int = 0

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from reference_platform.images.uploads import Upload, UploadFolder
+from reference_platform.images.upload_folder import Upload, UploadFolder
 from reference_server.rules.refusal import Refused
 from tests.support.platform.archives import digest_of
 

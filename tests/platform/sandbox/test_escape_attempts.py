@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 
 from reference_platform.sandbox.bubblewrap import BubblewrapMaker
-from reference_platform.sandbox.interface import SandboxEnd, SandboxSpec
+from reference_platform.sandbox.sandbox_interface import SandboxEnd, SandboxSpec
 from tests.support.paths import ROOT
 from tests.support.platform.sandboxes import (
     SMALL,

@@ -19,7 +19,7 @@ import pytest
 from reference_platform.sandbox import control_groups
 from reference_platform.sandbox.bubblewrap import BubblewrapMaker
 from reference_platform.sandbox.control_groups import ControlGroups
-from reference_platform.sandbox.interface import (
+from reference_platform.sandbox.sandbox_interface import (
     CODE_PATH,
     NotListening,
     Sandbox,
@@ -213,7 +213,7 @@ def _processes_with(mark: str) -> list[str]:
     return [command for command in commands if mark in command]
 
 
-def test_a_host_without_bubblewrap_is_told_what_to_install(
+def test_a_host_without_bubblewrap_gets_the_name_of_the_package(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     which = shutil.which
@@ -226,7 +226,7 @@ def test_a_host_without_bubblewrap_is_told_what_to_install(
         BubblewrapMaker()
 
 
-def test_a_host_without_user_namespaces_is_told_what_to_allow() -> None:
+def test_a_host_without_user_namespaces_gets_the_way_to_allow_them() -> None:
     code = """
 import asyncio
 from tests.platform.sandbox import test_sandbox_ends as ends

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from argon2 import PasswordHasher
 
-from reference_client.protocol.hosting_client import pack_code
+from reference_client.hosting.hosting_client import pack_code
 from reference_platform.accounts.account_rules import Role
 from reference_platform.parts import Parts
 from tests.support.paths import ROOT

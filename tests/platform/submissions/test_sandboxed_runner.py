@@ -71,7 +71,9 @@ BEHAVIOURS = {
 
 
 @pytest.mark.parametrize("behaviour", BEHAVIOURS)
-async def test_a_policy_that_fails_is_told_why(host: Hosting, behaviour: str) -> None:
+async def test_a_policy_that_fails_gets_the_reason(
+    host: Hosting, behaviour: str
+) -> None:
     name = f"bad-{behaviour}"
     submission = submission_of(upload(host, "code", behaviour), "code", name)
     outcome = await host.runner.verify(submission, TRACK)

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from reference_platform.sandbox.interface import MIB, Limits
+from reference_platform.sandbox.sandbox_interface import MIB, Limits
 
 SMALL = Limits(
     cpus=2.0,

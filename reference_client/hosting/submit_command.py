@@ -18,12 +18,12 @@ from reference_client.command.output.text_tables import fact_table
 from reference_client.command.server_connection import retry_policy_of
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
-from reference_client.protocol.connection import Connection
-from reference_client.protocol.hosting_client import (
+from reference_client.hosting.hosting_client import (
     HostedSubmission,
     HostingClient,
     pack_code,
 )
+from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
 
 _LOOK_S = 0.5
@@ -54,8 +54,8 @@ def submit_policy(args: Options, printer: Printer) -> int:
         "submission": name,
         "state": submission.state,
         "reason": submission.reason,
-        "next": submission.next_action,
-        "results": None if run is None else f"proctor results {run}",
+        "next": submission.next_action or None,
+        "results": f"proctor results {run}" if run else None,
     }
     printer.answer(
         {"submission_id": name, "state": submission.state}
@@ -147,7 +147,7 @@ def _follow(
             after = line.number
         state = f"{submission.state}: {submission.reason}"
         if state != said and not submission.has_ended:
-            printer.say(f"{state} {submission.next_action or ''}")
+            printer.say(f"{state} {submission.next_action}")
             said = state
         if submission.has_ended or (verify_only and submission.state == "verified"):
             return submission

@@ -1,8 +1,8 @@
 """Files that accounts upload: in parts, each durable, and complete by their digest.
 
 A file of an account is named by its digest. Another account that knows the digest has
-nothing of it: it must upload the bytes. What has arrived survives a kill of the
-platform, and the next part begins where it ends. No part is held in memory.
+nothing of it: it must upload the bytes. The bytes that have arrived survive a kill of
+the platform, and the next part begins where they end. No part is held in memory.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ class UploadFolder:
 async def _write(
     part: Path, offset: int, size: int, parts: AsyncIterator[bytes]
 ) -> None:
-    """Raises Refused for bytes beyond the size. What has arrived stays, also then."""
+    """Raises Refused for bytes beyond the size. The bytes before them stay."""
     with await asyncio.to_thread(part.open, "ab") as file:
         try:
             async for content in parts:

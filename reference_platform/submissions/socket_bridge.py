@@ -12,7 +12,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
-from reference_platform.sandbox.interface import NotListening, Sandbox
+from reference_platform.sandbox.sandbox_interface import NotListening, Sandbox
 
 _PART_BYTES = 2**16
 _CONNECTIONS_MAX = 64

@@ -1,4 +1,4 @@
-"""What a sandbox is for the runner of submissions, whatever makes it.
+"""The interface of a sandbox for the runner of submissions.
 
 `bubblewrap.py` is the implementation. Another one, for a node of a cluster or for a
 container engine, gives the same promises: the policy reaches no network, no file of the
@@ -56,7 +56,7 @@ class Limits:
 
 @dataclass(frozen=True, slots=True)
 class SandboxSpec:
-    """What is started.
+    """The program that is started, and all that it sees.
 
     root: a folder that becomes `/`, read-only; without one, `/` has only the binds.
     binds: path in the sandbox → path of the host, read-only.

@@ -26,7 +26,7 @@ BLOCK_BYTES = 8 * 2**20
 _UPLOAD_TIMEOUTS_S = (TIMEOUTS_S[0], 600.0)
 _JSON = "application/json"
 _Answer = TypeVar("_Answer")
-# What is no part of a policy, and may be large.
+# These are not parts of a policy, and may be large.
 LEFT_OUT = frozenset({".git", ".hg", ".venv", "__pycache__", ".mypy_cache", ".cache"})
 
 
@@ -36,9 +36,8 @@ class HostedSubmission(msgspec.Struct):
     submission_id: str
     state: str
     reason: str
-    next_action: str | None = None
-    image_state: str | None = None
-    run_id: str | None = None
+    next_action: str = ""
+    run_id: str = ""
 
     @property
     def has_ended(self) -> bool:
