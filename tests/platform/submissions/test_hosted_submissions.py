@@ -136,6 +136,9 @@ def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> No
         with host.client(key) as client:
             refused = client.get("/v1/hosting/images")
             assert refused.status_code == 403
+        assert f"{digest} waiting   cyd" in host.admin("image", "list")
+        assert host.admin("image", "show", digest) == "FROM scratch"
+        assert "uploaded" in host.admin("submission", "list")
         with host.client(key_of(host, "gil", "read", "host")) as client:
             (waiting,) = client.get("/v1/hosting/images").json()["images"]
             assert (waiting["digest"], waiting["account"]) == (digest, "cyd")
