@@ -47,7 +47,8 @@ conformance-simulator: setup; @$(python) -m conformance.simulator $(ARGS) $(CMD)
 apart := $(patsubst gym_%,%,$(firstword $(foreach name,gym_aloha robosuite metaworld,\
 	$(findstring $(name),$(subst gymnasium_robotics,metaworld,$(BENCHMARK))))))
 serving := .venv$(if $(apart),-$(apart),$(if $(wildcard requirements/own.in),-own))
-serve: $(serving)/ready ## Run the reference server
+export LIBERO_PYTHON ?= $(CURDIR)/.venv-libero/bin/python
+serve: $(serving)/ready $(if $(findstring libero,$(BENCHMARK)),libero) ## Run the reference server
 #                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/host/benchmarks.md
 #                   PROFILE=ebench,flageval; ARGS='...' for its options
 	@echo "Starting the server; the first time takes some seconds." >&2; exec $(serving)/bin/python -m reference_server \
@@ -55,15 +56,14 @@ serve: $(serving)/ready ## Run the reference server
 cluster: .venv-cluster/ready; @exec .venv-cluster/bin/python -m tools cluster --nodes 3 --database postgresql --simulators ray $(ARGS) ## Run PostgreSQL, Ray and three servers behind a balancer; ARGS='--nodes 5'
 add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh
-metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart
-metaworld-check: metaworld; @.venv-metaworld/bin/python -m pytest tests/sim/benchmarks/metaworld_checks.py ## Run the tests that need Meta-World
+metaworld: .venv-metaworld/ready ## Install Meta-World and Gymnasium-Robotics apart; `make metaworld-check` tests them
 metaworld-table: metaworld; @OPENBLAS_NUM_THREADS=1 .venv-metaworld/bin/python -m tools both-ways metaworld ## Play its experts directly and through the protocol
-aloha: .venv-aloha/ready ## Install gym-aloha apart
-aloha-check: aloha; @.venv-aloha/bin/python -m pytest tests/sim/benchmarks/aloha_checks.py ## Run the tests that need gym-aloha
-robosuite: .venv-robosuite/ready ## Install robosuite apart
-robosuite-check: robosuite; @.venv-robosuite/bin/python -m pytest tests/sim/benchmarks/robosuite_checks.py ## Run the tests that need robosuite
-lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux)
-lerobot-check: lerobot; @.venv-lerobot/bin/python -m pytest tests/*/*/lerobot_*checks.py ## Run the tests that need LeRobot
+aloha: .venv-aloha/ready ## Install gym-aloha apart; `make aloha-check` tests it
+robosuite: .venv-robosuite/ready ## Install robosuite apart; `make robosuite-check` tests it
+lerobot: .venv-lerobot/ready ## Install LeRobot and torch apart (7 GB on Linux); `make lerobot-check` tests it
+libero: .venv/ready .venv-libero/ready ## Install LIBERO apart; `make libero-check LIBERO_PATH=…` tests it with its assets
+libero-check: libero; @$(python) -m pytest tests/sim/external/libero_checks.py
+%-check: %; @.venv-$*/bin/python -m pytest tests/*/*/$*_*checks.py
 
 tested := setup programs .venv-cluster/ready lint generate-check
 check: setup lint generate-check ## Lint, check generated files, run the fast tests

@@ -55,6 +55,10 @@ _CLIENT_HINTS = {
 }
 
 
+# A run cannot go on after these: it was deleted, or its benchmark is another one now.
+_RUN_ENDING_CODES = ("benchmark_unavailable", "not_found")
+
+
 class ProctorError(Exception):
     """A request was refused, could not be sent, or would be refused if it were sent.
 
@@ -91,6 +95,11 @@ class ProctorError(Exception):
         lines += [f"  {pointer}: {text}" for pointer, text in self.errors]
         super().__init__("\n".join(lines))
 
+    @property
+    def ends_run(self) -> bool:
+        """Whether the run of the evaluation cannot be continued after this error."""
+        return self.code in _RUN_ENDING_CODES
+
     def explained(self, more: str) -> ProctorError:
         """The same error with one more sentence."""
         return ProctorError(
@@ -116,9 +125,13 @@ class RunFailed(ProctorError):
             if run.retryable
             else "It cannot be resumed."
         )
-        detail = f"Run {run.run_id} failed: {run.reason} {cure}"
+        detail = f"Run {run.run_id} failed: {as_sentence(run.reason)} {cure}"
         super().__init__("run_failed", detail, retryable=bool(run.retryable))
         self.run = run
+
+    @property
+    def ends_run(self) -> bool:
+        return not self.retryable
 
 
 class RunStopped(ProctorError):
@@ -126,7 +139,7 @@ class RunStopped(ProctorError):
 
     def __init__(self, run: Run) -> None:
         detail = (
-            f"Run {run.run_id} is stopped: {run.reason} "
+            f"Run {run.run_id} is stopped: {as_sentence(run.reason)} "
             f"Scored episodes are kept; {how_to_resume(run.run_id)}."
         )
         super().__init__("run_stopped", detail, retryable=True)
@@ -142,6 +155,12 @@ class PolicyFailed(ProctorError):
     def __init__(self, detail: str, traceback: str) -> None:
         super().__init__(POLICY_FAILED, detail)
         self.traceback = traceback
+
+
+def as_sentence(text: str | None) -> str:
+    """The text with a full stop, unless it ends in a mark of its own."""
+    text = (text or "").rstrip()
+    return f"{text}." if text and text[-1] not in ".!?…" else text
 
 
 def how_to_resume(run_id: str, *, takeover: bool = False) -> str:

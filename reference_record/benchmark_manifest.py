@@ -67,7 +67,7 @@ def _without_texts(spaces: Any) -> Any:
 
 
 def without_sealed_seeds(benchmark: Json) -> Json:
-    """SEAL-004: a seed of few bits could be found by its hash, so that of sealed splits
+    """SEAL-005: a seed of few bits could be found by its hash, so that of sealed splits
     is covered by the commitment alone.
     """
     sealed = benchmark.get("sealed_splits")

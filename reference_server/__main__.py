@@ -50,6 +50,7 @@ from reference_sim.gymnasium import BadBenchmark
 from reference_sim.process.ray.actor_process import CannotUseRay
 from reference_sim.process.ray.ray_pool import check_cluster
 from reference_sim.ray_resources import format_resources, parse_resources
+from reference_sim.replay import host_benchmarks
 
 if TYPE_CHECKING:
     from reference_server.monitoring.traces import Traces
@@ -142,12 +143,14 @@ def _serve(
         _print_line(str(error))
         return 2
     made_token.publish(port, None if made is None else settings.token_path)
+    references = {} if made is None else benchmark_registry.own_references()
+    host_benchmarks.publish(port, references)
     tokens = configured or Tokens.of_local_account(str(made))
     limiter = ConnectionLimiter(_connection_limits(settings))
     app = build(settings, tokens, limiter, metrics_listener, traces)
     config = uvicorn.Config(
         app,
-        http=connection_factory(limiter),
+        http=connection_factory(limiter, app.direct),
         ws="none",  # none is offered, and it would have none of the bounds
         log_level=settings.log_level,
         log_config=log_config(

@@ -14,7 +14,7 @@ from typing import Protocol
 
 from reference_server.accounts.account_service import AccountService
 from reference_server.assembly.node_parts import make_node
-from reference_server.assembly.routes import make_router, traced
+from reference_server.assembly.routes import make_endpoints, make_router, traced
 from reference_server.assembly.run_parts import (
     Pools,
     RunParts,
@@ -30,7 +30,7 @@ from reference_server.http.application import Application
 from reference_server.http.auth import Tokens
 from reference_server.http.connections.connection_limits import ConnectionLimiter
 from reference_server.http.event_streams import SharedStreams
-from reference_server.http.handlers import SOFTWARE_VERSION, Handlers
+from reference_server.http.handlers import SOFTWARE_VERSION, TURN_PATH, Handlers
 from reference_server.http.tokens.token_file import TokenFile
 from reference_server.monitoring.health import health_routes
 from reference_server.monitoring.metrics import ServerState, metrics_route
@@ -83,9 +83,12 @@ def build(
         metrics_socket,
         [metrics_route(COUNTERS, state.read), *health_routes(readiness)],
     )
+    endpoints = make_endpoints(handlers, tokens)
     router = make_router(
-        handlers, tokens, readiness, node, node_routes, accounts=accounts
+        handlers, endpoints, readiness, node, node_routes, accounts=accounts
     )
+    # Another node may have the run of a turn, and a span begins in front of the router.
+    is_alone = node_routes is None and traces is None
     server = _Server(
         settings,
         stored,
@@ -105,6 +108,7 @@ def build(
         server.lifespan,
         server.begin_drain,
         lambda: runs.executor.turns_in_progress,
+        endpoints[TURN_PATH] if is_alone else None,
     )
 
 

@@ -104,6 +104,7 @@ def add(references: str, say: Callable[[str], None]) -> None:
                     "change it in the file"
                 )
             _BENCHMARKS[benchmark_id] = definition
+            _REFERENCES[benchmark_id] = reference
 
 
 def _benchmarks_of(
@@ -118,6 +119,11 @@ def _benchmarks_of(
 
 def benchmark_ids() -> tuple[str, ...]:
     return tuple(sorted(_BENCHMARKS))
+
+
+def own_references() -> Mapping[str, str]:
+    """The reference of each benchmark that was added, by its id."""
+    return _REFERENCES
 
 
 def resolve(
@@ -204,6 +210,7 @@ def _choose_images(manifest: Json, images: Mapping[str, Any] | None) -> Json:
     return {"codec": images["codec"], **size}
 
 
+_REFERENCES: dict[str, str] = {}
 _BENCHMARKS: dict[str, BenchmarkDefinition] = {
     **calibration.BENCHMARKS,
     **mobile_bimanual.BENCHMARKS,

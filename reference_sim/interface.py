@@ -12,7 +12,7 @@ in a reward.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -54,6 +54,19 @@ class StepOutcome:
 
 class TaskUnplayable(Exception):
     """The task can never be played: a broken asset, for example (FAULT-005)."""
+
+
+class ChangedSource(Exception):
+    """The files differ from those of the manifest; the text has the cure."""
+
+    @classmethod
+    def of(cls, names: Iterable[str]) -> ChangedSource:
+        """The exception of files that are not those of the manifest."""
+        return cls(
+            f"{', '.join(names)} has changed since the server started, and this run "
+            "needs it as it was: undo the change, or restart the server to offer the "
+            "changed benchmark to new runs"
+        )
 
 
 class Simulator(Protocol):

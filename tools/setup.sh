@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes an environment equal to its lock: `sh tools/setup.sh dev` (.venv), `aloha`,
-# `bench`, `cluster`, `generate`, `lerobot`, `metaworld`, `own` or `robosuite`
-# (.venv-NAME). uv does the work; here is what uv cannot do: pip brings uv itself, by the
+# `bench`, `cluster`, `generate`, `lerobot`, `libero`, `metaworld`, `own` or
+# `robosuite` (.venv-NAME). uv does the work; here is what uv cannot do: pip brings uv itself, by the
 # hash in the lock, to a machine that has nothing but Python, and root on Debian or Ubuntu
 # gets the GL libraries that camera images need. PYTHON names the Python to use; otherwise
 # the first that is new enough.

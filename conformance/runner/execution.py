@@ -16,6 +16,7 @@ from conformance.runner.pytest_plugin import (
     docstring_of,
     requirement_of,
 )
+from conformance.runner.worker_processes import CAN_FORK, Properties, WorkerProcesses
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import OF_OTHER_PROGRAMS, PROFILES
 from conformance.verdicts.universal_rules import Tally
@@ -37,11 +38,12 @@ class ResultCollector:
         self.verdicts: dict[str, Verdict] = {}
         self.tally = Tally(load_spec())
         self.problem: str | None = None
+        self.collect: Callable[[Properties], None] = self.add
         self._progress = progress
         self._total = 0
 
     def pytest_collection_finish(self, session: pytest.Session) -> None:
-        """Store the number of checks (0 in an xdist controller)."""
+        """Store the number of checks."""
         self._total = len(session.items)
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
@@ -55,17 +57,24 @@ class ResultCollector:
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Take the verdict and the tally that the plugin attached."""
-        if report.when != "teardown":
-            return
-        for name, value in report.user_properties:
-            if name == VERDICT and isinstance(value, dict):
-                self._add(Verdict.from_plain(value))
-            elif name == TALLY and isinstance(value, dict):
+        if report.when == "teardown":
+            self.collect(report.user_properties)
+
+    def redirect(self, collect: Callable[[Properties], None]) -> None:
+        """Send everything on instead of storing it; for a process of its own."""
+        self.collect = collect
+
+    def add(self, properties: Properties) -> None:
+        """Add what the plugin attached to the report of one check."""
+        for name, value in properties:
+            if name == VERDICT:
+                self._add_verdict(Verdict.from_plain(value))
+            elif name == TALLY:
                 self.tally.add_plain(value)
             elif name == SERVER_UNREACHABLE:
                 self.problem = self.problem or str(value)
 
-    def _add(self, verdict: Verdict) -> None:
+    def _add_verdict(self, verdict: Verdict) -> None:
         earlier = self.verdicts.get(verdict.requirement_id)
         if earlier is not None and verdict.outcome == Outcome.PASSED:
             return
@@ -92,7 +101,16 @@ def execute(
 ) -> ResultCollector:
     """Run the selected checks."""
     collector = ResultCollector(progress)
-    code = _run_pytest(settings, collector, processes)
+    plugins: list[object] = [collector]
+    if processes > 1 and CAN_FORK:
+        workers = WorkerProcesses(
+            processes,
+            collect=collector.add,
+            redirect=collector.redirect,
+            must_stop=lambda: collector.problem is not None,
+        )
+        plugins.append(workers)
+    code = _run_pytest(settings, plugins)
     if collector.problem is None and code not in _REGULAR_EXIT_CODES:
         collector.problem = f"internal error of the kit: pytest ended with code {code}"
     if collector.problem is None and code == pytest.ExitCode.INTERRUPTED:
@@ -106,14 +124,14 @@ def list_checks(chosen: Settings | None = None) -> list[list[str]]:
     everything = Settings(profiles=profiles)
     everything.assume_all_offered()
     collector = _CheckCollector()
-    code = _run_pytest(chosen or everything, collector, 0, "--collect-only")
+    code = _run_pytest(chosen or everything, [collector], "--collect-only")
     if code not in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED):
         raise RuntimeError(f"the checks cannot be collected: pytest's code {code}")
     return collector.checks
 
 
 def _run_pytest(
-    settings: Settings, plugin: object, processes: int, *more: str
+    settings: Settings, plugins: list[object], *more: str
 ) -> int | pytest.ExitCode:
     settings.store_in_environment()
     # Plugins and configuration of the operator must not change a verdict.
@@ -140,6 +158,4 @@ def _run_pytest(
         "-pno:warnings",
         *more,
     ]
-    if processes > 1:
-        arguments += ["-pxdist.plugin", f"-n{processes}", "--dist=loadgroup"]
-    return pytest.main(arguments, plugins=[plugin])
+    return pytest.main(arguments, plugins=plugins)

@@ -1,11 +1,12 @@
 """The pytest plugin that runs the checks: selection, contexts, background, verdicts.
 
 pytest collects and schedules; it decides nothing. The exception of a check becomes a
-verdict in verdicts/verdict_of_check.py. The verdict is attached to the test report
-(also of xdist workers) for the command line, which owns the result.
+verdict in verdicts/verdict_of_check.py. The verdict is attached to the test report for
+the command line, which owns the result.
 """
 
 import functools
+import gc
 import inspect
 import threading
 import time
@@ -183,9 +184,15 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "requirement(id): the rule that a check judges")
     config.addinivalue_line("markers", "background: waits, so it runs in a thread")
     config.addinivalue_line("markers", "long_run: reads a run of many episodes")
-    config.addinivalue_line("markers", "xdist_group(name): stays in one process")
+    config.addinivalue_line("markers", "one_process(name): runs where its like run")
     config.stash[_SHARED] = SharedContext.of(Settings.load_from_environment())
     config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
+
+
+def pytest_collection_finish() -> None:
+    """Spare what exists now from the search for garbage, which would take seconds."""
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.hookimpl(trylast=True)
@@ -220,7 +227,7 @@ def pytest_collection_modifyitems(
             item.add_marker("background")
         if _waits(item):
             # One process starts them all, so that they wait together.
-            item.add_marker(pytest.mark.xdist_group("background"))
+            item.add_marker(pytest.mark.one_process("background"))
     if settings.quick and not settings.fail_fast:
         items[:] = _interleave_files(items)
     items.sort(
@@ -268,11 +275,8 @@ def _is_long(item: pytest.Item) -> bool:
 
 
 def pytest_runtestloop(session: pytest.Session) -> None:
-    """Start the background checks before the first check (xdist workers: later)."""
-    is_worker = hasattr(session.config, "workerinput")
-    is_controller = session.config.getoption("numprocesses", default=None)
-    is_late = session.config.stash[_SHARED].settings.is_time_up
-    if not is_worker and not is_controller and not is_late:
+    """Start the background checks before the first check, if this process runs all."""
+    if not session.config.stash[_SHARED].settings.is_time_up:
         _start_background(session)
 
 

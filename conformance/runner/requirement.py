@@ -24,5 +24,5 @@ def on_long_run(check: Check) -> Check:
 
     `--quick` leaves such checks out, as it does those that wait or kill the server.
     """
-    marked: Check = pytest.mark.long_run(pytest.mark.xdist_group("long run")(check))
+    marked: Check = pytest.mark.long_run(pytest.mark.one_process("long run")(check))
     return marked

@@ -38,6 +38,10 @@ _SCHEMA: Mapping[str, Any] = {
         "shared_memory": {"type": "boolean"},
         "splits": {"type": "array", "items": {"type": "object", "required": ["name"]}},
         "image_sizes": {"type": "array"},
+        "sources": {
+            "type": "object",
+            "additionalProperties": {"type": "string", "pattern": "^[0-9a-f]{64}$"},
+        },
     },
 }
 _OBSERVED = {"state": "VectorSpace", "images": "ImageSpace", "tensors": "TensorSpace"}

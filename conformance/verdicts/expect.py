@@ -176,6 +176,16 @@ def refused(
     return ExpectedBody(body)
 
 
+def no_server_error(answer: Answer) -> None:
+    """Expect a status below 500, or 503."""
+    if answer.status >= 500 and answer.status != 503:
+        expected, observed = (
+            "no status of 500 or above except 503",
+            describe_answer(answer),
+        )
+        raise Violation(expected, observed, answer.exchange, is_alone=True)
+
+
 def equal(observed: Any, expected: Any, what: str) -> None:
     """Expect a value."""
     if observed == expected:

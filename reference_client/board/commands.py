@@ -147,7 +147,9 @@ def _description(args: Options) -> PublishEntry:
 
 def _entry_facts(entry: BoardEntry) -> TextTable:
     state = entry.state if entry.state != "published" else None
-    readers = "every reader of the leaderboard" if entry.is_public else "this account"
+    readers = "this account alone; published again without --private, everyone"
+    if entry.is_public:
+        readers = "every reader of the leaderboard; with --private this account alone"
     if state is not None and entry.is_public:  # a private one has no leaves
         readers = "readers of the history"
     return fact_table(

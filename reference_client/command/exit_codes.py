@@ -51,6 +51,7 @@ _ARGUMENTS = {
     # These parts of the protocol's texts point at a document that a user does not see.
     " Correct what `errors` points at.": "",
     "Read `detail`: ": "",
+    " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
 }
 # Pointer into a refused request → the flag that sets the value there.

@@ -166,7 +166,7 @@ def _evaluate_plan(
     except BaseException as error:
         if isinstance(error, ProctorError):
             shorten_report()
-        if runs:
+        if runs and not (isinstance(error, ProctorError) and error.ends_run):
             error.add_note(printable(_how_to_continue(runs[0], board)))
         raise
     finally:

@@ -15,6 +15,7 @@ from typing import TextIO
 from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.api.policy import WireAction
+from reference_client.errors import as_sentence
 from reference_client.generated.messages import Turn
 from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.silence import LostSession
@@ -70,6 +71,7 @@ class StatusBoard:
         self._scored = False
         self._notes: list[str] = []
         self._is_warned = False
+        self._fault_texts: set[str] = set()
         self.clips = ClipCount()
         self.left: dict[str, LeftEpisode] = {}
         self.lost: list[LostSession] = []
@@ -115,6 +117,17 @@ class StatusBoard:
         with self._lock:
             self.lost.append(lost)
             self._notes.append(f"warning: {lost.describe()}.")
+        self._changed.set()
+
+    def on_fault(self, episode_id: str, text: str) -> None:
+        """The simulator broke, and the episode began again; each text is said once."""
+        with self._lock:
+            if text not in self._fault_texts:
+                self._fault_texts.add(text)
+                self._notes.append(
+                    f"warning: {episode_id} began again, at no cost to the policy: "
+                    f"the simulator broke: {as_sentence(text)}"
+                )
         self._changed.set()
 
     def on_left(self, left: LeftEpisode) -> None:

@@ -88,7 +88,7 @@ class Devices:
         )
 
     def poll(self, code: str) -> tuple[Key, str] | Pending:
-        """The key and its secret, once; or why there is none yet (HST-018). Raises Refused."""
+        """The key and its secret, once; or why there is none yet (HST-018)."""
         now = self.clock()
         device = self.database.row(
             Device,

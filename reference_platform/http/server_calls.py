@@ -106,7 +106,7 @@ class ServerHandlers:
         self._parts, self._runs = parts, runs
 
     async def send_keys(self, request: Request) -> Response:
-        """The valid keys, as soon as they are others than the server knows (HST-017)."""
+        """The valid keys, as soon as the server knows other ones (HST-017)."""
         asked = msgspec.json.decode(await _read(request), type=_AskedKeys)
         if asked.used:
             self._parts.keys.note_used(asked.used)

@@ -3,10 +3,9 @@
 A difference of mean scores may come from one episode of eight. Over all episodes, and
 over those of each task, those that the run scored better are set against those that it
 scored worse: two policies that are equally good on each episode win either with
-probability 1/2 (the exact sign test; of scores 0 and 1 it is McNemar's). Among many
-tasks some differ by chance, so the p of all groups are corrected together (Holm 1979),
-which holds for groups that share episodes, too. A benchmark of a single task has one
-group, not two. The functions are pure.
+probability 1/2 (the exact sign test; of scores 0 and 1 it is McNemar's). The whole is
+one question, whose p stands as it is. Among many tasks some differ by chance, so their
+p are corrected together (Holm 1979). The functions are pure.
 """
 
 from __future__ import annotations
@@ -20,7 +19,10 @@ ALPHA: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class GroupEvidence:
-    """better, worse: episodes that the run scored so. p_value: corrected, two-sided."""
+    """better, worse: episodes that the run scored so. p_value: two-sided.
+
+    That of a task is corrected for the number of tasks.
+    """
 
     better: int
     worse: int
@@ -48,15 +50,15 @@ def weigh_differences(pairs: Iterable[tuple[str, float, float]]) -> Evidence:
         for group in (total, by_task.setdefault(task, [0, 0])):
             group[0] += run > baseline
             group[1] += run < baseline
-    groups = [total] if len(by_task) == 1 else [total, *by_task.values()]
-    p_values = _correct([sign_test(*sides) for sides in groups])
-    overall, *of_tasks = (
-        GroupEvidence(better, worse, p_value)
-        for (better, worse), p_value in zip(groups, p_values, strict=True)
-    )
-    if len(by_task) == 1:
-        of_tasks = [overall]
-    return Evidence(overall, dict(zip(by_task, of_tasks, strict=True)))
+    p_values = _correct([sign_test(*sides) for sides in by_task.values()])
+    of_tasks = {
+        task: GroupEvidence(better, worse, p_value)
+        for (task, (better, worse)), p_value in zip(
+            by_task.items(), p_values, strict=True
+        )
+    }
+    better, worse = total
+    return Evidence(GroupEvidence(better, worse, sign_test(better, worse)), of_tasks)
 
 
 def _correct(p_values: Sequence[float]) -> list[float]:

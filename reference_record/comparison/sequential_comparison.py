@@ -141,7 +141,7 @@ def describe(comparison: SequentialComparison) -> str:
         return _describe_decision(comparison, comparison.at_decision)
     evidence = f"e = {comparison.e_value:.3g} after {comparison.compared} episodes"
     if not comparison.left:
-        return f"no difference shown: {evidence}, {_DECIDES}"
+        return f"all episodes are compared, so that p decides ({evidence})"
     if not comparison.may_decide:
         return f"{evidence}; the {comparison.left} left can no longer show a difference"
     return f"not decided: {evidence}, {_DECIDES}; {comparison.left} left"

@@ -6,10 +6,11 @@ rows a page has: a server selects rows, a report has them all and its script sel
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any, Final
+from urllib.parse import urlencode
 
 from reference_record.comparison.sequential_comparison import describe
 from reference_record.pages import run_page
@@ -73,6 +74,38 @@ class Window:
     def text(self) -> str:
         return f"{len(self.rows)} of {self.total}"
 
+    @property
+    def query(self) -> str:
+        """The selection, for the address of a page that walks through these rows."""
+        chosen = {name: value for name, value in self.selected.items() if value}
+        return f"?{urlencode(chosen)}" if chosen else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Neighbours:
+    """Pages of the episodes before and after one: address and text; empty: none."""
+
+    before: tuple[str, str] = ("", "")
+    after: tuple[str, str] = ("", "")
+
+    @classmethod
+    def of(
+        cls,
+        episodes: Sequence[Document | None],
+        address: Callable[[Document], str],
+    ) -> Neighbours:
+        """episodes: as run_page.around has them."""
+        before, after = (
+            ("", "")
+            if one is None
+            else (
+                address(one),
+                f"{one['episode_id']}, {run_page.status_of(one).replace('_', ' ')}",
+            )
+            for one in episodes
+        )
+        return cls(before, after)
+
 
 @dataclass(frozen=True, slots=True)
 class ShownVideo:
@@ -99,12 +132,16 @@ class PlayedView:
 
 @dataclass(frozen=True, slots=True)
 class Side:
-    """One of two plays of an episode that are shown side by side."""
+    """One of two plays of an episode that are shown side by side.
+
+    film: as that of episode_html.
+    """
 
     run: Document
     episode: Document
     recorded: RecordedEpisode
     played: PlayedView
+    film: Any = None
 
 
 def summary_html(
@@ -166,6 +203,7 @@ def run_html(
         page=window.page,
         pages=window.pages,
         is_whole=window.whole,
+        query=window.query,
         filters={
             "outcome": run_page.ORDER,
             "task": [task for task, _, _ in figures.table.rows],
@@ -250,13 +288,14 @@ def episode_html(
     control_rate_hz: float | None = None,
     problem: str = "",
     film: Any = None,
-    before: str = "",
-    after: str = "",
+    neighbours: Neighbours = Neighbours(),
+    query: str = "",
     csrf: str = "",
 ) -> str:
     """The page of an episode. problem: why there is no recording to show.
 
     film: its state and, where it failed, the reason; None where none can be drawn.
+    query: which episodes of the run the reader walks through.
     """
     known = recorded or RecordedEpisode()
     return render_page(
@@ -276,9 +315,14 @@ def episode_html(
         facts=_episode_facts(episode),
         problem=problem,
         film=film,
-        before=before,
-        after=after,
+        neighbours=neighbours,
+        query=query,
     )
+
+
+def _sealed_text(side: Side) -> str:
+    is_sealed = side.film is None and _is_sealed(side.run, side.episode)
+    return SEALED if is_sealed else ""
 
 
 def _is_sealed(run: Document, episode: Document) -> bool:
@@ -350,6 +394,7 @@ def comparison_html(
         counts=count_kinds(pairs),
         pairs=window.rows,
         selected=window.selected.get("kind", ""),
+        query=f"&kind={kind}" if (kind := window.selected.get("kind", "")) else "",
         page=window.page,
         pages=window.pages,
         is_whole=window.whole,
@@ -374,9 +419,18 @@ def several_html(
 
 
 def pair_html(
-    links: Links, sides: Sequence[Side], *, problem: str = "", csrf: str = ""
+    links: Links,
+    sides: Sequence[Side],
+    *,
+    problem: str = "",
+    neighbours: Neighbours = Neighbours(),
+    drawing: str = "",
+    csrf: str = "",
 ) -> str:
-    """Two plays of one episode; problem: why one of them cannot be shown."""
+    """Two plays of one episode; problem: why one of them cannot be shown.
+
+    drawing: where the films of both are ordered; empty: nowhere.
+    """
     baseline, compared = sides
     return render_page(
         "compare/pair",
@@ -390,6 +444,9 @@ def pair_html(
         divergence=first_divergence(baseline.recorded, compared.recorded),
         instruction=compared.recorded.instruction,
         problem=problem,
+        neighbours=neighbours,
+        drawing=drawing,
+        sealed=next((text for side in sides if (text := _sealed_text(side))), ""),
     )
 
 

@@ -125,6 +125,18 @@ def failures_first(episodes: Iterable[Document]) -> list[Document]:
     )
 
 
+def around(episodes: Sequence[Document], episode_id: str) -> list[Document | None]:
+    """The episodes before and after one in a list; None where there is none."""
+    ids = [episode["episode_id"] for episode in episodes]
+    if episode_id not in ids:
+        return [None, None]
+    place = ids.index(episode_id)
+    return [
+        episodes[at] if 0 <= at < len(episodes) else None
+        for at in (place - 1, place + 1)
+    ]
+
+
 def task_table(episodes: Iterable[Document]) -> TaskTable:
     cells: dict[tuple[str, str], TaskCell] = {}
     for episode in episodes:
@@ -267,15 +279,16 @@ def video_command(run: Document, episode: Document) -> str:
 def commands(run: Document, described: Document | None) -> list[tuple[str, str]]:
     """Title and command: to repeat the run and, if it is whole, to check its score.
 
-    described: the benchmark as it is without options; None: not known.
+    described: the benchmark as it is without options; None: not known. The member
+    `options` of the run is absent if its options are not known.
     """
     run_id = str(run["run_id"])
     title = "Evaluate a policy in the same way"
-    if has_unknown_options(run, described):
-        title += (
-            ". The run had options of the benchmark, which are not known here: without "
-            "them, as --options, the command names another manifest"
-        )
+    if not run.get("options") and is_of_another_manifest(run, described):
+        reason = "The benchmark has changed since this run"
+        if "options" not in run:
+            reason += ", or this run had options (--options), which are not known here"
+        title += f". {reason}: the command names another manifest"
     lines = [(title, shlex.join(["proctor", "run", *_run_options(run, described)]))]
     progress = run["progress"]
     if progress["episodes_scored"] == progress["episodes_total"]:
@@ -286,8 +299,9 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
     return lines
 
 
-def has_unknown_options(run: Document, described: Document | None) -> bool:
-    if run.get("options") or run.get("select") or described is None:
+def is_of_another_manifest(run: Document, described: Document | None) -> bool:
+    """Whether the run has options, or its benchmark was another one."""
+    if run.get("select") or described is None:
         return False
     return bool(described.get("manifest_sha256") != run["manifest_sha256"])
 

@@ -15,6 +15,7 @@ from typing import Any
 from reference_record.pages import page_contents
 from reference_record.pages.comparison_page import LETTERS, pair_episodes
 from reference_record.pages.page_contents import (
+    Neighbours,
     ShownVideo,
     Side,
     Window,
@@ -23,7 +24,13 @@ from reference_record.pages.page_contents import (
 from reference_record.pages.page_templates import ASSETS, read_asset, render_page
 from reference_record.pages.recorded_episode import RecordedEpisode
 from reference_record.pages.report_videos import ReportVideos
-from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
+from reference_record.pages.run_page import (
+    Document,
+    PolicyTimes,
+    RunFigures,
+    around,
+    failures_first,
+)
 
 ROWS_MAX = 1000
 
@@ -219,23 +226,21 @@ class StaticReport:
         links, number = self._links("../../../"), self._runs_by_id[reported.run_id]
         played = [episode for episode in reported.episodes if episode.get("result")]
         rate = reported.benchmark["control_rate_hz"] if reported.benchmark else None
-        for place, episode in enumerate(played):
+        walked = failures_first(played)
+        for episode in played:
             recorded = reported.read(episode)
             if recorded is not None:
                 reported.times.add(recorded.times(rate))
-            around = [
-                f"{neighbour['index']:05d}.html" if neighbour is not None else ""
-                for neighbour in (
-                    played[place - 1] if place else None,
-                    played[place + 1] if place + 1 < len(played) else None,
-                )
-            ]
+            neighbours = Neighbours.of(
+                around(walked, episode["episode_id"]),
+                lambda one: f"{one['index']:05d}.html",
+            )
             text = page_contents.episode_html(
                 links, reported.run, episode, recorded,
                 None
                 if recorded is None
                 else self._view(reported, episode, recorded, ""),
-                control_rate_hz=rate, before=around[0], after=around[1],
+                control_rate_hz=rate, neighbours=neighbours,
                 problem="" if recorded else "There is no recording of this episode.",
             )  # fmt: skip
             name = f"runs/{number}/episodes/{episode['index']:05d}.html"
@@ -284,9 +289,9 @@ class StaticReport:
             Window(pairs, len(pairs), whole=True),
         )  # fmt: skip
         yield self._save(folder, text)
-        for pair in pairs:
-            if pair.kind == "open":
-                continue
+        closed = [pair for pair in pairs if pair.kind != "open"]
+        walked = [pair.run for pair in closed]
+        for pair in closed:
             sides = []
             for reported, episode in ((baseline, pair.baseline), (compared, pair.run)):
                 recorded = reported.read(episode)
@@ -297,7 +302,11 @@ class StaticReport:
                 sides.append(Side(reported.run, episode, recorded, view))
             if len(sides) == 2:
                 name = links.pair(baseline.run_id, compared.run_id, pair.run)
-                text = page_contents.pair_html(links, sides)
+                neighbours = Neighbours.of(
+                    around(walked, pair.run["episode_id"]),
+                    lambda one: f"{one['index']:05d}.html",
+                )
+                text = page_contents.pair_html(links, sides, neighbours=neighbours)
                 yield self._save(name.removeprefix("../../"), text)
 
     def _save(self, name: str, text: str) -> str:

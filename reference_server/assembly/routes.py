@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import typing
+from collections.abc import Mapping
 
 from starlette.routing import BaseRoute, Route, Router
 from starlette.types import ASGIApp, Scope
@@ -29,9 +30,21 @@ if typing.TYPE_CHECKING:
     from reference_server.monitoring.traces import Traces
 
 
+def make_endpoints(handlers: Handlers, tokens: Tokens) -> dict[str, Endpoint]:
+    """path → the operations of the standard and of the profiles with another API."""
+    table = handlers.table() | profile_tables(handlers)
+    settings = handlers.settings
+    hosts = AllowedHosts.parse(settings.allowed_hosts)
+    most, open_requests = settings.max_body_bytes, OpenRequests()
+    return {
+        path: Endpoint(operations, tokens, most, hosts, open_requests)
+        for path, operations in table.items()
+    }
+
+
 def make_router(
     handlers: Handlers,
-    tokens: Tokens,
+    operations_by_path: Mapping[str, Endpoint],
     readiness: Readiness,
     node: ServerNode | None,
     node_routes: NodeRoutes | None,
@@ -42,14 +55,9 @@ def make_router(
 
     accounts: the program that keeps them; None if there is none.
     """
-    table = handlers.table() | profile_tables(handlers)
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
-    most, open_requests = settings.max_body_bytes, OpenRequests()
-    endpoints: dict[str, ASGIApp] = {
-        path: Endpoint(operations, tokens, most, hosts, open_requests)
-        for path, operations in table.items()
-    }
+    endpoints: dict[str, ASGIApp] = dict(operations_by_path)
     not_found = UnknownPath([*endpoints, *HEALTH_PATHS])
     if node_routes is not None:
         endpoints = node_routes.routed(endpoints)

@@ -5,11 +5,15 @@ the pattern bounds the digits and QUERY_RANGES the value: the least and the larg
 """
 
 PATH_PATTERNS: dict[str, str] = {
+    "account": r"[a-z][a-z0-9]{2,31}",
     "benchmark_id": r"[a-z][a-z0-9_]{0,63}",
     "entry_id": r"[A-Za-z0-9_-]{1,64}",
     "episode_id": r"[A-Za-z0-9_-]{1,64}",
     "import_id": r"[A-Za-z0-9_-]{1,64}",
+    "key_id": r"[A-Za-z0-9_-]{1,64}",
     "run_id": r"[A-Za-z0-9_-]{1,64}",
+    "submission_id": r"[A-Za-z0-9_-]{1,64}",
+    "track_id": r"[a-z][a-z0-9_-]{0,63}",
     "worker_id": r"[A-Za-z0-9_-]{1,64}",
 }
 HEADER_PATTERNS: dict[str, str] = {

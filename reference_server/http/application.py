@@ -6,11 +6,14 @@ It decides no rule, and knows no operation.
 from __future__ import annotations
 
 import logging
+import re
 import time
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import AbstractAsyncContextManager
 from functools import partial
+from typing import Any
 
+from starlette.datastructures import Headers
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -43,6 +46,33 @@ log = logging.getLogger("proctor.app")
 access_log = logging.getLogger(ACCESS_LOG)
 
 _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
+# A turn's path in the form that every client sends; any other is the router's.
+_TURN_URL = re.compile(
+    rb"/v1/runs/([A-Za-z0-9_.-]+)/workers/([A-Za-z0-9_.~-]+)/predict"
+)
+
+
+class _ServerRequest(Request):
+    """A request whose headers are looked up by name, and not one after another."""
+
+    @property
+    def headers(self) -> Headers:
+        """The headers; the first of a name counts, as Starlette has it."""
+        if not hasattr(self, "_headers"):
+            self._headers: Headers = _HeadersByName(raw=self.scope["headers"])
+        return self._headers
+
+
+class _HeadersByName(Headers):
+    def __init__(self, raw: list[tuple[bytes, bytes]]) -> None:
+        super().__init__(raw=raw)
+        self._first = {
+            name.decode("latin-1"): value.decode("latin-1")
+            for name, value in reversed(raw)
+        }
+
+    def get(self, key: str, default: Any = None) -> Any:
+        return self._first.get(key, default)  # every caller writes it in lower case
 
 
 class Endpoint:
@@ -72,7 +102,7 @@ class Endpoint:
             response = self._not_allowed(scope["method"])
         else:
             scope[OPERATION] = self._names[scope["method"]]
-            request = Request(scope, receive)
+            request = _ServerRequest(scope, receive)
             if operation.may_last(scope["method"]):
                 return await self._answer_while_allowed(request, operation, send)
             response = await perform(
@@ -109,6 +139,21 @@ class Endpoint:
             elif "content-length" not in response.headers:
                 await send({"type": "http.response.body", "body": b""})
 
+    async def perform_whole(self, scope: Scope, method: str, body: bytes) -> Response:
+        """Answer a request whose body is complete, with a response to be sent whole."""
+        scope[OPERATION] = self._names[method]
+
+        async def receive() -> Message:
+            return {"type": "http.request", "body": body, "more_body": False}
+
+        return await perform(
+            _ServerRequest(scope, receive),
+            self._operations[method],
+            self._tokens,
+            self._max_body,
+            self._hosts,
+        )
+
     def _not_allowed(self, method: str) -> Response:
         detail = f"{method} is not a method of this path."
         allowed = {"Allow": ", ".join(sorted(self._operations))}
@@ -123,7 +168,8 @@ class Application:
 
     lifespan: the parts, open while it is entered. begin_drain: to be called when the
     server begins to end; ends waiting requests, and from then on nothing new begins.
-    turns_in_progress: how many turns are to be finished then.
+    turns_in_progress: how many turns are to be finished then. turns: the endpoint that
+    is asked without the router; None if the router has to see every request.
     """
 
     def __init__(
@@ -132,50 +178,97 @@ class Application:
         lifespan: Callable[[], AbstractAsyncContextManager[None]],
         begin_drain: Callable[[], Awaitable[None]],
         turns_in_progress: Callable[[], int],
+        turns: Endpoint | None = None,
     ) -> None:
         self._app, self._lifespan = app, lifespan
         self.begin_drain, self.turns_in_progress = begin_drain, turns_in_progress
+        self.direct = None if turns is None else DirectTurns(turns)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         if scope["type"] != "http":  # no web sockets: it is the lifespan
             await run_lifespan(self._lifespan(), receive, send)
             return
-        response_started = False
-        status = 0
-        started = time.perf_counter()
-        request_id = request_id_of(_header(scope, b"x-request-id"))
-        REQUEST_ID.set(request_id)
+        answered = _AnsweredRequest(scope)
 
         async def send_versioned(message: Message) -> None:
-            nonlocal response_started, status
             if message["type"] == "http.response.start":
-                response_started, status = True, message["status"]
-                message["headers"].append(_VERSION_HEADER)  # VER-001
-                message["headers"].append((b"x-request-id", request_id.encode()))
+                answered.begin(message["status"], message["headers"])
             await send(message)
 
         try:
             await self._app(scope, receive, send_versioned)
         except Exception:
-            if response_started:  # too late for a problem; the connection is closed
+            if answered.status:  # too late for a problem; the connection is closed
                 raise
             log.exception("a request failed")
-            refused = Refused("internal_error", "Internal server error.")
-            await problem_response(refused)(scope, receive, send_versioned)
+            await _defect_response()(scope, receive, send_versioned)
         finally:
-            took_s = time.perf_counter() - started
-            operation = scope.get(OPERATION) or _other(scope["path"])
-            COUNTERS.requests[operation, status // 100].add(took_s)
+            answered.end()
+
+
+class DirectTurns:
+    """Turns without ASGI and router: the same checks, the same operation."""
+
+    def __init__(self, endpoint: Endpoint) -> None:
+        self._endpoint = endpoint
+
+    def path_of(self, method: bytes, url: bytes) -> Mapping[str, str] | None:
+        """See DirectAnswers; an unusual URL goes the general way."""
+        match = _TURN_URL.fullmatch(url) if method == b"POST" else None
+        if match is None:
+            return None
+        run_id, worker_id = match.groups()
+        return {"run_id": run_id.decode(), "worker_id": worker_id.decode()}
+
+    async def answer(self, scope: Scope, body: bytes) -> Response:
+        """See DirectAnswers."""
+        scope["method"], scope["query_string"] = "POST", b""
+        answered = _AnsweredRequest(scope)
+        try:
+            response = await self._endpoint.perform_whole(scope, "POST", body)
+        except Exception:
+            log.exception("a request failed")
+            response = _defect_response()
+        answered.begin(response.status_code, response.raw_headers)
+        answered.end()
+        return response
+
+
+class _AnsweredRequest:
+    """One request: its answer gets two headers more, and is counted and logged."""
+
+    def __init__(self, scope: Scope) -> None:
+        self.status = 0
+        self._scope, self._started = scope, time.perf_counter()
+        self._request_id = request_id_of(_header(scope, b"x-request-id"))
+        REQUEST_ID.set(self._request_id)
+
+    def begin(self, status: int, headers: list[tuple[bytes, bytes]]) -> None:
+        """Its answer begins; headers: of it, to which those of every answer come."""
+        self.status = status
+        headers.append(_VERSION_HEADER)  # VER-001
+        headers.append((b"x-request-id", self._request_id.encode()))
+
+    def end(self) -> None:
+        """Its answer is complete, or cut off."""
+        took_s, scope = time.perf_counter() - self._started, self._scope
+        operation = scope.get(OPERATION) or _other(scope["path"])
+        COUNTERS.requests[operation, self.status // 100].add(took_s)
+        if access_log.isEnabledFor(logging.INFO):
             log_event(
                 access_log,
                 "request",
                 method=scope["method"],
                 path=scope["path"],
-                status=status,
+                status=self.status,
                 ms=round(1000 * took_s, 1),
                 account=scope.get(ACCOUNT),
                 client=(scope.get("client") or ("-",))[0],
             )
+
+
+def _defect_response() -> Response:
+    return problem_response(Refused("internal_error", "Internal server error."))
 
 
 def _other(path: str) -> str:

@@ -199,15 +199,15 @@ class SegmentedResponse(Response):
         self, parts: Sequence[bytes | memoryview], status: int, media_type: str
     ) -> None:
         super().__init__(None, status, media_type=media_type)
-        self._parts = parts
+        self.parts = parts
         self.headers["content-length"] = str(sum(map(len, parts)))
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """ASGI: the parts one by one under one Content-Length."""
         start = {"status": self.status_code, "headers": self.raw_headers}
         await send({"type": "http.response.start", **start})
-        last = len(self._parts) - 1
-        for index, part in enumerate(self._parts):
+        last = len(self.parts) - 1
+        for index, part in enumerate(self.parts):
             more = {"body": part, "more_body": index < last}
             await send({"type": "http.response.body", **more})
 

@@ -128,7 +128,7 @@ class EventStream:
         return None if self.sees_all else self.account
 
     async def answer(self, last_id: str | None) -> Response:
-        """The events behind that one (EVT-005); 204 if none will ever follow (EVT-006).
+        """The events behind that one (EVT-005); 204 if none will ever follow (EVT-010).
 
         Raises Refused and StoreFailed as the first read does. A later failure ends the
         stream: its reader reconnects and is refused then.

@@ -47,6 +47,8 @@ from reference_server.views.import_view import import_view
 ARCHIVE, BYTES = "application/zip", "application/octet-stream"
 SOFTWARE_VERSION = importlib.metadata.version("proctor-eval")
 IDLE_TIMEOUT_S_MIN = 1.0
+# The operation that is asked most often.
+TURN_PATH = "/v1/runs/{run_id}/workers/{worker_id}/predict"
 PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
 PROFILES: tuple[models.Profile, ...] = (
@@ -77,8 +79,7 @@ class Handlers:
             Operation, max_body_bytes=self.settings.max_control_body_bytes
         )
         return {
-            # Paths are matched in this order; predict is the most frequent one.
-            f"{worker}/predict": {
+            TURN_PATH: {  # paths are matched in this order
                 "POST": Operation(self.predict, "run", models.Predict, both, both)
             },
             "/v1": {"GET": Operation(self.describe_service, scope=None)},

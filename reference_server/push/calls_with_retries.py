@@ -158,7 +158,7 @@ class HttpCalls:
         return text
 
     async def _call_with_retries(self, call: Call) -> bytes:
-        """PUSH-008: each attempt sends the same bytes."""
+        """PUSH-008: each attempt sends the same bytes; PUSH-020: one answers."""
         left = self._limits.max_retries
         backoff = Backoff.between_calls()
         while True:

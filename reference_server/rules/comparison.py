@@ -7,31 +7,60 @@ runs nor accounts: it takes episodes and returns numbers.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.scoring import ScoredEpisode
 
 TOLERANCE = 0.05  # CMP-008: when none is given
+DIFFERENCES_MAX = 5  # of manifests; more are counted
 ROUNDING = 1e-9  # CMP-008: so that no rounding decides
 
 Pair = tuple[ScoredEpisode, ScoredEpisode]
 
 
-def manifest_mismatch(runs: Sequence[tuple[str, str]]) -> Refuse | None:
-    """CMP-009: (run_id, manifest_sha256) of the baseline and of those beside it."""
-    (baseline, manifest_sha256), *others = runs
-    mismatched = [run_id for run_id, sha256 in others if sha256 != manifest_sha256]
+def manifest_mismatch(
+    runs: Sequence[tuple[str, str, Mapping[str, Any]]],
+) -> Refuse | None:
+    """CMP-009: run_id, manifest_sha256 and manifest, first of the baseline."""
+    (baseline, manifest_sha256, manifest), *others = runs
+    mismatched = {
+        run_id: differing_members(manifest, other)
+        for run_id, sha256, other in others
+        if sha256 != manifest_sha256
+    }
     if not mismatched:
         return None
+    names = list(dict.fromkeys(name for found in mismatched.values() for name in found))
+    more = len(names) - DIFFERENCES_MAX
+    differing = ", ".join(names[:DIFFERENCES_MAX]) + (f" and {more} more" * (more > 0))
     text = f"{', '.join(mismatched)}: another manifest than {baseline}"
     return Refuse(
         "not_comparable",
-        "Episodes pair only within one manifest.",
+        f"Episodes pair only within one manifest. These differ in {differing}.",
         "CMP-009",
         (("query:runs", text),),
     )
+
+
+def differing_members(
+    one: Mapping[str, Any], other: Mapping[str, Any], before: str = ""
+) -> list[str]:
+    """The members in which two manifests differ, such as `simulator.sources.lab.py`.
+
+    Two benchmarks differ in `benchmark_id` alone, whatever else they have.
+    """
+    if one.get("benchmark_id") != other.get("benchmark_id"):
+        return ["benchmark_id"]
+    names = []
+    for name in dict.fromkeys([*one, *other]):
+        mine, theirs = one.get(name), other.get(name)
+        if isinstance(mine, Mapping) and isinstance(theirs, Mapping):
+            names += differing_members(mine, theirs, f"{before}{name}.")
+        elif mine != theirs:
+            names.append(before + name)
+    return names
 
 
 def compare(

@@ -316,12 +316,15 @@ def record_fault(
     episode.faults += 1
     run.changed.add(episode.index)
     _forget_attempt(session)
+    verb = "cannot be played"
     if not unplayable:
         # LIFE-806, LIFE-807, FAULT-010: those before the last resume do not count.
         since_resume = episode.faults - episode.faults_forgiven
         if since_resume < run.manifest["max_faults"]:
             return []
-    verb = "cannot be played" if unplayable else f"faulted {episode.faults} times"
+        verb = f"faulted {since_resume} times"
+        if episode.faults_forgiven:
+            verb += f" since its run was resumed, {episode.faults} in all"
     sessions = list(run.workers.values())
     _end_sessions(run, sessions, "run_failed", now_wall, counted=False)
     apply_event(run, "fault", f"Episode {episode.episode_id} {verb}: {detail}")
@@ -381,7 +384,7 @@ def _close_attempt(
     if episode is None or episode.result is not None:
         return
     begun = session.steps > 0 or session.busy == "playing"
-    if not (counted and begun):  # EPI-002, CRASH-002
+    if not (counted and begun):  # EPI-002, CRASH-002, LIM-011
         run.return_to_pending(episode)
         return
     run.changed.add(episode.index)

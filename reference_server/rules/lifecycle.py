@@ -81,7 +81,7 @@ WAITING_STATES = frozenset(s for s, event in TRANSITIONS if event == "capacity")
 STATES_WITH_CAPACITY: Mapping[State, State] = {
     state: after for (state, event), after in TRANSITIONS.items() if event == "capacity"
 }
-# CRASH-002, CRASH-004: sessions do not outlive the process, so a restart is what the
+# CRASH-004, CRASH-005: sessions do not outlive the process, so a restart is what the
 # end of the last session is (LIFE-802, LIFE-803). Other states outlive a restart.
 STATES_AFTER_RESTART: Mapping[State, State] = {
     state: after

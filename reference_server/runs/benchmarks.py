@@ -209,7 +209,10 @@ def _simulator_config(
     submission = run.submission
     benchmark_id = submission["benchmark_id"]
     if benchmark_id not in benchmark_registry.benchmark_ids():
-        raise Refused("benchmark_unavailable", f"{benchmark_id} is no longer offered.")
+        raise Refused(
+            "benchmark_unavailable",
+            f"{benchmark_id} is no longer offered, so this run cannot go on.",
+        )
     resolved = benchmark_registry.resolve(
         benchmark_id,
         submission.get("options"),
@@ -221,8 +224,9 @@ def _simulator_config(
     if isinstance(manifest, Refuse) or not is_manifest(manifest, run.manifest_sha256):
         raise Refused(
             "benchmark_unavailable",
-            f"{benchmark_id} has changed since this run was submitted: what it offers "
-            "now has another manifest. Submit another run.",
+            f"{benchmark_id} has changed since this run was submitted, so this run "
+            "cannot go on: what is offered now has another manifest. Submit another "
+            "run.",
         )
     return resolved.world
 

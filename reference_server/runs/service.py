@@ -214,6 +214,7 @@ class RunService:
             await self.registry.check_open_elsewhere(run.account)
             run = await self._run_accepting(account, run_id, Resume())
         if changes_state(run, "resume_run"):
+            self.executor.require_playable(run)
             self.registry.open_again(run)
             effects.resume(run, self.registry.admission.queue_until(run.submission))
             await self.registry.commit_opened(run)
@@ -294,7 +295,7 @@ class RunService:
             scored.append(episodes)
             await asyncio.sleep(0)  # others are served between two runs
         mismatch = comparison.manifest_mismatch(
-            [(run.run_id, run.manifest_sha256) for run in runs]
+            [(run.run_id, run.manifest_sha256, run.manifest) for run in runs]
         )
         if mismatch is not None:
             raise Refused.from_verdict(mismatch)
@@ -411,7 +412,7 @@ class RunService:
     async def find_recording(
         self, account: str, run_id: str, episode_id: str
     ) -> tuple[Path, int]:
-        """The recording of an episode that has its result: its file, and its size."""
+        """The recording of an episode that has its result (REC-125): file and size."""
         records = self._require_records()
         index = index_of(episode_id)
         start = 0 if index is None else index

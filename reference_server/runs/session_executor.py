@@ -99,7 +99,12 @@ class SessionExecutor(RunFollower):
             ended_sessions=registry.ended_sessions,
             recordings=recordings,
         )
+        self._latest_fault = "", ""  # the run, and the text in the log
         registry.subscribe(self)
+
+    def require_playable(self, run: Run) -> None:
+        """Refuse where the benchmark is not the one that the run was submitted to."""
+        self._resources.configs.find(run)
 
     # --- operations of the data plane ---
 
@@ -429,7 +434,11 @@ class SessionExecutor(RunFollower):
         assert episode is not None
         COUNTERS.simulator_faults += 1
         detail = episode.without_sealed_seed(str(error))
-        log.warning("run %s, %s: %s", run.run_id, episode.episode_id, detail)
+        # One line for what every simulator of the run meets, such as an edited file.
+        is_new = (run.run_id, detail) != self._latest_fault
+        self._latest_fault = run.run_id, detail
+        level = logging.WARNING if is_new else logging.INFO
+        log.log(level, "run %s, %s: %s", run.run_id, episode.episode_id, detail)
         if self._recordings is not None:
             seq = session.seq if session.busy == "playing" else 0
             self._recordings.add_fault(run, episode, seq, "simulator_fault", detail)

@@ -139,7 +139,7 @@ class ResourceManager:
         # Resources of sessions that are done, by the id of their run.
         self._done: dict[str, list[SessionResources]] = {}
         self._done_timer: asyncio.TimerHandle | None = None
-        self._configs = SimulatorConfigs(seed_secret)
+        self.configs = SimulatorConfigs(seed_secret)
         self._wait_log = WaitLog(self._waits)
 
     def _waits(self) -> list[LongWait]:
@@ -256,7 +256,7 @@ class ResourceManager:
         if resources.handle is not None:
             return 0.0
         started = time.perf_counter()
-        config = self._configs.find(resources.run)
+        config = self.configs.find(resources.run)
         if self._pool.is_full_for(config):
             self._take_from_others(resources, config)
         resources.acquiring = True
@@ -278,7 +278,7 @@ class ResourceManager:
             LentSimulator(holder.run.account, holder.session)
             for holder in self._by_session.values()
             if (holder.handle is not None or holder.acquiring)
-            and self._pool.makes_room(self._configs.find(holder.run), config)
+            and self._pool.makes_room(self.configs.find(holder.run), config)
         ]
         waiting, now = resources.run.account, time.monotonic()
         unused = session_to_end(lent, waiting, now, self._unused_s)

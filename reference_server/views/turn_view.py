@@ -37,7 +37,7 @@ def turn_view(
         "seq": session.seq,
         # PRED-001, ATT-001, ATT-022
         "executed_steps": played.executed if played else 0,
-        "stopped_early": left > 0 and played is not None,  # PRED-007
+        "stopped_early": left > 0 and played is not None,  # PRED-028
         "rewards": list(played.rewards) if played else [],  # PRED-021
         "terminated": played.terminated if played else False,
         "truncated": played.truncated if played else False,

@@ -24,6 +24,7 @@ from reference_sim.exports.job import Job
 from reference_sim.exports.source import Source
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Action, Observation, Simulator
+from reference_sim.replay import host_benchmarks
 from reference_sim.replay.episode_replay import EpisodeReplay, replay_episode
 from reference_sim.replay.record_replay import (
     WHO_HAS_SEEDS,
@@ -59,7 +60,8 @@ class Simulation:
         self, source: Source, job: Job, say: Callable[[str], None], *, draws: bool
     ) -> None:
         try:
-            benchmark_registry.add(job.benchmarks, say)
+            name = source.evaluation.benchmark.benchmark_id
+            host_benchmarks.add(name, job.benchmarks, say)
         except BadBenchmark as error:
             raise UnusableRecord(str(error)) from error
         opened = load_opened_seeds(Path(job.seeds)) if job.seeds else None

@@ -29,7 +29,12 @@ from reference_sim.gymnasium.benchmark_file import (
     faults_of,
     legal_id,
 )
-from reference_sim.gymnasium.own_sources import DeclaredFiles, hash_files, sha256_of
+from reference_sim.gymnasium.own_sources import (
+    FILES_MAX,
+    DeclaredFiles,
+    hash_files,
+    sha256_of,
+)
 from reference_sim.interface import TaskUnplayable
 from reference_sim.vector_spaces import VectorPart
 
@@ -44,6 +49,7 @@ _COMPLETED = (
 
 Count = Annotated[int, Meta(ge=1)]
 Names = Annotated[list[str], Meta(min_length=1)]
+_Sha256 = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
 
 
 class _Part(msgspec.Struct):
@@ -125,6 +131,7 @@ class _Described(msgspec.Struct):
     deterministic: bool = True
     digest: bool = False
     shared_memory: bool = False
+    sources: Annotated[dict[str, _Sha256], Meta(max_length=FILES_MAX)] = {}
 
 
 def definition(
@@ -155,6 +162,8 @@ def definition(
             plan["benchmark"] = described
             plan["sources"] = _sources(command, benchmark.files, folder)
             declared = msgspec.convert(described, _Described)
+            plan["announced"] = declared.sources
+            described.pop("sources", None)
             complete = _completed(benchmark, described, folder)
             manifest = _manifest(complete, declared, plan, command)
             _try(program, plan, manifest)
@@ -220,7 +229,7 @@ def _manifest(
     for split in complete.splits:
         if unknown := set(split.tasks or ()) - set(declared.tasks):
             raise ProgramFault(f"split {split.name}: no task {', '.join(unknown)}")
-    described, sources = plan["benchmark"], plan["sources"]
+    described = plan["benchmark"]
     episodes = complete.episodes(declared.tasks)
     sealed = [split.name for split in complete.splits if split.is_sealed]
     space = described["observation_space"]
@@ -254,7 +263,7 @@ def _manifest(
             "command": list(command),
             "graded": declared.graded,
             "deterministic": declared.deterministic,
-            "sources": sources,
+            "sources": plan["announced"] | plan["sources"],
         },
     }
 

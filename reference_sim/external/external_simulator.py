@@ -33,7 +33,7 @@ from reference_sim.external.simulator_messages import (
     TensorValue,
 )
 from reference_sim.gymnasium.own_sources import DeclaredFiles
-from reference_sim.interface import Action, Observation, StepOutcome
+from reference_sim.interface import Action, ChangedSource, Observation, StepOutcome
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 DTYPES = {
@@ -225,6 +225,10 @@ def make(
         call_timeout_s=None,  # the server has the time of a turn
         on_wait=on_wait,
     )
+    announced = program.description.benchmark.pop("sources", {})
+    if changed := dict(set(announced.items()) ^ set(plan["announced"].items())):
+        program.end()
+        raise ChangedSource.of(sorted(changed))
     if program.description.benchmark != plan["benchmark"]:  # SIM-009
         program.end()
         raise ProgramFault(

@@ -10,6 +10,7 @@ import re
 import shlex
 import tomllib
 from collections.abc import Iterator, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
@@ -31,7 +32,8 @@ from reference_sim.ray_resources import check_resources
 from reference_sim.vector_spaces import RELATIVE_MODES, VectorPart, registered
 
 BUNDLED_BENCHMARKS = {
-    "metaworld_mt50": Path(__file__).parents[1] / "benchmarks/metaworld/benchmark.toml"
+    "metaworld_mt50": Path(__file__).parents[1] / "benchmarks/metaworld/benchmark.toml",
+    "libero": Path(__file__).parents[1] / "external/libero/libero.toml",
 }
 _ID_LENGTH_MAX = 64
 _DEFAULT_EPISODES = 10
@@ -345,7 +347,7 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
     """
     place, _, name = reference.rpartition(":")
     if reference in BUNDLED_BENCHMARKS:
-        yield _read_file(BUNDLED_BENCHMARKS[reference])
+        yield from _read_file(BUNDLED_BENCHMARKS[reference])
     elif reference.startswith(SIMULATOR):
         command = shlex.split(reference[len(SIMULATOR) :])
         yield Benchmark(benchmark_id=UNNAMED, simulator=command), Path.cwd()
@@ -359,12 +361,12 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
             path.parent,
         )
     elif reference.endswith(".toml"):
-        yield _read_file(Path(reference).absolute())
+        yield from _read_file(Path(reference).absolute())
     elif (folder := Path(reference).absolute()).is_dir():
         files = sorted(folder.glob("*.toml"))
         if not files:
             raise BadBenchmark(f"{reference}: no file *.toml is in this folder")
-        yield from map(_read_file, files)
+        yield from chain.from_iterable(map(_read_file, files))
     else:
         raise BadBenchmark(
             f"{reference}: unknown benchmark reference; expected gymnasium:ID, "
@@ -387,18 +389,32 @@ def _registered(name: str) -> Benchmark:
         raise BadBenchmark(f"gymnasium:{name}: {faults_of(error)}") from error
 
 
-def _read_file(path: Path) -> tuple[Benchmark, Path]:
+def _read_file(path: Path) -> Iterator[tuple[Benchmark, Path]]:
+    """The benchmark of a file, or each of its `[[benchmarks]]`.
+
+    The keys above them are those of each benchmark that does not have its own.
+    """
     try:
         content = tomllib.loads(read_text_file(path))
     except OSError as error:
         raise BadBenchmark(f"{path}: {error.strerror}") from error
     except (tomllib.TOMLDecodeError, NotText) as error:
         raise BadBenchmark(f"{path}: invalid TOML: {error}") from error
-    content.setdefault("benchmark_id", legal_id(path.stem))
-    try:
-        return Benchmark.model_validate(content), path.parent
-    except ValidationError as error:
-        raise BadBenchmark(f"{path}: {faults_of(error)}") from error
+    entries = content.pop("benchmarks", None)
+    if entries is None:
+        content.setdefault("benchmark_id", legal_id(path.stem))
+        entries = [{}]
+    elif not isinstance(entries, list) or not all(isinstance(e, dict) for e in entries):
+        raise BadBenchmark(f"{path}: write each benchmark as a table [[benchmarks]]")
+    for number, entry in enumerate(entries):
+        members = content | entry
+        if "simulator" in members:
+            members.setdefault("benchmark_id", UNNAMED)
+        place = f"benchmarks[{number}]: " if entry else ""
+        try:
+            yield Benchmark.model_validate(members), path.parent
+        except ValidationError as error:
+            raise BadBenchmark(f"{path}: {place}{faults_of(error)}") from error
 
 
 def faults_of(error: ValidationError) -> str:

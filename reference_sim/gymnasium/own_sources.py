@@ -22,6 +22,7 @@ from types import CodeType, ModuleType
 from typing import Any
 
 from reference_sim.definition import installed_version
+from reference_sim.interface import ChangedSource
 
 FILES_MAX = 2000
 _PROJECT = Path(__file__).resolve().parents[2]
@@ -31,10 +32,6 @@ _INSTALLED = ("site-packages", "dist-packages")
 _STDLIB = {
     Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")
 }
-
-
-class ChangedSource(Exception):
-    """The files differ from those of the manifest; the text has the cure."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,8 +141,7 @@ class OwnSources:
 
     def _refuse(self, name: str, *, is_listed: bool = True) -> None:
         self.fault = (
-            f"{name} has changed since the server started, so the manifest is not that "
-            "of this file; restart the server to offer the changed benchmark"
+            str(ChangedSource.of([name]))
             if is_listed
             else f"{name} was not imported when the server checked the benchmark, so "
             "it is not in the manifest; import it at the top of the environment's file "
@@ -267,10 +263,7 @@ class DeclaredFiles:
             except OSError:
                 is_equal = False
             if not is_equal:
-                raise ChangedSource(
-                    f"{name} has changed since the server started, so the manifest is "
-                    "not that of this file; restart the server"
-                )
+                raise ChangedSource.of([name])
             self._seen[name] = seen
 
 

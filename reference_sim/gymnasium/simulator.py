@@ -20,10 +20,15 @@ from reference_sim.gymnasium.entries import Entry
 from reference_sim.gymnasium.environments import Environment
 from reference_sim.gymnasium.own_sources import (
     OWN_SOURCES,
-    ChangedSource,
     DeclaredFiles,
 )
-from reference_sim.interface import Action, Observation, StepOutcome, TaskUnplayable
+from reference_sim.interface import (
+    Action,
+    ChangedSource,
+    Observation,
+    StepOutcome,
+    TaskUnplayable,
+)
 
 ACTION, OBSERVATION = "action", "observation"  # of spaces that have no names inside
 

@@ -28,7 +28,7 @@ import msgspec
 
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
-from reference_sim.interface import Simulator, TaskUnplayable
+from reference_sim.interface import ChangedSource, Simulator, TaskUnplayable
 from reference_sim.process.observation_encoding import EncodedObservation, encode
 from reference_sim.process.recorder import (
     EpisodeRecorder,
@@ -234,6 +234,8 @@ class _EpisodeHost:
             return FailureReply(str(unplayable), unplayable=True)
         except UnwritableRecording as failed:
             return FailureReply(str(failed), unplayable=False, no_room=failed.no_room)
+        except ChangedSource as changed:  # the server logs its text
+            return FailureReply(f"ChangedSource: {changed}", unplayable=False)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             if self._is_sealed:
                 # Its text may name the seed, and so may the lines of a traceback.

@@ -220,6 +220,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self._loop.create_future()
         )
         self._last_message_at = self._loop.time()
+        self._limit_s, self._timer_at = timeout_s, 0.0
+        self._timer: asyncio.TimerHandle | None = None
         self._transport: asyncio.Transport | None = None
         self._inbox = bytearray(_INBOX_BYTES)
         self._large: bytearray | None = None  # a frame that the inbox cannot hold
@@ -314,6 +316,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if not self.alive:
             return
         self.alive = False
+        if self._timer is not None:
+            self._timer.cancel()
         self._kill()
         if self._transport is not None:
             self._transport.abort()  # ends a process whose id is not yet known
@@ -327,19 +331,29 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self._answer.exception()  # no warning if no request is pending
 
     async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
-        self._last_message_at = self._loop.time()
-        self._watch(timeout_s)
-        try:
-            return await self._answer
-        finally:
-            self._timer.cancel()
+        now = self._last_message_at = self._loop.time()
+        self._limit_s = timeout_s
+        # Most answers come in less than a millisecond, so the timer of the request
+        # before stays, and looks at this one when it is due.
+        if self._timer is None or self._timer_at > now + timeout_s:
+            self._look_at(now + timeout_s)
+        return await self._answer
 
-    def _watch(self, timeout_s: float) -> None:
-        left = self._last_message_at + timeout_s - self._loop.time()
-        if left <= 0:
-            self.end(f"made no step for {timeout_s:g} s and was killed")
+    def _look_at(self, at: float) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+        self._timer_at = at
+        self._timer = self._loop.call_at(at, self._watch)
+
+    def _watch(self) -> None:
+        self._timer = None
+        due_at = self._last_message_at + self._limit_s
+        if self._answer.done():
+            return  # nothing is asked; the next request begins another timer
+        if due_at <= self._loop.time():
+            self.end(f"made no step for {self._limit_s:g} s and was killed")
         else:
-            self._timer = self._loop.call_later(left, self._watch, timeout_s)
+            self._look_at(due_at)
 
     # --- called by the event loop ---
 

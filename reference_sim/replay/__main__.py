@@ -36,8 +36,8 @@ from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.unsigned_record import add_verdict
 from reference_record.verification import Report, verify
-from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
+from reference_sim.replay import host_benchmarks
 from reference_sim.replay.episode_replay import EpisodeReplay
 from reference_sim.replay.record_replay import ReplayedBenchmark, replay_record, resolve
 
@@ -101,7 +101,8 @@ def build_command() -> Command:
 def _replay(args: Options) -> int:
     bundle = open_bundle(Path(args.file))
     report = verify(bundle)
-    benchmark_registry.add(args.benchmarks, _say)
+    name = report.evaluation.benchmark.benchmark_id
+    host_benchmarks.add(name, args.benchmarks, _say)
     opened = load_opened_seeds(args.seeds) if args.seeds else None
     benchmark = resolve(report.evaluation, bundle.read(MANIFEST), opened)
     replay = replay_record(

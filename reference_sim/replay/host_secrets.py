@@ -14,6 +14,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from reference_sim.host_seeds import parse_secret
+from reference_sim.replay.host_benchmarks import state_folder
 
 _BYTES_MAX = 4096
 
@@ -34,9 +35,7 @@ def _candidates() -> Iterator[Path]:
         yield Path(named)
     yield Path(f"{os.environ.get('PROCTOR_DATABASE') or 'var/proctor.sqlite'}.seeds")
     with suppress(OSError, RuntimeError):  # no such folder, or no home
-        state = os.environ.get("XDG_STATE_HOME")
-        folder = Path(state) if state else Path.home() / ".local" / "state"
-        for link in sorted((folder / "proctor" / "tokens").iterdir()):
+        for link in sorted((state_folder() / "tokens").iterdir()):
             token = link.resolve()  # DATABASE.token
             yield token.with_suffix(".seeds")
 

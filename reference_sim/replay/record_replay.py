@@ -167,7 +167,8 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
         resolved = _resolved(choice)
     except benchmark_registry.UnknownBenchmark as error:
         raise UnusableRecord(
-            f"this machine has no benchmark {benchmark_id}; --benchmarks adds yours"
+            f"this machine has no benchmark {benchmark_id}; --benchmarks adds it, with "
+            "what its server was started with, such as --benchmarks FILE.toml"
         ) from error
     except (LookupError, TypeError, ValueError, AttributeError) as error:
         # Nothing has checked the options of a record before.

@@ -5,11 +5,9 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from conformance.checks.support.fuzz import _shorten_long_poll
 from conformance.client.connections.connection_pool import ConnectionPool, Connections
 from tests.support.kit.run_kit import run_kit
 from tests.support.paths import ROOT
@@ -64,27 +62,6 @@ def test_the_printed_line_certifies_the_server(tmp_path: Path) -> None:
         assert kit.outcomes[name] == "not_verified"
         assert "Allow it to call that address" in kit.rows[name]["reason"]
     assert kit.outcomes["PRED-002"] == "passed"
-
-
-def test_a_generated_long_poll_waits_for_nothing() -> None:
-    polls: dict[str, Any] = {"If-None-Match": "*", "prefer": "wait=6635"}
-    _shorten_long_poll(polls)
-    assert polls == {"If-None-Match": "*", "prefer": "wait=0"}
-
-
-@pytest.mark.parametrize(
-    "headers",
-    [
-        {"Prefer": "wait=6635"},
-        {"If-None-Match": "*", "Prefer": "wait=soon"},
-        {"If-None-Match": "*"},
-        {},
-    ],
-)
-def test_other_generated_headers_are_sent_unchanged(headers: dict[str, Any]) -> None:
-    sent = dict(headers)
-    _shorten_long_poll(sent)
-    assert sent == headers
 
 
 def test_two_threads_never_share_a_connection() -> None:

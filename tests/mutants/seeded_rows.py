@@ -11,8 +11,8 @@ from collections.abc import Iterator
 
 from conformance.runner.execution import CHECKS
 
-# The generator of a context, and the two that give it to a library.
-_SOURCES = {"for_all", "fuzz_operations"}
+# The generator of a context, and what gives it to a library.
+_SOURCES = {"for_all"}
 
 
 def seeded_rows() -> frozenset[str]:

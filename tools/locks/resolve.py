@@ -36,6 +36,7 @@ LOCKS: dict[str, tuple[str, ...]] = {
     "metaworld": _MUJOCO_3,
     "aloha": _MUJOCO_3,
     "robosuite": _MUJOCO_3,
+    "libero": (*_MUJOCO_3, "--excludes", "libero-excludes.txt"),
     # torch, and the peers of a benchmark, need other versions than ours.
     "lerobot": ("--excludes", "lerobot-excludes.txt"),
     "bench": (),

@@ -279,30 +279,34 @@ def expect_resumable(run: RunClient) -> None:
 
 @requirement("EVT-006")
 def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
-    """Runs that are completed, failed for good, stopped, and failed but retryable.
+    """Runs that are completed, and failed for good.
 
-    Expect the streams of the first two to end, and 204 after their last id and no
-    earlier one; the others to stay open.
+    Expect the streams of the first two to end.
     """
     for state in ("completed", "failed not_retryable"):
         run = make_run_in_state(context, state)
         with follow_run(run) as reader:
-            events = reader.until(in_state(run.body["state"]), f"`run` that is {state}")
-            with follow_run(run, ids_of(events)[-1]) as again:
-                expect.equal(
-                    again.first_status(), 204, f"status at the last id, {state}"
-                )
-            what = f"the end of the stream of a run that is {state}"
-            reader.expect_end(what)
-        for earlier in ids_of(events)[:-1]:
-            with follow_run(run, earlier) as again:
-                expect.equal(again.first_status(), 200, "status at an earlier id")
-    for state in ("stopped", "failed"):
+            reader.until(in_state(run.body["state"]), f"`run` that is {state}")
+            reader.expect_end(f"the end of the stream of a run that is {state}")
+
+
+@requirement("EVT-010")
+def test_evt_010_says_that_nothing_follows(context: CheckContext) -> None:
+    """Streams of runs that are completed, failed for good, stopped, and failed but
+    retryable are continued after each of their events.
+
+    Expect 204 after the last one of the first two alone.
+    """
+    for state in ("completed", "failed not_retryable", "stopped", "failed"):
         run = make_run_in_state(context, state)
         with follow_run(run) as reader:
-            events = reader.until(in_state(state), f"`run` that is {state}")
-        with follow_run(run, ids_of(events)[-1]) as again:
-            expect.equal(again.first_status(), 200, f"status at the last id, {state}")
+            events = reader.until(in_state(run.body["state"]), f"`run` that is {state}")
+        *earlier, last = ids_of(events)
+        at_last = 200 if state in ("stopped", "failed") else 204
+        for event_id, status in [(last, at_last), *((one, 200) for one in earlier)]:
+            with follow_run(run, event_id) as again:
+                what = f"status at id {event_id} of a run that is {state}"
+                expect.equal(again.first_status(), status, what)
 
 
 def altered_ids(event_id: str) -> Iterator[str]:

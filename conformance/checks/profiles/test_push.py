@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any
 
 from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
 from conformance.policy.push_run import (
     expect_end,
     expect_policy_fault,
@@ -267,9 +268,31 @@ def test_push_007_calls_are_bounded(context: CheckContext) -> None:
 
 @requirement("PUSH-008")
 def test_push_008_repeated_call_is_the_same_call(context: CheckContext) -> None:
-    """Each predict is refused once with `unavailable`.
+    """The predict of an episode with one step is refused once with `unavailable`.
 
-    Expect the same body again, and each response executed once.
+    Expect the same body again.
+    """
+    asked, _ = play_with_a_busy_policy(context, steps=1)
+    expect.equal(sorted(asked.values()), [2], "calls with the same body")
+
+
+@requirement("PUSH-020")
+def test_push_020_executes_one_response(context: CheckContext) -> None:
+    """Each of two predicts is refused once with `unavailable`.
+
+    Expect the actions of each response executed once.
+    """
+    _, run = play_with_a_busy_policy(context, steps=2)
+    (episode,) = run.episodes()
+    expect.equal(episode["result"]["steps"], 2, "steps")
+
+
+def play_with_a_busy_policy(
+    context: CheckContext, steps: int
+) -> tuple[Counter[bytes], RunClient]:
+    """Play an episode in which each predict is refused once and then has one action.
+
+    Gives how often each body was sent, and the completed run.
     """
     with policy_server(context) as policy:
         asked = Counter[bytes]()
@@ -278,15 +301,13 @@ def test_push_008_repeated_call_is_the_same_call(context: CheckContext) -> None:
             asked[call.raw] += 1
             if asked[call.raw] == 1:
                 return busy_reply()
-            last = call.body["episode"]["step"] == 1
+            last = call.body["episode"]["step"] >= steps - 1
             return policy.actions_reply(call, context.action(score=1, end=float(last)))
 
         policy.on("predict", busy_at_first)
         run = submit_push_run(context, policy, max_concurrent=1, max_retries=2)
         expect_end(run, "completed")
-        expect.equal(sorted(asked.values()), [2, 2], "calls with the same body")
-        (episode,) = run.episodes()
-        expect.equal(episode["result"]["steps"], 2, "steps")
+        return asked, run
 
 
 @requirement("PUSH-009")

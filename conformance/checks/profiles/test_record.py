@@ -202,23 +202,16 @@ def test_rec_102_a_record_names_its_run(context: CheckContext) -> None:
 
 @requirement("REC-103")
 def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
-    """A run is asked for its record while it is ready, running and stopped, and for
-    recordings of an episode in play, a pending one and one that it does not have.
+    """A run is asked for its record while it is ready, running and stopped.
 
-    Expect refusals, and both of them when the run is completed.
+    Expect refusals, and a record when the run is completed.
     """
     run = context.submit("score", "score")
     expect.refused(run.call("fetch_record"), "illegal_transition")
     worker = run.worker()
     worker.attach()
-    worker.predict(context.action())
-    for episode_id in ("e0000", "e0001", "e0002", "e9999", "0", "e00000"):
-        refused = run.call("fetch_recording", episode_id=episode_id)
-        expect.refused(refused, "not_found")
     worker.play()
     expect.refused(run.call("fetch_record"), "illegal_transition")
-    fetched_recording(run.call("fetch_recording", episode_id="e0000"))
-    expect.refused(run.call("fetch_recording", episode_id="e0001"), "not_found")
     run.stop()
     expect.refused(run.call("fetch_record"), "illegal_transition")
     run.resume()
@@ -226,7 +219,27 @@ def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
     worker.attach()
     worker.play()
     fetched_record(run.call("fetch_record"))
-    expect.refused(run.call("fetch_recording", episode_id="e0002"), "not_found")
+
+
+@requirement("REC-125")
+def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
+    """Recordings of an episode in play, a pending one, a scored one, and of some that
+    the run does not have.
+
+    Expect `not_found` for all but the scored one.
+    """
+    run = context.submit("score", "score")
+    worker = run.worker()
+    worker.attach()
+    worker.predict(context.action())
+    for episode_id in ("e0000", "e0001", "e0002", "e9999", "0", "e00000"):
+        refused = run.call("fetch_recording", episode_id=episode_id)
+        expect.refused(refused, "not_found")
+    worker.play()
+    fetched_recording(run.call("fetch_recording", episode_id="e0000"))
+    for episode_id in ("e0001", "e0002"):
+        refused = run.call("fetch_recording", episode_id=episode_id)
+        expect.refused(refused, "not_found")
 
 
 @requirement("REC-104")

@@ -105,15 +105,25 @@ def play_to_the_end(worker: WorkerClient) -> None:
         worker.seq += 1
 
 
-def expect_to_run_for_a_session(run: RunClient, workers: list[WorkerClient]) -> None:
-    """Expect the run not to be `running` if no session has outlived the restart.
+@requirement("CRASH-005")
+def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
+    """The server is killed with episodes in progress.
 
-    Workers would wait for its end (LIFE-802), and a drain of it would never end.
+    Expect the run to be `running` only if a session has outlived the restart: workers
+    would wait for its end (LIFE-802), and a drain of it would never end.
     """
-    living = [worker for worker in workers if worker.try_heartbeat().status == 200]
-    state = expect.ok(run.call("get_run"))["state"]
-    text = "a run without a living session is not `running` after the restart"
-    expect.true(living or state != "running", text, state)
+    with open_private_server(context) as server:
+        run = server.context.submit("score", "score", "score")
+        workers = attach_workers(run, server.context.worker_count(2))
+        workers[0].play(score=0.75)
+        for worker in workers:
+            worker.predict(server.context.action())
+        server.kill9()
+        server.restart()
+        living = [worker for worker in workers if worker.try_heartbeat().status == 200]
+        state = expect.ok(run.call("get_run"))["state"]
+        text = "a run without a living session is not `running` after the restart"
+        expect.true(living or state != "running", text, state)
 
 
 @requirement("CRASH-002")
@@ -121,8 +131,7 @@ def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
     """`max_attempts` is 1; the server is killed with two episodes in progress.
 
     Expect both pending at attempt 1, and the run to complete, after a resume if its
-    state requires one; until a worker attaches, it is `running` only for sessions that
-    have outlived the restart.
+    state requires one.
     """
     with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)
@@ -132,7 +141,6 @@ def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
             worker.predict(server.context.action())
         server.kill9()
         server.restart()
-        expect_to_run_for_a_session(run, workers)
         if run.get()["state"] in ("stopped", "failed"):
             expect.ok(run.call("resume_run"))
             run.until("ready")

@@ -11,6 +11,7 @@ from conformance.checks.support.operation_samples import (
     attach_live_worker,
     operation_samples,
 )
+from conformance.checks.support.schema_requests import expect_faults_refused
 from conformance.checks.support.submissions import (
     adopt_answer,
     runs_of,
@@ -40,13 +41,12 @@ LISTED_SOMEWHERE = {
 
 
 def expect_pages_in_range(run: RunClient) -> None:
-    """Expect lists to refuse limits and cursors that break their schema."""
+    """Expect lists to refuse limits and cursors that some readers accept."""
     for operation_id in ("list_runs", "list_episodes"):
-        no_numbers = ("ten", "", " 5", "1_0", "\uff15")
-        for limit in ("0", "-1", "1001", "1.5", "9" * 20, *no_numbers):
+        for limit in ("9" * 20, "", " 5", "1_0", "\uff15"):
             answer = run.call(operation_id, params={"limit": limit})
             expect.refused(answer, "invalid_request")
-        for cursor in ("no cursor!", "x" * 129, ""):
+        for cursor in ("no cursor!", "x" * 129):
             answer = run.call(operation_id, params={"cursor": cursor})
             expect.refused(answer, "invalid_request")
         # The text leaves the answer to this one free, but not its form.
@@ -55,49 +55,38 @@ def expect_pages_in_range(run: RunClient) -> None:
             expect.ok(run.call(operation_id, params={"limit": limit}))
 
 
-def expect_tolerance_in_range(run: RunClient) -> None:
-    """Expect a comparison to refuse a tolerance that breaks its schema."""
-    params = {"baseline": run.id, "runs": run.id}
-    for tolerance in ("-1e-9", repr(math.nextafter(1, 2)), "2", "x", ""):
-        answer = run.call("compare_runs", params=params | {"tolerance": tolerance})
-        expect.refused(answer, "invalid_request")
-    for tolerance in ("0", "1"):
-        expect.ok(run.call("compare_runs", params=params | {"tolerance": tolerance}))
-
-
 @requirement("ERR-014")
 def test_err_014_cannot_send_parameters_that_break_their_schema(
     context: CheckContext,
 ) -> None:
-    """Invalid limits, cursors and headers; a detach without a session.
+    """Every parameter and header of every operation breaks its schema in every way, or
+    is left out; numbers and preferences are written as some readers allow.
 
-    Expect `invalid_request`; the ends of the range and a complete detach succeed.
+    Expect `invalid_request`; the ends of the ranges succeed.
     """
+    expect_faults_refused(context)
     run = context.submit()
-    worker = run.worker()
-    worker.attach()
-    for session in ({}, {"session_id": ""}, {"session_id": "x" * 129}):
-        nameless = run.call("detach_worker", worker_id=worker.id, params=session)
-        expect.refused(nameless, "invalid_request")
-    worker.detach()
     expect_pages_in_range(run)
-    wrong_preferences = ("wait=soon", "wait=-1", "respond-async", "wait=", "wait=1.5")
-    for wrong in (*wrong_preferences, "wait=12345", "wait=1, respond-async"):
+    for wrong in ("wait=-1", "wait=", "wait=1.5", "wait=12345", "wait=1, x"):
         answer = run.call("get_run", headers={"Prefer": wrong})
         expect.refused(answer, "invalid_request")
-    tags = ", ".join([f'"{"x" * 30}"'] * 10)[:201]
-    too_many = run.call("get_run", headers={"If-None-Match": tags})
-    expect.refused(too_many, "invalid_request")
-    expect.ok(run.call("get_run", headers={"If-None-Match": tags[:200]}))
+    tags = ", ".join([f'"{"x" * 30}"'] * 10)[:200]
+    expect.ok(run.call("get_run", headers={"If-None-Match": tags}))
     for right in ("wait=0", "wait=9999"):
         expect.ok(run.call("get_run", headers={"Prefer": right}))
-    for version in ("1", "1.0.0", "v1.0", "1.0-draft", "1.00000", "00001.0", "1,0"):
+    for version in ("1", "1.0.0", "v1.0", "1.0-draft", "1.00000", "00001.0"):
         answer = context.call("list_runs", headers={"Proctor-Version": version})
         is_known = answer.code == "unsupported_version"
         code = "unsupported_version" if is_known else "invalid_request"
         expect.refused(answer, code)
     if context.offers("compare"):
-        expect_tolerance_in_range(run)
+        params = {"baseline": run.id, "runs": run.id}
+        beyond = params | {"tolerance": repr(math.nextafter(1, 2))}
+        answer = run.call("compare_runs", params=beyond)
+        expect.refused(answer, "invalid_request")
+        for tolerance in ("0", "1"):
+            params |= {"tolerance": tolerance}
+            expect.ok(run.call("compare_runs", params=params))
     longest = uuid.uuid4().hex * 4
     for key in (f"{longest}x", "two words"):
         wrong_key = {"Idempotency-Key": key}

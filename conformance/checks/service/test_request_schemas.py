@@ -1,28 +1,19 @@
 """Bodies that are well-formed and break the schema of their operation (ERR)."""
 
-import json
-import uuid
 from typing import Any
 
-from conformance.checks.support.bodies.schema_breaches import (
-    at_bounds,
-    broken_bounds,
-    missing_members,
-)
-from conformance.checks.support.given_states import expect_pointer
+from conformance.checks.support.bodies.value_bounds import at_bounds
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
-    operation_samples,
+    samples_with_body,
     send,
+    send_body,
 )
+from conformance.checks.support.schema_requests import expect_faults_refused
 from conformance.checks.support.submissions import submit, whole_submission
 from conformance.client.check_context import CheckContext
-from conformance.client.run_client import RunClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
-
-ROOTS: list[Any] = [None, [], [{}], "text", "", 0, 1.5, True, False]
 
 
 def schema_of(context: CheckContext, operation_id: str) -> dict[str, Any]:
@@ -33,28 +24,20 @@ def schema_of(context: CheckContext, operation_id: str) -> dict[str, Any]:
     return schema
 
 
-def send_json(run: RunClient, operation_id: str, body: Any, **how: Any) -> Answer:
-    """Send any value as JSON, null too."""
-    headers = {"Content-Type": "application/json"}
-    content = json.dumps(body).encode()
-    return run.call(operation_id, content=content, headers=headers, **how)
-
-
 @requirement("ERR-015")
 def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> None:
     """Null, lists, texts, numbers and booleans as the whole body of every operation.
 
     Expect `invalid_request` and the run unchanged; then the objects are accepted.
     """
+    expect_faults_refused(context)
     worker = attach_live_worker(context)
-    before = worker.run.snapshot()
-    samples = [s for s in operation_samples(worker) if "json" in s[1]]
+    samples = samples_with_body(worker)
     for operation_id, how in samples:
-        others = {name: value for name, value in how.items() if name != "json"}
-        for root in [*ROOTS, [how["json"]]]:
-            answer = send_json(worker.run, operation_id, root, **others)
+        root: Any
+        for root in ([], [{}], [how["json"]], "", 1.5):
+            answer = send_body(worker, (operation_id, how), root)
             expect.refused(answer, "invalid_request")
-    expect.equal(worker.run.snapshot(), before, "the run")
     for sample in samples:
         status = 201 if sample[0] == "submit_run" else 200
         expect.ok(send(worker.run, sample), status)
@@ -67,24 +50,8 @@ def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None
     Expect `invalid_request` pointing there; the bodies unbroken, and with everything at
     either end of its bounds, are accepted.
     """
-    worker = attach_live_worker(context)
-    samples = {o: how for o, how in operation_samples(worker) if "json" in how}
-    submission = samples["submit_run"]["json"] = whole_submission(context)
-    samples["attach_worker"]["json"] = {"attach_key": uuid.uuid4().hex}
-    if context.offers("observations"):
-        samples["predict"]["json"]["observe"] = "last"
-    samples["stop_run"]["json"] = {"mode": "abort"}
-    for operation_id, how in samples.items():
-        schema = schema_of(context, operation_id)
-        body, others = how["json"], {k: how[k] for k in how if k != "json"}
-        for pointer, wrong in broken_bounds(schema, body):
-            answer = send_json(worker.run, operation_id, wrong, **others)
-            expect_pointer(expect.refused(answer, "invalid_request"), pointer)
-        for pointer, parent, wrong in missing_members(schema, body):
-            answer = send_json(worker.run, operation_id, wrong, **others)
-            errors = expect.refused(answer, "invalid_request")["errors"]
-            places = [error["pointer"] for error in errors]
-            expect.true({pointer, parent} & {*places}, f"a pointer {pointer}", places)
+    expect_faults_refused(context)
+    submission = whole_submission(context)
     schema, whole = schema_of(context, "submit_run")["properties"], [submission]
     for end in ("min", "max"):
         parts = ("policy", "options")

@@ -87,4 +87,4 @@ def for_all(
 
 def _with_example(error: Violation, example: object) -> Violation:
     text = f"{error.expected}, for the example {example}"
-    return Violation(text, error.observed, error.exchange)
+    return Violation(text, error.observed, error.exchange, is_alone=error.is_alone)

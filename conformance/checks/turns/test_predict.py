@@ -2,6 +2,7 @@
 
 import base64
 import time
+from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
@@ -92,11 +93,33 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
 def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
     """Chunks that are longer than the episode, end with it, or end before it.
 
-    Expect `stopped_early` only for the first, and nothing executed after the end.
+    Expect nothing executed after the end.
+    """
+    for turn, executed, _ in turns_at_the_end(context):
+        expect.equal(turn["executed_steps"], executed, "executed_steps")
+        if executed == 2 and "observation" in turn:
+            expect.equal(count(turn), [0], "count in the next episode")
+
+
+@requirement("PRED-028")
+def test_pred_028_says_that_actions_are_left(context: CheckContext) -> None:
+    """Chunks that are longer than the episode, end with it, or end before it.
+
+    Expect `stopped_early` for the first alone.
+    """
+    for turn, _, is_early in turns_at_the_end(context):
+        expect.equal(turn["stopped_early"], is_early, "stopped_early")
+
+
+def turns_at_the_end(
+    context: CheckContext,
+) -> Iterator[tuple[dict[str, Any], int, bool]]:
+    """Turns around the end of an episode, how many actions they execute, and whether
+    they leave some.
     """
     worker = submit_and_attach(context, "count", "count", "count", max_steps=3)
     step, end = context.action(), context.action(end=1)
-    for chunk, executed, early in (
+    for chunk, executed, is_early in (
         ([step, end, step, step], 2, True),
         ([step, end], 2, False),
         ([step], 1, False),
@@ -104,10 +127,7 @@ def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
     ):
         turn = expect.ok(worker.try_predict(*chunk))
         worker.seq += 1
-        expect.equal(turn["executed_steps"], executed, "executed_steps")
-        expect.equal(turn["stopped_early"], early, "stopped_early")
-        if executed == 2 and "observation" in turn:
-            expect.equal(count(turn), [0], "count in the next episode")
+        yield turn, executed, is_early
 
 
 @requirement("PRED-008")

@@ -25,7 +25,7 @@ func streamEvents(r *request) (*answer, *wire.Problem) {
 			return nil, wire.RefuseAt("invalid_request", "EVT-007", "header:Last-Event-ID",
 				"is the id of no event of this run")
 		}
-		if found.Over() && found.IsLast(at) { // EVT-006
+		if found.Over() && found.IsLast(at) { // EVT-010
 			return &answer{status: 204}, nil
 		}
 	}

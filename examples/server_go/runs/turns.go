@@ -216,7 +216,7 @@ func (r *Run) answerTurn(s *session, made played, watch *calibration.Stopwatch) 
 		turn = append(turn, wire.Member{"observations", made.observations})
 	}
 	turn = append(turn, wire.Object{
-		{"executed_steps", len(made.rewards)}, {"stopped_early", made.early},
+		{"executed_steps", len(made.rewards)}, {"stopped_early", made.early}, // PRED-028
 		{"rewards", made.rewards}, {"terminated", made.result != nil && made.sim.Ended},
 		{"truncated", made.truncated}, {"done", s.done},
 	}...)

@@ -20,6 +20,7 @@ from proctor_client import (
 
 from reference_client.command.output.episode_facts import (
     episode_facts,
+    faults_text,
     label_of,
     played_by,
 )
@@ -48,6 +49,7 @@ def run_facts(
             + (f", version {run.policy.version}" if run.policy.version else "")
             + ("; others may play, too" if run.any_policy else ""),
             "played by": played_by(episodes),
+            "faults": faults_text(episodes),
             "score": None if score is None else _headline(score),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
@@ -251,7 +253,7 @@ def comparison_tables(
             "scores": f"{whole.better} episodes better, {whole.worse} worse",
             "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
-            "release": explain_release(comparison, run, evidence),
+            "release": explain_release(comparison, run, evidence, watched),
         }
     )
     table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))

@@ -22,6 +22,7 @@ from reference_record.comparison.sequential_comparison import (
 )
 
 Player = PlayerView | None
+FAULTED_MAX = 5  # more names are left out
 
 
 def compare_while_played(
@@ -69,9 +70,24 @@ def episode_facts(episodes: Sequence[Episode]) -> dict[str, str | None]:
     results = [episode.result for episode in episodes if episode.result]
     return {
         "played by": played_by(episodes),
+        "faults": faults_text(episodes),
         "return": _return(results),
         "clipped": _clipped(results),
     }
+
+
+def faults_text(episodes: Sequence[Episode]) -> str | None:
+    """`3 of the simulator, in 2 episodes: e0001, e0003`; None if there was none."""
+    faulted = [episode for episode in episodes if episode.faults]
+    if not faulted:
+        return None
+    names = [episode.episode_id for episode in faulted[:FAULTED_MAX]]
+    more = len(faulted) - len(names)
+    return (
+        f"{sum(episode.faults for episode in faulted)} of the simulator, in "
+        f"{len(faulted)} episode{'s' * (len(faulted) > 1)}: {', '.join(names)}"
+        + (f" and {more} more" if more else "")
+    )
 
 
 def played_by(episodes: Sequence[Episode]) -> str | None:

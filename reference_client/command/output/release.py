@@ -12,7 +12,8 @@ from typing import Final
 
 from proctor_client import ComparedRun, Comparison
 
-from reference_record.comparison.difference_evidence import Evidence
+from reference_record.comparison.difference_evidence import ALPHA, Evidence
+from reference_record.comparison.sequential_comparison import SequentialComparison
 
 ROUNDING: Final = 1e-9  # CMP-008 has the same: no rounding decides
 
@@ -36,15 +37,31 @@ def may_release(comparison: Comparison, run: ComparedRun) -> bool:
     return run.complete and all(group.difference <= limit for group in _groups(run))
 
 
-def _groups(run: ComparedRun, evidence: Evidence | None = None) -> list[_Group]:
-    """All episodes, then those of each task, with the evidence of a difference."""
-    whole = evidence is not None and evidence.overall.is_shown
-    groups = [_Group(None, run.difference or 0.0, whole)]
+def _groups(
+    run: ComparedRun, shown: frozenset[str | None] = frozenset()
+) -> list[_Group]:
+    """All episodes, then those of each task. shown: see `_shown_worse`."""
+    groups = [_Group(None, run.difference or 0.0, None in shown)]
     for task, compared in run.by_task.items():
-        of_task = evidence.by_task.get(task) if evidence is not None else None
-        is_shown = of_task is not None and of_task.is_shown
-        groups.append(_Group(task, compared.difference or 0.0, is_shown))
+        groups.append(_Group(task, compared.difference or 0.0, task in shown))
     return groups
+
+
+def _shown_worse(
+    run: ComparedRun, evidence: Evidence, watched: SequentialComparison
+) -> frozenset[str | None]:
+    """The groups in which chance does not explain that the run is worse.
+
+    Three lines of the table have a test over all episodes: of the scores, of the
+    successes, and the sequential one. None of them may contradict the verdict.
+    """
+    is_whole = (
+        evidence.overall.is_shown
+        or (run.losses > run.wins and run.p_value <= ALPHA)
+        or watched.better == "baseline"
+    )
+    tasks = {task for task, of_task in evidence.by_task.items() if of_task.is_shown}
+    return frozenset({*tasks, *([None] if is_whole else [])})
 
 
 def _names(groups: Sequence[_Group]) -> str:
@@ -55,13 +72,17 @@ def _names(groups: Sequence[_Group]) -> str:
 
 
 def explain_release(
-    comparison: Comparison, run: ComparedRun, evidence: Evidence
+    comparison: Comparison,
+    run: ComparedRun,
+    evidence: Evidence,
+    watched: SequentialComparison,
 ) -> str:
     """Only what is worse is a reason against it, unless chance explains it."""
     tolerance = f"{comparison.tolerance:g}"
     if not run.complete:
         return "no: not every episode is scored in both"
-    groups, limit = _groups(run, evidence), comparison.tolerance + ROUNDING
+    groups = _groups(run, _shown_worse(run, evidence, watched))
+    limit = comparison.tolerance + ROUNDING
     worse = [group for group in groups if group.difference > limit]
     better = [group for group in groups if group.difference < -limit]
     if not worse and not better:

@@ -30,10 +30,11 @@ from reference_client.command.output.episode_facts import (
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
 from reference_client.command.output.release import may_release
+from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
 from reference_client.command.usage_error import UsageError
-from reference_client.errors import ProctorError
+from reference_client.errors import ProctorError, as_sentence
 from reference_client.evaluation import parameters
 from reference_client.evaluation.declared_policy import DeclaredPolicy, check_offered
 from reference_client.evaluation.status_board import Progress
@@ -76,6 +77,7 @@ def submit(args: Options, printer: Printer) -> int:
         printer.answer(run.endpoint, run.endpoint)
     else:
         printer.answer(run.to_dict(), answer_tables.run_facts(run))
+        _say_how_to_play(run, printer)
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
@@ -142,9 +144,23 @@ def stop(args: Options, printer: Printer) -> int:
 
 def resume(args: Options, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
-        run = control_client.resume(_required_run_id(args))
+        run_id = _required_run_id(args)
+        before = control_client.read(run_id)
+        run = control_client.resume(run_id)
     printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    if before.state.value == "failed":
+        printer.say(f"It had failed: {as_sentence(before.reason)}")
+    _say_how_to_play(run, printer)
     return DONE
+
+
+def _say_how_to_play(run: Run, printer: Printer) -> None:
+    """A run without a policy server waits for the workers of its submitter."""
+    if run.state.value in ("queued", "ready") and run.mode in (None, "pull"):
+        printer.say(
+            "It waits for a policy, which plays it with:\n"
+            f"  {own_name()} run --run-id {run.run_id} --policy POLICY"
+        )
 
 
 def delete(args: Options, printer: Printer) -> int:

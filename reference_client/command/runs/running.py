@@ -49,7 +49,7 @@ from reference_client.command.runs.control import (
 from reference_client.command.runs.page_address import page_of
 from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
-from reference_client.errors import NOT_TRUSTED, ProctorError, RunFailed
+from reference_client.errors import ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import (
@@ -375,16 +375,26 @@ class _EvaluationCommand:
             exit_code_of(error, has_run=self._run is not None),
             error.code,
             message_of(error),
-            can_resume=not isinstance(error, RunFailed) or error.retryable,
+            ends_run=error.ends_run,
+            is_mended=error.retryable and not isinstance(error, RunFailed),
         )
 
     def _report_policy_error(self, error: Exception | SystemExit) -> _EvaluationEnded:
         return self._report_refusal(policy_failure(error))
 
     def _report_end(
-        self, code: int, kind: str, line: str, *, can_resume: bool = True
+        self,
+        code: int,
+        kind: str,
+        line: str,
+        *,
+        ends_run: bool = False,
+        is_mended: bool = True,
     ) -> _EvaluationEnded:
-        """Print why the evaluation ended, what waits, and how to continue it."""
+        """Print why the evaluation ended, what waits, and how to continue it.
+
+        ends_run: the run cannot go on. is_mended: it can, with nothing done before.
+        """
         self._progress_display.end()
         say = self._printer.say
         say(f"proctor: {line}")
@@ -401,14 +411,15 @@ class _EvaluationCommand:
             value["waiting"] = [asdict(episode) for episode in left]
             for episode in left:
                 say(f"{describe_left(episode, self._board.max_attempts)}.")
-            if left:
+            if left and not ends_run:
                 say(_ATTEMPTS)
-            if can_resume:
+            if ends_run:
+                say("This run cannot be continued.")
+            else:
                 value["resume"] = resume_command(
                     self._args, run_id, takeover=bool(left)
                 )
-                # A server that is not trusted has to be mended first.
-                when = "When that is done, to" if kind == NOT_TRUSTED else "To"
+                when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
         return _EvaluationEnded(code, value)
 

@@ -128,6 +128,7 @@ class WorkerLoop:
 
     def _play(self, session: Session) -> None:
         turn = session.turn
+        self._report_fault(turn)
         is_new = (
             True  # after a takeover, the episode continues with a new policy object
         )
@@ -158,6 +159,7 @@ class WorkerLoop:
                         actions=actions,
                     )
                 )
+                self._report_fault(turn)
                 self._count_clips(actions, turn)
                 if turn.episode_result:
                     self._board.on_scored()
@@ -175,6 +177,10 @@ class WorkerLoop:
             if error.code == "invalid_request" and self._layout is not None:
                 raise error.explained(expected_action(self._layout)) from error
             raise
+
+    def _report_fault(self, turn: Turn) -> None:
+        if turn.fault:
+            self._board.on_fault(turn.fault.episode_id, turn.fault.detail)
 
     def _count_clips(self, actions: list[WireAction], turn: Turn) -> None:
         """Count what the server clips of the executed actions; report at the end."""

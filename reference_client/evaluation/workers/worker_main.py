@@ -88,6 +88,9 @@ class ReportingBoard(StatusBoard):
     def on_lost(self, lost: LostSession) -> None:
         self.report("lost", lost=asdict(lost))
 
+    def on_fault(self, episode_id: str, text: str) -> None:
+        self.report("fault", episode_id=episode_id, text=text)
+
     def on_left(self, left: LeftEpisode) -> None:
         self.report("left", left=asdict(left))
 

@@ -214,16 +214,21 @@ class WorkerProcess:
         elif kind == "attached":
             self._session_id = report["session_id"]
         elif self._context is not None:
-            board: StatusBoard = self._context.board
-            if kind == "scored":
+            self._show_on(self._context.board, kind, report)
+
+    def _show_on(self, board: StatusBoard, kind: str, report: Report) -> None:
+        match kind:
+            case "scored":
                 board.on_scored()
-            elif kind == "clips":
+            case "clips":
                 board.on_clips(ClipCount(**report["count"]), report["warning"])
-            elif kind == "lost":
+            case "lost":
                 board.on_lost(LostSession(**report["lost"]))
-            elif kind == "left":
+            case "fault":
+                board.on_fault(report["episode_id"], report["text"])
+            case "left":
                 board.on_left(LeftEpisode(**report["left"]))
-            elif kind == "waiting":
+            case "waiting":
                 board.waiting_reporter(self.worker_id)(report["what"])
 
     def _handle_death(self) -> ProctorError:

@@ -25,6 +25,11 @@ from reference_server.http.connections.connection_limits import (
     ConnectionLimits,
     shared_address,
 )
+from reference_server.http.connections.direct_cycle import (
+    DirectAnswers,
+    DirectCycle,
+    is_usual,
+)
 from reference_server.http.connections.joined_answer import JoinedAnswer
 from reference_server.http.connections.uvicorn_protocol import (
     STATUS_LINE,
@@ -67,8 +72,11 @@ class BoundedConnection(HttpToolsProtocol):
         _loop: asyncio.AbstractEventLoop | None = None,
         *,
         limiter: ConnectionLimiter,
+        direct: DirectAnswers | None = None,
     ) -> None:
         super().__init__(config, server_state, app_state, _loop)
+        self._direct = direct
+        self._direct_cycle: DirectCycle | None = None  # until its body is complete
         self.address = ""
         self.url = b""
         self._limiter = limiter
@@ -86,7 +94,7 @@ class BoundedConnection(HttpToolsProtocol):
         self._held = b""
         self._is_feeding_chunks = False
         self._passed_over_left = 0  # bytes that extend the deadline
-        self._answer: JoinedAnswer
+        self._answer: JoinedAnswer | None = None
 
     # --- what the event loop calls ---
 
@@ -209,13 +217,33 @@ class BoundedConnection(HttpToolsProtocol):
             return self._refuse(431)
         if _names_two_hosts(self.headers):
             return self._refuse(400)
-        super().on_headers_complete()
-        self._answer = JoinedAnswer(self.transport)
-        self.cycle.transport = self._answer  # type: ignore[assignment]
-        self._phase = _BODY
         self._body_left = _declared_length(self.headers)
+        if not self._begin_directly():
+            super().on_headers_complete()
+            self._answer = JoinedAnswer(self.transport)
+            self.cycle.transport = self._answer  # type: ignore[assignment]
+        self._phase = _BODY
         self._body_size = self._body_framing = 0
         return None
+
+    def _begin_directly(self) -> bool:
+        """Whether the request is one that is answered without ASGI."""
+        if self._direct is None or not is_usual(self.headers, self._body_left):
+            return False
+        path = self._direct.path_of(self.parser.get_method(), self.url)
+        if path is None or self.parser.get_http_version() != "1.1":
+            return False
+        scope: dict[str, Any] = {
+            **self.scope,
+            "raw_path": self.url,
+            "path": self.url.decode("ascii"),
+            "path_params": path,
+        }
+        keep_alive = self.parser.should_keep_alive()
+        cycle = DirectCycle(self, scope, self._direct.answer, keep_alive=keep_alive)
+        self.cycle, self._direct_cycle = cycle, cycle  # type: ignore[assignment]
+        self._answer = None
+        return True
 
     def on_body(self, body: bytes) -> None:
         if self._phase != _BODY:
@@ -231,13 +259,20 @@ class BoundedConnection(HttpToolsProtocol):
     def on_message_complete(self) -> None:
         if self._phase != _BODY:
             return
+        if self._direct_cycle is not None:
+            self._phase = _COMPLETE
+            task, self._direct_cycle = self._direct_cycle.start(), None
+            self.tasks.add(task)
+            task.add_done_callback(self.tasks.discard)
+            return
         super().on_message_complete()
         self._phase = _COMPLETE
         if self.cycle.response_complete and not self.flow.write_paused:
             self._become_idle()
 
     def on_response_complete(self) -> None:
-        self._answer.flush()
+        if self._answer is not None:
+            self._answer.flush()
         self.server_state.total_requests += 1
         if self.cycle.body:
             self.cycle.body = bytearray()  # the operation did not want it
@@ -453,9 +488,11 @@ class BoundedConnection(HttpToolsProtocol):
         self.transport.close()
 
 
-def connection_factory(limiter: ConnectionLimiter) -> Any:
+def connection_factory(
+    limiter: ConnectionLimiter, direct: DirectAnswers | None = None
+) -> Any:
     """For `uvicorn.Config(http=…)`, which calls a class with what each one needs."""
-    return partial(BoundedConnection, limiter=limiter)
+    return partial(BoundedConnection, limiter=limiter, direct=direct)
 
 
 def _names_two_hosts(headers: list[tuple[bytes, bytes]]) -> bool:

@@ -47,6 +47,10 @@ class Film:
     files: Sequence[tuple[str, Path]] = ()
 
     @property
+    def kept(self) -> str:
+        return f"The server keeps the latest {FILMS_MAX} films, until it restarts."
+
+    @property
     def is_pending(self) -> bool:
         return self.state in ("waiting", "drawing")
 

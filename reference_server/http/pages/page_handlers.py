@@ -27,7 +27,13 @@ from reference_record.broken import BrokenRecord
 from reference_record.formats.names import record_file_name
 from reference_record.pages import page_contents, run_page
 from reference_record.pages.comparison_page import KINDS, LETTERS, pair_episodes
-from reference_record.pages.page_contents import ShownVideo, Side, Window, played_view
+from reference_record.pages.page_contents import (
+    Neighbours,
+    ShownVideo,
+    Side,
+    Window,
+    played_view,
+)
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
@@ -140,18 +146,11 @@ class PageHandlers:
             run, score = snapshot(run, listed.all)
         else:
             score = await call.api.get("runs", run_id, "score")
-        selected = {name: call.query(name) for name in ("outcome", "task", "split")}
-        fitting = [
-            episode
-            for episode in figures.ordered
-            if selected["outcome"] in ("", status_of(episode))
-            and selected["task"] in ("", episode["task"])
-            and selected["split"] in ("", episode["split"])
-        ]
+        fitting, selected = _selected(call, figures)
         window = _window(call, fitting, selected, "#episodes")
         described = await _benchmark_of(call, run)
-        if run_page.has_unknown_options(run, described):
-            run = {**run, "options": await self._options_of(run_id)}
+        if run_page.is_of_another_manifest(run, described):
+            run = {**run, **await self._options_of(run_id)}
         runs = await call.api.get("runs", limit=ROWS)
         others = [
             candidate
@@ -169,14 +168,14 @@ class PageHandlers:
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
-    async def _options_of(self, run_id: str) -> Mapping[str, Any] | None:
-        """The options of a run that was just read for the same reader."""
+    async def _options_of(self, run_id: str) -> Mapping[str, Any]:
+        """Options of a run that was just read for the same reader, as its member."""
         if self._find_options is None:
-            return None
+            return {}
         try:
-            return await self._find_options(run_id)
+            return {"options": await self._find_options(run_id)}
         except (Refused, StoreFailed):  # the page is shown without them
-            return None
+            return {}
 
     async def stream_run(self, call: PageCall, is_allowed: Any) -> Response:
         """Changes of a run, for the page of it that is open."""
@@ -211,15 +210,16 @@ class PageHandlers:
     async def show_episode(self, call: PageCall) -> str:
         run_id = call.path("run_id")
         run = await call.api.get("runs", run_id)
-        episodes = (await self._episodes(call, run)).all
-        place = _place(episodes, call.path("episode_id"))
-        episode = episodes[place]
+        listed = await self._episodes(call, run)
+        episode = listed.all[_place(listed.all, call.path("episode_id"))]
         recorded, problem = await self._recorded(call, run_id, episode)
         benchmark = await _benchmark_of(call, run)
-        around = [
-            call.links.episode(run_id, episodes[at]) if 0 <= at < len(episodes) else ""
-            for at in (place - 1, place + 1)
-        ]
+        fitting, selected = _selected(call, listed.figures)
+        query = Window((), 0, selected=selected).query
+        around = Neighbours.of(
+            run_page.around(fitting, episode["episode_id"]),
+            lambda one: call.links.episode(run_id, one) + query,
+        )
         view = None
         if recorded is not None:
             view = self._view(call, run, episode, recorded, benchmark)
@@ -227,7 +227,7 @@ class PageHandlers:
             call.links, run, episode, recorded, view,
             control_rate_hz=benchmark["control_rate_hz"] if benchmark else None,
             film=self._film_of(run, episode),
-            problem=problem, before=around[0], after=around[1], csrf=call.csrf,
+            problem=problem, neighbours=around, query=query, csrf=call.csrf,
         )  # fmt: skip
 
     async def fetch_picture(self, call: PageCall) -> Response:
@@ -261,16 +261,34 @@ class PageHandlers:
         run = await call.api.get("runs", run_id)
         episodes = (await self._episodes(call, run)).all
         episode = episodes[_place(episodes, episode_id)]
+        await self._draw(call, run, episode)
+        address = call.links.episode(run_id, episode)
+        query = call.request.url.query
+        return RedirectResponse(
+            f"{address}?{query}" if query else address, HTTPStatus.SEE_OTHER
+        )
+
+    async def draw_pair(self, call: PageCall, _form: Mapping[str, str]) -> Response:
+        """The films of both sides."""
+        runs = await self._runs_of_pair(call)
+        for run in runs:
+            episodes = (await self._episodes(call, run)).all
+            episode = episodes[_place(episodes, call.query_id("episode"))]
+            await self._draw(call, run, episode)
+        address, _, _ = call.links.pair("", "", {"episode_id": ""}).partition("?")
+        return RedirectResponse(
+            f"{address}?{call.request.url.query}", HTTPStatus.SEE_OTHER
+        )
+
+    async def _draw(self, call: PageCall, run: Document, episode: Document) -> None:
         if self._films is None or self._film_of(run, episode) is None:
             raise Problem(404, "not_found", "Films of it are not drawn here.")
         self._films.start(
-            (run_id, episode_id),
-            call.api.stream("runs", run_id, "record"),
+            (run["run_id"], episode["episode_id"]),
+            call.api.stream("runs", run["run_id"], "record"),
             episode["index"],
             await _benchmark_of(call, run),
         )
-        address = call.links.episode(run_id, episode)
-        return RedirectResponse(address, HTTPStatus.SEE_OTHER)
 
     async def fetch_film(self, call: PageCall) -> Response:
         """The video of a camera, by its number."""
@@ -280,7 +298,8 @@ class PageHandlers:
         film = self._films.find(key) if self._films is not None else None
         files = film.files if film is not None else ()
         if not number.isdecimal() or int(number) >= len(files):
-            raise Problem(404, "not_found", "There is no such film.")
+            text = "Such a film is not kept here. The page of the episode draws it."
+            raise Problem(404, "not_found", text)
         _, path = files[int(number)]
         headers = {"Cache-Control": "private, max-age=3600"}
         return FileResponse(path, media_type="video/mp4", headers=headers)
@@ -310,25 +329,46 @@ class PageHandlers:
         for run_id in ids:
             run = await call.api.get("runs", run_id)
             runs.append((run, (await self._episodes(call, run)).all))
-        _require_same_episodes([run for run, _ in runs])
+        await _require_same_episodes(call, [run for run, _ in runs])
         return page_contents.several_html(call.links, runs, csrf=call.csrf)
 
     async def show_pair(self, call: PageCall) -> str:
-        sides, problems = [], []
-        for name in ("baseline", "run"):
-            run = await call.api.get("runs", call.query_id(name))
-            episodes = (await self._episodes(call, run)).all
-            episode = episodes[_place(episodes, call.query_id("episode"))]
+        runs = await self._runs_of_pair(call)
+        ids = runs[0]["run_id"], runs[1]["run_id"]
+        sides, problems, lists = [], [], []
+        for run in runs:
+            lists.append((await self._episodes(call, run)).all)
+            episode = lists[-1][_place(lists[-1], call.query_id("episode"))]
             recorded, problem = await self._recorded(call, run["run_id"], episode)
             recorded = recorded or RecordedEpisode()
             benchmark = await _benchmark_of(call, run)
             view = self._view(call, run, episode, recorded, benchmark)
-            sides.append(Side(run, episode, recorded, view))
+            film = self._film_of(run, episode)
+            sides.append(Side(run, episode, recorded, view, film))
             problems += [problem] if problem else []
-        _require_same_episodes([side.run for side in sides])
+        kind = kind if (kind := call.query("kind")) in KINDS else ""
+        query = f"&kind={kind}" if kind else ""
+        closed = [p for p in pair_episodes(*lists) if p.kind != "open"]
+        walked = [pair.run for pair in closed if kind in ("", pair.kind)]
+        episode = sides[1].episode
         return page_contents.pair_html(
-            call.links, sides, problem=" ".join(problems), csrf=call.csrf
-        )
+            call.links, sides, problem=" ".join(problems), csrf=call.csrf,
+            neighbours=Neighbours.of(
+                run_page.around(walked, episode["episode_id"]),
+                lambda one: call.links.pair(*ids, one) + query,
+            ),
+            drawing=call.links.pair_films(*ids, episode) + query
+            if any(side.film and side.film.state in ("none", "failed")
+                   for side in sides)
+            and all(side.film for side in sides)
+            else "",
+        )  # fmt: skip
+
+    async def _runs_of_pair(self, call: PageCall) -> list[Document]:
+        names = ("baseline", "run")
+        runs = [await call.api.get("runs", call.query_id(name)) for name in names]
+        await _require_same_episodes(call, runs)
+        return runs
 
     def _view(
         self,
@@ -409,6 +449,21 @@ def _fits(run: Document, selected: Mapping[str, str]) -> bool:
     )
 
 
+def _selected(
+    call: PageCall, figures: RunFigures
+) -> tuple[list[Document], dict[str, str]]:
+    """The episodes that the address selects, failures first, and by which values."""
+    selected = {name: call.query(name) for name in ("outcome", "task", "split")}
+    fitting = [
+        episode
+        for episode in figures.ordered
+        if selected["outcome"] in ("", status_of(episode))
+        and selected["task"] in ("", episode["task"])
+        and selected["split"] in ("", episode["split"])
+    ]
+    return fitting, selected
+
+
 def _window(
     call: PageCall, rows: Sequence[Any], selected: Mapping[str, str], anchor: str = ""
 ) -> Window:
@@ -424,9 +479,14 @@ def _window(
     return Window(part, len(rows), call.page, addresses, selected=selected)
 
 
-def _require_same_episodes(runs: Sequence[Document]) -> None:
-    if len({run["manifest_sha256"] for run in runs}) > 1:
-        raise Problem(404, "not_found", "The runs do not have the same episodes.")
+async def _require_same_episodes(call: PageCall, runs: Sequence[Document]) -> None:
+    """The refusal of the API says in which members the manifests differ."""
+    baseline, *others = runs
+    for run in others:
+        if run["manifest_sha256"] != baseline["manifest_sha256"]:
+            ids = {"baseline": baseline["run_id"], "runs": run["run_id"]}
+            await call.api.get("comparisons", **ids)
+            raise Problem(409, "not_comparable", "The runs have different manifests.")
 
 
 def _near(page: int, pages: int) -> list[int]:

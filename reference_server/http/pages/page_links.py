@@ -99,6 +99,10 @@ class ServerLinks:
         chosen["episode"] = episode["episode_id"]
         return self.to(f"/pages/compare/episode?{urlencode(chosen)}")
 
+    def pair_films(self, baseline: str, run_id: str, episode: Mapping[str, Any]) -> str:
+        page, _, query = self.pair(baseline, run_id, episode).partition("?")
+        return f"{page}/films?{query}"
+
 
 def safe_next(path: str) -> str:
     """The path of a browser after the sign-in: only a page of this server."""

@@ -137,6 +137,7 @@ class Pages:
             f"{run}/publish": board_pages.publish,
             f"{run}/withdraw": board_pages.withdraw,
             f"{run}/episodes/{{episode_id}}/film": handlers.draw_film,
+            "/compare/episode/films": handlers.draw_pair,
         }
         return [
             self._route("/static/{name:path}", self._answered(self._send_asset)),
@@ -377,10 +378,10 @@ def _to_login(request: Request) -> Response:
 def _login_path(request: Request) -> str:
     """The sign-in, which leads back to the requested page."""
     here = request.url.path
+    if request.method == "POST":
+        here = here.rpartition("/")[0]  # the page that has the form
     if request.url.query:
         here += f"?{request.url.query}"
-    if request.method == "POST":
-        here = request.url.path.rpartition("/")[0]  # the page that has the form
     return links_of(request).login(here)
 
 

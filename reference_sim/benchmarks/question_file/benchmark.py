@@ -20,6 +20,7 @@ from reference_sim.definition import BenchmarkDefinition, Json, image_sizes
 from reference_sim.gymnasium.benchmark_file import legal_id
 from reference_sim.interface import (
     Action,
+    ChangedSource,
     Observation,
     Simulator,
     StepOutcome,
@@ -57,9 +58,9 @@ class QuestionFileSimulator:
     """Asks one question per episode; the seed is its place in the file."""
 
     def __init__(self, path: Path, sha256: str) -> None:
-        self._questions = read_questions(path)
         if _sha256(path) != sha256:
-            raise RuntimeError(f"{path} has changed since the server started")
+            raise ChangedSource.of([path.name])
+        self._questions = read_questions(path)
         self._question: FileQuestion | None = None
         self._is_answered = False
 

@@ -20,20 +20,26 @@ One file without dependencies, for Python 3.8 and newer: copy it beside your pro
         proctor_simulator.serve(World())
 
 Numbers and arrays may be NumPy's or others with `tolist`. Standard output belongs to
-the protocol: while `serve` runs, what is printed goes to standard error.
+the protocol: while `serve` runs, what is printed goes to standard error. The SHA-256 of
+each file of yours that is imported becomes part of the benchmark, so import them before
+`serve`. Files in `site-packages` and in folders given as `installed` are not yours.
 """
 
 from __future__ import annotations
 
+import hashlib
 import mmap
 import os
 import struct
 import sys
+import sysconfig
 import traceback
-from typing import Any, Dict, List, NoReturn, Tuple, Union
+from pathlib import Path
+from typing import Any, Dict, List, NoReturn, Sequence, Set, Tuple, Union
 
 PROTOCOL = 1
 _LENGTH = struct.Struct(">I")
+_FOLDER = Path.cwd().resolve()  # a simulator may change it later
 Buffer = Union[bytes, bytearray, memoryview]
 
 
@@ -107,13 +113,16 @@ def vector(
     return space
 
 
-def serve(simulator: Simulator) -> NoReturn:
-    """Answer requests until the server closes; then end the program."""
+def serve(simulator: Simulator, installed: Sequence[str] = ()) -> NoReturn:
+    """Answer requests until the server closes; then end the program.
+
+    installed: folders with packages of others, besides `site-packages`.
+    """
     requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     os.dup2(2, 1)  # prints of other packages, in C as well, must not break a frame
     sys.stdout = sys.stderr
-    session = _Session(simulator)
+    session = _Session(simulator, installed)
     while True:
         head = requests.read(_LENGTH.size)
         if len(head) < _LENGTH.size:
@@ -133,9 +142,10 @@ def serve(simulator: Simulator) -> NoReturn:
 class _Session:
     """Answers one request after the other."""
 
-    def __init__(self, simulator: Simulator) -> None:
+    def __init__(self, simulator: Simulator, installed: Sequence[str] = ()) -> None:
         self._simulator = simulator
         self._is_reset = False
+        self._sources = _Sources(installed)
         self._number, self._memory = -1, None  # type: Tuple[int, Any]
 
     def answer(self, request: Dict[str, Any]) -> Dict[str, Any]:
@@ -153,17 +163,22 @@ class _Session:
                 return {"fault": f"unknown call {call!r}"}
             if call in ("step", "observe", "digest") and not self._is_reset:
                 return {"fault": f"{call} before the first reset"}
-            return calls[call](request)
+            reply = calls[call](request)
         except Unplayable as unplayable:
             return {"fault": str(unplayable), "unplayable": True}
         except Exception as error:  # noqa: BLE001 - a world may raise anything
             traceback.print_exc()
             return {"fault": f"{type(error).__name__}: {error}"}
+        late = self._sources.imported_late()
+        return {"fault": late} if late else reply
 
     def _describe(self, request: Dict[str, Any]) -> Dict[str, Any]:
         if PROTOCOL not in request["protocols"]:
             return {"fault": f"this library speaks protocol {PROTOCOL}"}
-        return {"protocol": PROTOCOL, "benchmark": self._simulator.benchmark}
+        announced = self._sources.announced()
+        announced.update(self._simulator.benchmark.get("sources", {}))
+        benchmark = dict(self._simulator.benchmark, sources=announced)
+        return {"protocol": PROTOCOL, "benchmark": benchmark}
 
     def _reset(self, request: Dict[str, Any]) -> Dict[str, Any]:
         task = request["task"]
@@ -221,6 +236,72 @@ class _Session:
 
     def _close(self, _request: Dict[str, Any]) -> Dict[str, Any]:
         return {}
+
+
+class _Sources:
+    """The program's own files of Python, which no package versions."""
+
+    def __init__(self, installed: Sequence[str]) -> None:
+        names = ("stdlib", "platstdlib")
+        folders = [
+            *map(sysconfig.get_path, names),
+            os.environ.get("TMPDIR"),
+            *installed,
+        ]
+        self._installed = {Path(folder).resolve() for folder in folders if folder}
+        self._announced: Dict[str, str] = {}
+        self._modules: Set[str] = set()
+
+    def announced(self) -> Dict[str, str]:
+        """Name → SHA-256 of each file that was imported before the first call."""
+        if not self._modules:
+            self._modules = set(sys.modules)
+            for module in sorted(self._modules):
+                path = self._own_file(module)
+                if path:
+                    digest = hashlib.sha256(path.read_bytes()).hexdigest()
+                    name = _source_name(module, path)
+                    is_taken = self._announced.get(name, digest) != digest
+                    self._announced[module if is_taken else name] = digest
+        return dict(self._announced)
+
+    def imported_late(self) -> str:
+        """Say which file was imported since; empty if none was."""
+        if not self._modules or len(sys.modules) == len(self._modules):
+            return ""
+        for module in set(sys.modules) - self._modules:
+            path = self._own_file(module)
+            if path:
+                return (
+                    f"{_source_name(module, path)} was not imported when the program "
+                    "described itself, so it is not in the manifest; import it at the "
+                    "top of the program"
+                )
+        self._modules = set(sys.modules)
+        return ""
+
+    def _own_file(self, module: str) -> Path | None:
+        file = getattr(sys.modules.get(module), "__dict__", {}).get("__file__")
+        if not isinstance(file, str):
+            return None
+        if module == "__main__":  # Python 3.8 has it relative
+            file = str(_FOLDER / file)
+        path = Path(file)
+        if not path.is_absolute() or not path.is_file():
+            return None
+        path = path.resolve()
+        is_installed = {"site-packages", "dist-packages"}.intersection(path.parts)
+        return (
+            None if is_installed or self._installed.intersection(path.parents) else path
+        )
+
+
+def _source_name(module: str, path: Path) -> str:
+    """Its path within the folder where the program starts, or that of imports."""
+    if _FOLDER in path.parents:
+        return path.relative_to(_FOLDER).as_posix()
+    packages = module.split(".")
+    return "/".join([*packages[: None if path.stem == "__init__" else -1], path.name])
 
 
 def _buffer(array: Any) -> Buffer:

@@ -47,6 +47,17 @@ def test_who_waits_long_says_so_at_each_doubling(
     assert board.waiting() is None
 
 
+def test_each_text_of_a_fault_is_said_once() -> None:
+    board = StatusBoard()
+    for episode_id, text in (("e0", "It died"), ("e1", "It died"), ("e1", "No disk.")):
+        board.on_fault(episode_id, text)
+    begun = "began again, at no cost to the policy: the simulator broke:"
+    assert board.pop_notes() == [
+        f"warning: e0 {begun} It died.",
+        f"warning: e1 {begun} No disk.",
+    ]
+
+
 def test_the_status_board_shows_one_waiting_worker() -> None:
     board = StatusBoard()
     first, second = (

@@ -1,6 +1,9 @@
 """The kit's own wrong bodies: each is wrong as its check says, and nothing else is."""
 
-import json
+import contextlib
+import os
+import subprocess
+import sys
 from typing import Any
 
 import jsonschema_rs
@@ -8,10 +11,12 @@ import msgspec
 import pytest
 
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
-from conformance.checks.support.bodies.schema_breaches import (
-    at_bounds,
-    broken_bounds,
-    missing_members,
+from conformance.checks.support.bodies.value_bounds import at_bounds
+from conformance.checks.support.schema_faults import (
+    Fault,
+    NoPlace,
+    Place,
+    all_faults,
 )
 from conformance.specification.document import load_spec
 
@@ -29,21 +34,66 @@ def is_valid(body: Any) -> bool:
     return jsonschema_rs.is_valid(SCHEMA, body)
 
 
-def test_every_broken_bound_breaks_the_schema() -> None:
-    broken = list(broken_bounds(SCHEMA, SUBMISSION))
-    # Python's `$` lets a line feed pass that follows; that of JSON Schema does not.
-    judged = [body for _, body in broken if "\\n" not in json.dumps(body)]
-    assert len(judged) > 15
-    assert not any(is_valid(body) for body in judged)
+def faults_of(operation_id: str) -> list[Fault]:
+    return [f for f in all_faults() if f.operation_id == operation_id]
+
+
+def test_every_fault_breaks_the_schema() -> None:
+    kept = []
+    for fault in faults_of("submit_run"):
+        with contextlib.suppress(NoPlace):
+            if fault.place == Place.BODY:
+                kept.append(fault.put_into({"json": SUBMISSION}))
+    assert len(kept) > 100
+    assert [fault for fault, how in kept if is_valid(how["json"])] == []
     assert is_valid(SUBMISSION)
 
 
-def test_pointers_name_what_is_broken() -> None:
-    pointers = {pointer for pointer, _ in broken_bounds(SCHEMA, SUBMISSION)}
-    assert {"/benchmark_id", "/policy/name", "/options/tasks/1"} <= pointers
-    missing = {at: parent for at, parent, _ in missing_members(SCHEMA, SUBMISSION)}
-    assert missing["/policy/name"] == "/policy"
-    assert missing["/policy"] == ""
+@pytest.mark.parametrize(
+    ("rule", "pointer"),
+    [
+        ("ERR-015", ""),
+        ("ERR-004", "/benchmark_id"),
+        ("ERR-003", "/options/x-schemathesis-unknown-property"),
+        ("ERR-016", "/policy/name"),
+        ("ERR-016", "/options/max_steps"),
+        ("ERR-014", "header:Idempotency-Key"),
+        ("ERR-014", "header:Proctor-Version"),
+    ],
+)
+def test_faults_name_their_rule_and_their_place(rule: str, pointer: str) -> None:
+    assert (rule, pointer) in {(f.rule, f.pointer) for f in faults_of("submit_run")}
+
+
+def test_names_in_maps_and_lists_are_those_of_the_request() -> None:
+    body = {"seq": 1, "actions": [{"values": {"a": [1]}}, {"values": {"b": [2]}}]}
+    found = set()
+    for fault in faults_of("predict"):
+        with contextlib.suppress(NoPlace):
+            if fault.place == Place.BODY:
+                found.add(fault.put_into({"json": body})[0].pointer)
+    assert {"/actions/1/values/b", "/actions/1/values", "/seq"} <= found
+
+
+def test_every_process_makes_the_same_requests() -> None:
+    code = (
+        "from conformance.checks.support.schema_faults import all_faults, "
+        "random_requests; import hypothesis as h; made = [*all_faults()];"
+        "keep = h.settings(database=None, max_examples=5)(h.seed(3)("
+        "h.given(random_requests('predict', False))(lambda x: made.append(x))));"
+        "keep(); import hashlib;"
+        "print(hashlib.sha256(repr(made).encode()).hexdigest())"
+    )
+    digests = {
+        subprocess.run(
+            [sys.executable, "-c", code],
+            env=os.environ | {"PYTHONHASHSEED": seed},
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    }
+    assert len(digests) == 1
 
 
 @pytest.mark.parametrize("end", ["min", "max"])

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from starlette.responses import Response
+
 from reference_server.http import event_streams
 from reference_server.http.event_streams import EventStream
 from reference_server.rules import events
@@ -84,8 +86,20 @@ async def restarts_the_stream_on_reconnect(
     return answer if answer.status_code == 204 else await right(self, None)
 
 
+@mutant("EVT-010", through=with_short_keepalive(instead_of(EventStream, "answer")))
+async def sends_an_empty_stream_after_the_last_event(
+    right: Any, self: EventStream, last_id: str | None
+) -> Any:
+    """A browser connects again, without end, to a stream in which nothing follows."""
+    answer = await right(self, last_id)
+    if answer.status_code != 204:
+        return answer
+    return Response(b"retry: 1000\n\n", media_type="text/event-stream")
+
+
 @mutant(
-    "EVT-006", "EVT-009", through=with_short_keepalive(instead_of(events, "is_final"))
+    *("EVT-006", "EVT-009", "EVT-010"),
+    through=with_short_keepalive(instead_of(events, "is_final")),
 )
 def never_ends_a_stream(_right: Any, _run: RunHead) -> Any:
     """A script that waits for the end of a stream never ends."""

@@ -149,6 +149,27 @@ def changes_the_body_of_a_repeated_call() -> None:
     put(HttpCalls, "_call_with_deadline", wrong)
 
 
+@mutant("PUSH-020")
+def executes_the_response_to_a_repeated_call_twice() -> None:
+    """A policy that is busy for a moment moves the robot twice as far."""
+    right_call, right_predict = HttpCalls._call_with_deadline, ProctorPolicy.predict
+    sent: list[bytes | None] = []
+
+    async def call_with_deadline(self: HttpCalls, call: Call) -> Any:
+        sent.append(call.content)
+        return await right_call(self, call)
+
+    async def predict(self: ProctorPolicy, turn: Any) -> Any:
+        before = len(sent)
+        answer = await right_predict(self, turn)
+        if len(sent) > before + 1:
+            answer.actions = answer.actions * 2
+        return answer
+
+    put(HttpCalls, "_call_with_deadline", call_with_deadline)
+    put(ProctorPolicy, "predict", predict)
+
+
 @mutant("PUSH-009", through=instead_of(HttpCalls, "_call_with_deadline"))
 async def has_no_total_call_timeout(_right: Any, self: HttpCalls, call: Call) -> Any:
     """One byte per second holds a worker and its simulator for days."""

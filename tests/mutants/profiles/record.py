@@ -21,7 +21,9 @@ from reference_server.http.handlers import Handlers
 from reference_server.records import recordings, run_records
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import RunRecords
+from reference_server.rules.refusal import Refused
 from reference_server.runs import service
+from reference_server.runs.service import RunService
 from reference_server.storage import record_store, run_store
 from reference_server.storage.database_tables import signing_keys
 from reference_server.storage.record_store import RecordStore
@@ -75,6 +77,17 @@ async def retires_its_key_at_a_restart(
 def does_not_refuse_records_of_runs_in_play() -> None:
     """A run that goes on looks like one that does not exist."""
     put(service, "refuse_record", lambda _run: None)
+
+
+@mutant("REC-125", through=instead_of(RunService, "find_recording"))
+async def sends_the_last_recording_for_an_unknown_episode(
+    right: Any, self: RunService, account: str, run_id: str, episode_id: str
+) -> Any:
+    """A reader takes what happened in one episode for another one."""
+    try:
+        return await right(self, account, run_id, episode_id)
+    except Refused:
+        return await right(self, account, run_id, "e0000")
 
 
 @mutant("REC-104", "REC-124")

@@ -41,7 +41,7 @@ def stores_results_after_sending_them() -> None:
     put(RunWriter, "commit", wrong)
 
 
-@mutant("CRASH-002")
+@mutant("CRASH-005")
 def leaves_runs_running_on_restart() -> None:
     """No worker plays the run, it says that it is played, and a drain never ends."""
     after: dict[Any, Any] = {**STATES_AFTER_RESTART, "running": "running"}

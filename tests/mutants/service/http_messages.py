@@ -98,6 +98,30 @@ def ignores_invalid_query_parameters(
         return {}
 
 
+@mutant("ERR-014", through=instead_of(dispatch, "_query"))
+def ignores_invalid_parameters_of_the_leaderboard(
+    right: Any, request: Request, operation: dispatch.Operation
+) -> Any:
+    """A reader of entries gets a page of another size than was asked for."""
+    try:
+        return right(request, operation)
+    except Refused:
+        if request.url.path != "/v1/entries":
+            raise
+        return {}
+
+
+@mutant("ERR-012", through=instead_of(dispatch, "_query"))
+def fails_on_a_large_tree(
+    right: Any, request: Request, operation: dispatch.Operation
+) -> Any:
+    """A proof about a tree that nobody has looks like a defect of the server."""
+    values = right(request, operation)
+    if int(values.get("tree_size", 0)) > 999:
+        raise OverflowError
+    return values
+
+
 @mutant("ERR-017", through=instead_of(dispatch, "_headers"))
 def reads_the_headers_of_other_operations(
     right: Any, request: Request, operation: dispatch.Operation

@@ -152,3 +152,12 @@ def reads_messagepack_extensions() -> None:
 
     put(codec, "_reject_extension", wrong)
     put(codec, "_contains_timestamp", lambda _data: False)
+
+
+@mutant("ERR-004", through=instead_of(codec, "validate"))
+def reads_true_as_the_number_of_steps(right: Any, model: Any, data: Any) -> Any:
+    """An option that was meant as a switch becomes a limit of one step."""
+    options = data.get("options") if isinstance(data, dict) else None
+    if isinstance(options, dict) and isinstance(options.get("max_steps"), bool):
+        data = {**data, "options": {**options, "max_steps": 1}}
+    return right(model, data)

@@ -154,7 +154,7 @@ def shows_fewer_steps_to_a_later_attempt(body: Json, _session: Session) -> None:
         body["episode"] = episode | {"max_steps": episode["max_steps"] - 1}
 
 
-@mutant("PRED-007", through=change_turn)
+@mutant("PRED-028", through=change_turn)
 def never_says_that_it_stopped_early(body: Json, _session: Session) -> None:
     """A client believes that its whole chunk was executed."""
     body["stopped_early"] = False

@@ -10,7 +10,12 @@ import pytest
 
 from reference_record.pages.page_templates import duration
 from reference_record.pages.run_page import RunPace as Pace
-from reference_record.pages.run_page import commands, pace_of
+from reference_record.pages.run_page import (
+    around,
+    commands,
+    failures_first,
+    pace_of,
+)
 
 
 @pytest.mark.parametrize(
@@ -104,14 +109,45 @@ def test_a_run_is_repeated_with_its_options(
     assert title == "Evaluate a policy in the same way"
 
 
-def test_options_that_are_not_known_are_named() -> None:
-    """The manifest is another one than without options."""
-    other = RUN | {"manifest_sha256": "2"}
-    ((title, _),) = commands(other, DEFAULT)
-    assert "--options" in title
-    selected = other | {"select": {"tasks": ["a"]}}
-    assert "--options" not in commands(selected, DEFAULT)[0][0]
-    assert "--options" not in commands(other, None)[0][0]
+CHANGED = "The benchmark has changed since this run"
+
+
+@pytest.mark.parametrize(
+    ("members", "described", "said"),
+    [
+        ({}, DEFAULT, f"{CHANGED}, or this run had options (--options), which"),
+        ({"options": None}, DEFAULT, f"{CHANGED}: the command names another"),
+        ({"options": {}}, DEFAULT, f"{CHANGED}: the command names another"),
+        ({"options": {"a": 1}}, DEFAULT, ""),
+        ({"select": {"tasks": ["a"]}}, DEFAULT, ""),
+        ({}, None, ""),
+        ({"manifest_sha256": "1"}, DEFAULT, ""),
+    ],
+)
+def test_why_a_run_has_another_manifest_is_said_as_far_as_it_is_known(
+    members: dict[str, Any], described: dict[str, Any] | None, said: str
+) -> None:
+    """A server knows the options of its runs, a report does not."""
+    other = RUN | {"manifest_sha256": "2"} | members
+    ((title, _),) = commands(other, described)
+    assert (said in title) if said else (title == "Evaluate a policy in the same way")
+
+
+@pytest.mark.parametrize(
+    ("episode_id", "ids"),
+    [("e0", [None, "e2"]), ("e2", ["e0", "e1"]), ("e1", ["e2", None])],
+)
+def test_one_walks_from_failure_to_failure(
+    episode_id: str, ids: list[str | None]
+) -> None:
+    results = {"e0": "failure", "e1": "success", "e2": "failure"}
+    episodes = [
+        {"episode_id": name, "index": index, "result": {"outcome": outcome}}
+        for index, (name, outcome) in enumerate(results.items())
+    ]
+    walked = around(failures_first(episodes), episode_id)
+    assert [one and one["episode_id"] for one in walked] == ids
+    assert around([], episode_id) == [None, None]
 
 
 @pytest.mark.parametrize(

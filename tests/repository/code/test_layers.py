@@ -6,7 +6,6 @@ The lifecycle and the problems of the server are those of the specification.
 
 import ast
 import re
-import subprocess
 import sys
 import typing
 from pathlib import Path
@@ -23,6 +22,7 @@ from tests.support.paths import ROOT
 from tests.support.repository.imports import (
     HAND_WRITTEN,
     PACKAGES,
+    entries_of_git,
     files_of_package,
     importers_of,
     imports,
@@ -57,8 +57,16 @@ PURE = sorted(
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
     "accounts": {"http", "rules", "settings", "telemetry"},
-    "assembly": {"accounts", "cluster", "files", "http", "monitoring", "process", "profiles"}
-    | {"push", "records", "reference_record", "reference_sim", "rules", "runs"}
+    "assembly": {"accounts", "cluster", "files", "http", "monitoring", "process"}
+    | {
+        "profiles",
+        "push",
+        "records",
+        "reference_record",
+        "reference_sim",
+        "rules",
+        "runs",
+    }
     | {"settings", "storage"},
     "generated": set(),
     "rules": {"generated"},
@@ -350,11 +358,7 @@ def test_readme_and_makefile_are_short(name: str, most: int) -> None:
 
 
 def test_the_top_level_has_few_entries() -> None:
-    tracked = subprocess.run(
-        ["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True
-    ).stdout.split("\n")
-    entries = {name.partition("/")[0] for name in tracked if name}
     # Platforms find these two at the root only.
-    entries -= {"action.yml", "CITATION.cff"}
+    entries = entries_of_git() - {"action.yml", "CITATION.cff"}
     shown = sorted(entry for entry in entries if not entry.startswith("."))
     assert 0 < len(shown) <= 19, shown

@@ -19,7 +19,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
 from tests.support.paths import ROOT
-from tests.support.repository.imports import PACKAGES, nodes_of
+from tests.support.repository.imports import PACKAGES, entries_of_git, nodes_of
 
 GENERATED = (
     "generated_clients/*",
@@ -165,7 +165,8 @@ def hand_written() -> list[str]:
     return sorted(
         name
         for name in set(listed)
-        if (matches(name, HAND_WRITTEN) or not matches(name, GENERATED))
+        if name.partition("/")[0] in entries_of_git()
+        and (matches(name, HAND_WRITTEN) or not matches(name, GENERATED))
         and (ROOT / name).is_file()
     )
 

@@ -16,6 +16,7 @@ from reference_server.rules import comparison
 from reference_server.rules.comparison import (
     TOLERANCE,
     compare,
+    differing_members,
     is_within,
     manifest_mismatch,
     mcnemar,
@@ -201,11 +202,47 @@ def test_the_tolerance_applies_to_every_group(
 
 
 def test_runs_of_another_manifest_are_named() -> None:
-    assert manifest_mismatch([("a", "1"), ("b", "1")]) is None
-    refuse = manifest_mismatch([("a", "1"), ("b", "2"), ("c", "1"), ("d", "3")])
+    assert manifest_mismatch([("a", "1", {}), ("b", "1", {})]) is None
+    other = {"version": "2", "tasks": list("abcdefg")}
+    runs: list[tuple[str, str, dict[str, Any]]] = [
+        ("a", "1", {}), ("b", "2", other), ("c", "1", {}), ("d", "3", {"x": 1}),
+    ]  # fmt: skip
+    refuse = manifest_mismatch(runs)
     assert refuse is not None
     assert (refuse.code, refuse.requirement) == ("not_comparable", "CMP-009")
     assert refuse.errors == (("query:runs", "b, d: another manifest than a"),)
+    assert refuse.detail.endswith("These differ in version, tasks, x.")
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "names"),
+    [
+        ({"benchmark_id": "a", "version": "1"}, {"benchmark_id": "b"}, "benchmark_id"),
+        (
+            {"version": "1", "episodes": [1]},
+            {"version": "2", "episodes": [1]},
+            "version",
+        ),
+        ({"episodes": [1, 2], "max_steps": 5}, {"episodes": [1]}, "episodes max_steps"),
+        (
+            {"simulator": {"sources": {"a.py": "1", "b.py": "2"}, "name": "x"}},
+            {"simulator": {"sources": {"a.py": "3", "c.py": "2"}, "name": "x"}},
+            "simulator.sources.a.py simulator.sources.b.py simulator.sources.c.py",
+        ),
+        ({"simulator": {}}, {"simulator": None}, "simulator"),
+    ],
+)
+def test_what_differs_between_manifests_is_named(
+    one: dict[str, Any], other: dict[str, Any], names: str
+) -> None:
+    assert differing_members(one, other) == names.split()
+
+
+def test_many_differences_are_counted() -> None:
+    runs = [("a", "1", {}), ("b", "2", dict.fromkeys("opqrstuv", 1))]
+    refuse = manifest_mismatch(runs)
+    assert refuse is not None
+    assert refuse.detail.endswith("differ in o, p, q, r, s and 3 more.")
 
 
 # --- what the specification says of the request ---

@@ -349,6 +349,24 @@ def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
     assert [e.attempt for e in run.episodes] == [1, 1, 1]
 
 
+@pytest.mark.parametrize(
+    ("forgiven", "said"),
+    [
+        (0, "Episode e0000 faulted 2 times: died"),
+        (3, "Episode e0000 faulted 2 times since its run was resumed, 5 in all: died"),
+    ],
+)
+def test_the_reason_counts_the_faults_that_failed_the_run(
+    forgiven: int, said: str
+) -> None:
+    run = make_run()
+    run.episodes[0].faults = run.episodes[0].faults_forgiven = forgiven
+    session = start_session(run)
+    for _ in range(run.manifest["max_faults"]):
+        effects.record_fault(run, session, "died", unplayable=False, now_wall=WALL)
+    assert (run.state, run.reason) == ("failed", said)
+
+
 def test_forgiven_faults_do_not_fail_the_run_again() -> None:
     run = make_run()
     run.episodes[0].faults = run.episodes[0].faults_forgiven = 5

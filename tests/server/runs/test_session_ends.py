@@ -43,6 +43,10 @@ async def test_a_run_is_not_played_on_another_benchmark(
     assert what in refused.value.detail
     await assert_no_simulator_lent(parts)
     assert (run.state, run.episodes[0].attempt) == ("ready", 1)
+    await parts.service.stop_run(run.account, run.run_id)
+    with expect_refusal("benchmark_unavailable"):
+        await parts.service.resume_run(run.account, run.run_id)
+    assert run.state == "stopped"
 
 
 # --- a stop meets a turn ---

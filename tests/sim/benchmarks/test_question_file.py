@@ -13,7 +13,7 @@ from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_file import benchmark as question_file
 from reference_sim.benchmarks.question_file.question_lines import read_questions
 from reference_sim.gymnasium import BadBenchmark
-from reference_sim.interface import Simulator, TaskUnplayable
+from reference_sim.interface import ChangedSource, Simulator, TaskUnplayable
 from tests.support.paths import ROOT
 
 SAMPLE = ROOT / "examples" / "benchmarks" / "small_quiz.jsonl"
@@ -157,7 +157,7 @@ def test_a_file_that_changed_is_not_played(tmp_path: Path) -> None:
     _, definition = question_file.benchmark(str(path))
     settings = definition.settings({"codec": "png", "width": 16, "height": 12})
     write(tmp_path, {"question": "a?", "answer": 2})
-    with pytest.raises(RuntimeError, match="has changed since the server started"):
+    with pytest.raises(ChangedSource, match="has changed since the server started"):
         question_file.make(settings)
 
 

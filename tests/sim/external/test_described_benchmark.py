@@ -18,7 +18,8 @@ from reference_sim.external import LIBRARIES
 from reference_sim.external.external_simulator import ExternalSimulator
 from reference_sim.external.program import Program
 from reference_sim.gymnasium import BadBenchmark, registration
-from reference_sim.gymnasium.own_sources import ChangedSource, DeclaredFiles
+from reference_sim.gymnasium.own_sources import DeclaredFiles
+from reference_sim.interface import ChangedSource
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 from tests.support.paths import ROOT
 from tests.support.sim import breakable_simulator
@@ -135,6 +136,7 @@ def test_a_program_that_cannot_be_played_is_refused(
         ({"action_space": {}}, "Expected `object` of length >= 1"),
         ({"success_rule": "best"}, "success_rule: unknown value best"),
         ({"image_sizes": []}, "images and no image_sizes"),
+        ({"sources": {"a.usd": "md5"}}, "matching regex '^[0-9a-f]{64}$'"),
         (
             {"action_space": {"a": {"size": 2, "out_of_range": "clip"}}},
             "Object missing required field `parts`",
@@ -175,6 +177,89 @@ def test_a_program_that_was_edited_is_not_played(tmp_path: Path) -> None:
         file.write("# another one")
     with pytest.raises(ChangedSource, match=r"world\.py has changed since the server"):
         definition.make(settings)
+
+
+HELPED = """
+import arms.left
+import proctor_simulator
+from breakable_simulator import WORLD
+
+class World(type(WORLD)):
+    def step(self, action):
+        import_late()
+        return super().step(action)
+
+def import_late():
+    pass
+
+proctor_simulator.serve(World())
+"""
+
+
+def helped_program(folder: Path) -> str:
+    """A program with a module and a package beside it, and its benchmark file."""
+    (folder / "arms").mkdir()
+    (folder / "arms" / "__init__.py").write_text("")
+    (folder / "arms" / "left.py").write_text("reach_m = 0.5\n")
+    (folder / "late.py").write_text("")
+    (folder / "world.py").write_text(HELPED)
+    paths = f"PYTHONPATH={LIBRARIES}:{Path(SCRIPT).parent}"
+    command = ["env", paths, sys.executable, "-S", "world.py"]
+    return write_toml(folder, f"simulator = {json.dumps(command)}")
+
+
+@pytest.mark.parametrize("edited", ["arms/left.py", "arms/__init__.py", "world.py"])
+def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> None:
+    """Its hash is in the manifest, and the server that has the old one says so."""
+    reference = helped_program(tmp_path)
+    ((_, definition),) = definitions(reference).items()
+    before = definition.describe({}, 1)["simulator"]["sources"]
+    assert (
+        before[edited] == hashlib.sha256((tmp_path / edited).read_bytes()).hexdigest()
+    )
+    assert {"proctor_simulator.py", "breakable_simulator.py"} <= before.keys()
+    assert not [n for n in before if n.startswith("/") and n != sys.executable]
+    settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
+    with (tmp_path / edited).open("a") as file:
+        file.write("# another one\n")
+    with pytest.raises(ChangedSource, match=f"^{edited} has changed since the server"):
+        definition.make(settings)
+    ((_, definition),) = definitions(reference).items()
+    after = definition.describe({}, 1)["simulator"]["sources"]
+    assert {name for name in before if after[name] != before[name]} == {edited}
+
+
+@pytest.mark.parametrize(
+    ("program", "said"),
+    [
+        (
+            HELPED.replace("    pass", "    import late"),
+            "late.py was not imported when the program described itself",
+        ),
+        (
+            HELPED.replace("World())", "World(), installed=['.'])"),
+            None,
+        ),
+        (
+            HELPED.replace("    pass", "    import late").replace(
+                "World())", "World(), installed=['.'])"
+            ),
+            None,
+        ),
+        (HELPED.replace("    pass", "    import wave"), None),
+    ],
+)
+def test_an_import_that_is_late_is_a_fault(
+    program: str, said: str | None, tmp_path: Path
+) -> None:
+    """The file is in no manifest; installed packages and Python's own may be late."""
+    reference = helped_program(tmp_path)
+    (tmp_path / "world.py").write_text(program)
+    if said is None:
+        definitions(reference)
+    else:
+        with pytest.raises(BadBenchmark, match=said):
+            definitions(reference)
 
 
 def test_shared_memory_has_the_pixels_that_data_has() -> None:

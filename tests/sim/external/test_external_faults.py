@@ -15,6 +15,8 @@ from typing import Any
 import pytest
 
 from reference_sim.benchmark_registry import SimulatorConfig
+from reference_sim.external import LIBRARIES
+from reference_sim.gymnasium.own_sources import sha256_of
 from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
 from tests.support.paths import ROOT
 from tests.support.processes import descendants
@@ -27,6 +29,13 @@ pytestmark = [
     pytest.mark.slow("starts programs that are ended by force"),
 ]
 ACTION = {"add": [0.05]}
+SOURCES = {
+    path.relative_to(ROOT).as_posix(): sha256_of(path)
+    for path in (
+        Path(breakable_simulator.__file__),
+        LIBRARIES / "proctor_simulator.py",
+    )
+}
 
 
 @dataclass(frozen=True)
@@ -39,7 +48,7 @@ class Mark:
         program = [sys.executable, "-S", breakable_simulator.__file__, *arguments]
         command = ["env", f"SIMULATOR_TEST={self.value}", *program]
         plan: dict[str, Any] = {"command": command, "folder": str(Path.cwd())}
-        plan |= {"sources": {}, "start_timeout_s": 60.0}
+        plan |= {"sources": {}, "announced": SOURCES, "start_timeout_s": 60.0}
         plan["benchmark"] = breakable_simulator.WORLD.benchmark
         settings: dict[str, Any] = {"codec": "raw", "width": 8, "height": 6}
         settings |= {"adapter": "external", "plan": plan, "success_scored_tasks": []}

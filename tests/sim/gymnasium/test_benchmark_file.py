@@ -75,6 +75,11 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "unknown value anystep; did you mean any_step? There is any_step, last_st",
         ),
         ("", 'give one of environment = "ID", made_by = "FILE.py:NAME"'),
+        ("benchmarks = ['X']", "write each benchmark as a table [[benchmarks]]"),
+        (
+            "environment = 'X'\n[[benchmarks]]\nmax_steps = 1",
+            "benchmarks[0]: benchmark_id: Field required",
+        ),
         ("environment = 'X'\nmade_by = 'a:b'", "give one of environment"),
         ("made_by = 'a.py'", "made_by: String should match pattern"),
         ("environment = 'X'\nbenchmark_id = 'My'", "benchmark_id: String should match"),
@@ -207,6 +212,20 @@ def test_a_folder_is_all_its_files_in_order(tmp_path: Path) -> None:
     ]
 
 
+def test_a_file_has_several_benchmarks(tmp_path: Path) -> None:
+    """Expect the keys above them in each that has no others; a program has its id."""
+    (tmp_path / "two.toml").write_text(
+        "max_steps = 9\nversion = '2'\n"
+        "[[benchmarks]]\nbenchmark_id = 'a'\nenvironment = 'X'\n"
+        "[[benchmarks]]\nsimulator = ['./x']\nmax_steps = 3\n"
+    )
+    several = [benchmark for benchmark, _ in read(str(tmp_path / "two.toml"))]
+    assert [(b.benchmark_id, b.source, b.max_steps, b.version) for b in several] == [
+        ("a", "X", 9, "2"),
+        ("simulator", "./x", 3, "2"),
+    ]
+
+
 def test_short_references_stand_for_files() -> None:
     ((benchmark, folder),) = read("gymnasium:my_robots:ns/Arm-v2")
     assert (benchmark.environment, benchmark.modules) == ("ns/Arm-v2", ["my_robots"])
@@ -232,7 +251,7 @@ def test_ids_are_legal(name: str, benchmark_id: str) -> None:
 
 def test_meta_world_has_fifty_tasks_with_distinct_instructions() -> None:
     ((benchmark, _),) = read("metaworld_mt50")
-    assert BUNDLED_BENCHMARKS.keys() == {benchmark.benchmark_id}
+    assert benchmark.benchmark_id in BUNDLED_BENCHMARKS
     assert len({task.name for task in benchmark.tasks}) == 50
     assert len({task.instruction for task in benchmark.tasks}) == 50
     assert all(task.kwargs == {"task": task.name} for task in benchmark.tasks)

@@ -1,4 +1,4 @@
-"""Frames of a simulator process, however the socket cuts or joins them."""
+"""Frames of a simulator process, however the socket cuts or joins them; its log."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 import pytest
 
+from reference_sim.interface import ChangedSource, TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.simulator_process import LocalProcess
 
@@ -90,3 +91,34 @@ def test_a_process_whose_parent_has_ended_is_no_failure(
     with theirs, pytest.raises(SystemExit) as ended:
         simulator_main._send(theirs, simulator_main.Hello(1))
     assert ended.value.code == 0
+
+
+@pytest.mark.parametrize(
+    ("error", "reply", "has_traceback"),
+    [
+        (ChangedSource.of(["lab.py"]), "ChangedSource: lab.py has changed", False),
+        (TaskUnplayable("no asset"), "no asset", False),
+        (ValueError("a bad number"), "ValueError: a bad number", True),
+    ],
+)
+def test_what_the_reply_explains_has_no_traceback_in_the_log(
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    error: Exception,
+    reply: str,
+    has_traceback: bool,
+) -> None:
+    """Every process meets an edited file, and the server logs its name once."""
+
+    def fail(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(simulator_main._EpisodeHost, "_execute", fail)
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        host = simulator_main._EpisodeHost(ours)
+        command = simulator_main.frame(simulator_main.Observe())
+        failed = host.answer(bytes(command[simulator_main.HEADER.size :]))
+    assert isinstance(failed, simulator_main.FailureReply)
+    assert failed.error.startswith(reply)
+    assert ("Traceback" in caplog.text) == has_traceback

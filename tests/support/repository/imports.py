@@ -7,6 +7,7 @@ import ast
 import functools
 import gc
 import re
+import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -24,12 +25,24 @@ GENERATED = {
     "reference_server/generated/problem_codes.py",
     "reference_server/generated/models.py",
 }
-NOT_OURS = ("build", "dist", "report", "var")
+
+
+@functools.cache
+def entries_of_git() -> frozenset[str]:
+    """The files and folders that the repository has at its top.
+
+    What people write beside them, such as the README's `evaluate.py`, is not judged.
+    """
+    command = ["git", "ls-files", "-z"]
+    listed = subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+    return frozenset(
+        name.partition("/")[0] for name in listed.stdout.decode().split("\0") if name
+    )
 
 
 def is_ours(path: Path) -> bool:
     parts = path.relative_to(ROOT).parts
-    if parts[0].startswith(".") or parts[0] in NOT_OURS:
+    if parts[0].startswith(".") or parts[0] not in entries_of_git():
         return False
     names = {"/".join(parts[:depth]) for depth in range(1, len(parts) + 1)}
     return not names & GENERATED

@@ -1,7 +1,8 @@
 """A server of `BoundedConnection` in this process, with a small application behind it.
 
 The application answers `/body` with the size of its body, `/large` with as many bytes
-as its query says, `/wait` when it is released, and anything else at once.
+as its query says, `/wait` when it is released, and anything else at once. It is reached
+through ASGI, or as turns are answered.
 """
 
 from __future__ import annotations
@@ -10,10 +11,11 @@ import asyncio
 import contextlib
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import uvicorn
+from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
 from reference_server.http.connections.bounded_connection import (
@@ -27,6 +29,9 @@ from reference_server.http.connections.connection_limits import (
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
 
+# Whether the servers that start from now on answer as turns are answered.
+is_direct = False
+
 
 class BoundedServer:
     """limiter: counts its connections. paths: of the requests that it was given."""
@@ -39,7 +44,7 @@ class BoundedServer:
         self.address: tuple[str, int] = self._listener.getsockname()
         config = uvicorn.Config(
             self._app,
-            http=connection_factory(self.limiter),
+            http=connection_factory(self.limiter, self if is_direct else None),
             ws="none",
             interface="asgi3",
             lifespan="off",
@@ -77,18 +82,31 @@ class BoundedServer:
         self._thread.join(TIMEOUT_S)
 
     async def _app(self, scope: Scope, receive: Receive, send: Send) -> None:
-        self.paths.append(scope["path"])
+        self.paths.append(path := scope["path"])
+        size = await _read_size(receive) if path == "/body" else 0
+        response = await self._respond(path, scope["query_string"], size)
+        await response(scope, receive, send)
+
+    def path_of(self, method: bytes, url: bytes) -> Mapping[str, str] | None:
+        """See DirectAnswers; what is answered before its body is read is no turn."""
+        return {} if method == b"GET" or url == b"/body" else None
+
+    async def answer(self, scope: Scope, body: bytes) -> Response:
+        """See DirectAnswers."""
+        path, _, query = scope["path"].partition("?")
+        self.paths.append(path)
+        return await self._respond(path, query, len(body))
+
+    async def _respond(self, path: str, query: str | bytes, size: int) -> Response:
         body = b"ok"
-        match scope["path"]:
+        match path:
             case "/body":
-                body = b"%d" % await _read_size(receive)
+                body = b"%d" % size
             case "/large":
-                body = b"x" * int(scope["query_string"])
+                body = b"x" * int(query)
             case "/wait":
                 await self._released.wait()
-        length = (b"content-length", b"%d" % len(body))
-        await send({"type": "http.response.start", "status": 200, "headers": [length]})
-        await send({"type": "http.response.body", "body": body})
+        return Response(body)
 
 
 async def _read_size(receive: Receive) -> int:

@@ -152,7 +152,7 @@ def declares_no_unit(_request: Json, reply: Json) -> Json:
 
 @breaks("SIM-009", "describe")
 def describes_its_process(_request: Json, reply: Json) -> Json:
-    return reply | {"benchmark": WORLD.benchmark | {"title": str(os.getpid())}}
+    return reply | {"benchmark": reply["benchmark"] | {"title": str(os.getpid())}}
 
 
 @breaks("SIM-013")

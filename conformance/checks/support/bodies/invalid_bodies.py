@@ -7,24 +7,6 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
-# Operation and pointer → wrong values.
-WRONG_TYPES: dict[tuple[str, str], list[Any]] = {
-    ("submit_run", "/benchmark_id"): [5, None, ["calibration"], {}],
-    ("submit_run", "/policy"): ["name", 1, [], None],
-    ("submit_run", "/policy/name"): [7, None],
-    ("submit_run", "/max_workers"): ["3", 2.5, True, None],
-    ("submit_run", "/idle_timeout_s"): ["9", [9], True],
-    ("attach_worker", "/attach_key"): [1, None],
-    ("attach_worker", "/takeover"): [1, "true", None],
-    ("predict", "/seq"): ["2", 2.5, None, [2]],
-    ("predict", "/actions"): [{}, "go", None],
-    ("predict", "/actions/0"): [1, [], None],
-    ("predict", "/actions/0/values/score"): [1, None, "0"],
-    ("predict", "/actions/0/values/score/0"): ["0", None, True, [0]],
-    ("heartbeat", "/session_id"): [1, None],
-    ("stop_run", "/mode"): [1, []],
-}
-
 
 def replace_at(body: Any, pointer: str, value: Any) -> Any:
     """Replace the value at a JSON pointer."""
@@ -35,20 +17,6 @@ def replace_at(body: Any, pointer: str, value: Any) -> Any:
     if rest:
         value = replace_at(body[head], f"/{rest}", value)
     return body | {head: value}
-
-
-def with_unknown_members(body: Any, path: str) -> Iterator[tuple[str, Any]]:
-    """Put an unknown member into every object whose members are closed."""
-    if isinstance(body, dict):
-        if not path.endswith("/values"):
-            yield path, body | {"surprise": 1}
-        for name, value in body.items():
-            for where, inner in with_unknown_members(value, f"{path}/{name}"):
-                yield where, body | {name: inner}
-    elif isinstance(body, list):
-        for index, value in enumerate(body):
-            for where, inner in with_unknown_members(value, f"{path}/{index}"):
-                yield where, [*body[:index], inner, *body[index + 1 :]]
 
 
 def pad_body(body: dict[str, Any], size: int) -> Iterator[bytes]:

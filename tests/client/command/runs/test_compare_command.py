@@ -14,6 +14,7 @@ from tests.support.client.command import ProctorCommand, options
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 TASKS = ("score", "score", "count")
+UNDECIDED: Any = SimpleNamespace(better=None)
 # Ends each episode at once, with the score that its number has in the file `scores`.
 GRADED = """
 import pathlib
@@ -78,15 +79,43 @@ def test_a_task_may_be_called_overall() -> None:
     """It is worse and shown to be, while the whole is better. Expect its name alone."""
     task = SimpleNamespace(difference=0.5)
     run: Any = SimpleNamespace(
-        complete=True, difference=-0.1, by_task={"overall": task}
+        complete=True, difference=-0.1, by_task={"overall": task}, wins=9, losses=0
     )
     comparison: Any = SimpleNamespace(tolerance=0.05)
     nothing, worse = GroupEvidence(9, 0, 1.0), GroupEvidence(0, 9, 0.001)
     evidence = Evidence(nothing, {"overall": worse})
     assert not may_release(comparison, run)
-    said = explain_release(comparison, run, evidence)
+    said = explain_release(comparison, run, evidence, UNDECIDED)
     assert said == "no: worse by more than 0.05 in overall"
-    assert explain_release(comparison, run, Evidence(worse, {})).startswith("not dec")
+    said = explain_release(comparison, run, Evidence(worse, {}), UNDECIDED)
+    assert said.startswith("not decided")
+
+
+@pytest.mark.parametrize(
+    ("losses", "p_value", "of_scores", "better", "verdict"),
+    [
+        (8, 0.0078, 0.0078, None, "no: worse"),
+        (8, 0.0078, 0.45, None, "no: worse"),  # graded scores show nothing
+        (3, 0.25, 0.02, None, "no: worse"),  # successes show nothing
+        (9, 0.06, 0.06, "baseline", "no: worse"),  # and decided on the way
+        (3, 0.25, 0.25, None, "not decided: worse"),
+        (0, 0.0078, 0.45, None, "not decided: worse"),  # it succeeds more often
+    ],
+)
+def test_the_verdict_agrees_with_every_test_in_the_table(
+    losses: int, p_value: float, of_scores: float, better: str | None, verdict: str
+) -> None:
+    """Chance is named only where no line of the same table rules it out."""
+    run: Any = SimpleNamespace(
+        complete=True, difference=0.1, by_task={}, wins=1, losses=losses
+    )
+    run.p_value = p_value
+    comparison: Any = SimpleNamespace(tolerance=0.05)
+    watched: Any = SimpleNamespace(better=better)
+    evidence = Evidence(GroupEvidence(1, 9, of_scores), {})
+    said = explain_release(comparison, run, evidence, watched)
+    assert said.startswith(f"{verdict} by more than 0.05 overall")
+    assert ("chance" in said) == verdict.startswith("not")
 
 
 def test_a_script_reads_the_specification_s_words(proctor: ProctorCommand) -> None:

@@ -9,6 +9,7 @@ import time
 import pytest
 
 from tests.support.raw_answers import read_answer, read_to_end
+from tests.support.server import bounded_server as bounded_servers
 from tests.support.server.bounded_server import bounded_server
 from tests.support.waiting import wait_until
 
@@ -17,6 +18,21 @@ WAIT = b"GET /wait HTTP/1.1\r\nHost: x\r\n\r\n"
 POST = b"POST /body HTTP/1.1\r\nHost: x\r\nContent-Length: %d\r\n\r\n"
 CHUNKED = b"POST /body HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n"
 KIB = 2**10
+
+
+AGAIN = pytest.mark.slow("waits as long as on the other way")
+
+
+@pytest.fixture(
+    params=[
+        pytest.param(False, id="through ASGI"),
+        pytest.param(True, id="directly", marks=AGAIN),
+    ],
+    autouse=True,
+)
+def _way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every bound holds on both ways to an answer."""
+    monkeypatch.setattr(bounded_servers, "is_direct", request.param)
 
 
 def send_all(connection: socket.socket, data: bytes) -> None:

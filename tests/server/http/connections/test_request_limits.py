@@ -262,3 +262,43 @@ async def test_many_long_polls_delay_no_other_request(live_run: LiveRun) -> None
         writer.close()
         with contextlib.suppress(ConnectionError):
             await writer.wait_closed()
+
+
+TURN = {"session_id": "gone", "seq": 1, "actions": [{"values": {}}]}
+UNUSUAL_TURNS: list[tuple[dict[str, str], bytes]] = [
+    ({}, b'{"session_id": "gone", "seq": 1, "actions": [{"values": {}}]}'),
+    ({"Accept": "application/msgpack"}, msgspec.json.encode(TURN)),
+    ({"Content-Type": "application/msgpack"}, msgspec.msgpack.encode(TURN)),
+    ({"Content-Type": "application/msgpack"}, b"\xc1"),
+    ({"Content-Type": "text/plain"}, b"{}"),
+    ({"Accept": "text/html"}, msgspec.json.encode(TURN)),
+    ({"Proctor-Version": "9.9"}, msgspec.json.encode(TURN)),
+    ({"Authorization": "Bearer wrong"}, msgspec.json.encode(TURN)),
+    ({"Connection": "close"}, msgspec.json.encode(TURN)),
+    ({"Content-Encoding": "gzip"}, b"{}"),
+    ({}, b""),
+    ({}, b"{"),
+    ({}, b'{"seq": 1, "seq": 2}'),
+    ({}, b"[" * 5000),
+    ({}, b" " * 60_000),
+]
+
+
+@pytest.mark.parametrize(("headers", "body"), UNUSUAL_TURNS)
+def test_a_turn_is_answered_alike_on_both_ways(
+    live_run: LiveRun, headers: dict[str, str], body: bytes
+) -> None:
+    """A request that a proxy passed on goes through ASGI; its answer is the same."""
+    given = {"Content-Type": "application/json", "X-Request-Id": "one"} | headers
+    directly, through_asgi = (
+        live_run.client.post(
+            f"{live_run.worker}/predict", content=body, headers=given | proxied
+        )
+        for proxied in ({}, {"X-Forwarded-For": "127.0.0.1"})
+    )
+    assert directly.is_client_error
+    assert directly.status_code == through_asgi.status_code
+    assert directly.content == through_asgi.content
+    for answer in (directly, through_asgi):
+        answer.headers.pop("date")
+    assert directly.headers.raw == through_asgi.headers.raw

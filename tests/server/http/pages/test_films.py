@@ -74,10 +74,10 @@ async def ask(client: httpx.AsyncClient, address: str = EPISODE) -> httpx.Respon
     return await client.post(f"{address}/film", data={"csrf": csrf})
 
 
-async def settled(client: httpx.AsyncClient) -> str:
+async def settled(client: httpx.AsyncClient, address: str = EPISODE) -> str:
     """The page once nothing is being drawn."""
     for _ in range(1000):
-        if "data-reload" not in (page := await text_of(client, EPISODE)):
+        if "data-reload" not in (page := await text_of(client, address)):
             return page
         await asyncio.sleep(0)
     raise AssertionError("it is drawn for ever")
@@ -105,6 +105,37 @@ async def test_a_film_is_drawn_once_and_served_in_parts(drawing: Drawing) -> Non
         await sign_in(client, "bob")
         for answer in (await client.get(f"{EPISODE}/film/0"), await ask(client)):
             assert answer.status_code == 404, "the run is not his"
+
+
+async def test_the_films_of_two_runs_are_drawn_from_their_page(
+    drawing: Drawing,
+) -> None:
+    """Also from a list of some pairs: the reader comes back to the same walk."""
+    async with reader() as (api, client):
+        for name in ("done", "other"):
+            api.add(name, FAILURE, FAILURE)
+        chosen = "baseline=done&run=other&episode=e0000&kind=neither"
+        pair = f"/pages/compare/episode?{chosen}"
+        page = await text_of(client, pair)
+        assert "Draw the films" in page
+        assert "until it restarts" in page
+        assert "episode=e0001&amp;kind=neither" in page
+        csrf = fields_of(page)["csrf"]
+        answer = await client.post(
+            f"/pages/compare/episode/films?{chosen}", data={"csrf": csrf}
+        )
+        assert (answer.status_code, place_of(answer)) == (303, pair)
+        page = await text_of(client, pair)
+        assert page.count("data-reload") == 2
+        assert "Draw the films" not in page
+        drawing.may_go_on.set()
+        page = await settled(client, pair)
+        for name in ("done", "other"):
+            assert f'runs/{name}/episodes/e0000/film/0"' in page
+        await sign_in(client, "bob")
+        form = {"csrf": fields_of(await text_of(client, "/pages/runs"))["csrf"]}
+        answer = await client.post(f"/pages/compare/episode/films?{chosen}", data=form)
+        assert answer.status_code == 404
 
 
 async def test_a_film_that_failed_says_why_and_can_be_asked_for_again(

@@ -70,8 +70,8 @@ def test_episodes_of_different_benchmarks_are_not_put_side_by_side(
     alice = PageReader(server.url, "alice")
     path = f"/pages/compare/episode?baseline={run_id}&run={other}&episode=e0000"
     answer = alice.get(path)
-    assert answer.status_code == 404
-    assert "do not have the same episodes" in answer.text
+    assert answer.status_code == 409
+    assert "within one manifest. These differ in " in answer.text
     assert alice.get(path.replace(other, run_id)).status_code == 200
 
 

@@ -121,8 +121,12 @@ def test_a_failure_is_opened_and_stepped_through(
     browser.wait_for("location.hash === '#step=2'")
     values = "[...document.querySelectorAll('.plots output')].map(o => o.textContent)"
     assert "0.25" in browser.evaluate(values)
+    # In the order of the run's list: the other failure, and not the next index.
+    browser.follow("document.querySelector('a[rel=next]').click()")
+    assert "e0002" in browser.text
+    assert "failure" in browser.text
     browser.follow("document.querySelector('a[rel=prev]').click()")
-    assert "e0000" in browser.text
+    assert "e0001" in browser.text
     browser.open(f"{server.url}/pages/runs/{runs[0]}/episodes/e0001#step=3")
     browser.wait_for("document.querySelector('#step').value === '3'")
     browser.press("Home")
@@ -173,6 +177,11 @@ def test_two_runs_are_compared(
     both = f"[...document.querySelectorAll('.plots > div')].map(cell => {values})"
     assert browser.evaluate("document.querySelectorAll('.sides .uplot').length") == 0
     assert ["1", "0"] in browser.evaluate(both), "the last score of each"
+    for key, rel in (("]", "next"), ("]", "next"), ("[", "prev")):
+        walked = browser.evaluate(f"document.querySelector('a[rel={rel}]').href")
+        browser.press(key)
+        browser.wait_for(f"location.href === '{walked}'")
+    assert "Draw the films" in browser.text
     assert browser.errors == []
 
 

@@ -1,0 +1,136 @@
+"""Runs the checks in several processes, which are forked when all is imported.
+
+A process takes the next check, or the next group of checks that belong together, when
+it is free; it sends what the reports of pytest carry. Knows nothing of servers.
+"""
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import sys
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import ForkProcess
+from types import FrameType
+from typing import Any
+
+import pytest
+
+Properties = list[tuple[str, Any]]
+# Frameworks of macOS may end a process that was forked.
+CAN_FORK = hasattr(os, "fork") and sys.platform != "darwin"
+_ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+_END_S = 60.0
+
+
+@dataclass
+class _Worker:
+    process: ForkProcess
+    connection: Connection
+
+
+class WorkerProcesses:
+    """A pytest plugin that hands the collected checks out to processes.
+
+    collect: takes the properties of the report of each check; in a worker it is
+    replaced by the function that `redirect` gets.
+    """
+
+    def __init__(
+        self,
+        count: int,
+        collect: Callable[[Properties], None],
+        redirect: Callable[[Callable[[Properties], None]], None],
+        must_stop: Callable[[], bool],
+    ) -> None:
+        self._count = count
+        self._collect = collect
+        self._redirect = redirect
+        self._must_stop = must_stop
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
+        """Fork the processes and hand the checks out."""
+        if session.testsfailed or session.config.option.collectonly:
+            return None  # pytest knows what to do
+        groups = deque(_groups(session.items))
+        workers: list[_Worker] = []
+        try:
+            while len(workers) < min(self._count, len(groups)):
+                workers.append(self._fork(session))
+            self._hand_out(workers, groups)
+        except BaseException:
+            for worker in workers:
+                worker.process.terminate()
+            raise
+        finally:
+            for worker in workers:
+                worker.connection.close()
+            for worker in workers:
+                worker.process.join(_END_S)
+        return True
+
+    def _fork(self, session: pytest.Session) -> _Worker:
+        ours, theirs = multiprocessing.Pipe()
+        process = multiprocessing.get_context("fork").Process(
+            target=self._work, args=(session, ours, theirs), daemon=True
+        )
+        process.start()
+        theirs.close()
+        return _Worker(process, ours)
+
+    def _hand_out(self, workers: list[_Worker], groups: deque[list[int]]) -> None:
+        busy = list(workers)
+        while busy:
+            ready = wait([worker.connection for worker in busy])
+            for worker in [w for w in busy if w.connection in ready]:
+                try:
+                    properties = worker.connection.recv()
+                except EOFError:
+                    raise RuntimeError("a process of the kit has ended") from None
+                if properties is not None:
+                    self._collect(properties)
+                elif groups and not self._must_stop():
+                    worker.connection.send(groups.popleft())
+                else:
+                    busy.remove(worker)
+
+    def _work(
+        self, session: pytest.Session, parents: Connection, connection: Connection
+    ) -> None:
+        """Run the checks that the first process names, until it names no more."""
+        for number in _ENDING_SIGNALS:
+            signal.signal(number, _interrupt_once)
+        parents.close()  # so that its end is noticed when the first process has died
+        self._redirect(connection.send)
+        with contextlib.suppress(EOFError, KeyboardInterrupt, BrokenPipeError):
+            while True:
+                connection.send(None)
+                for index in connection.recv():
+                    item = session.items[index]
+                    item.ihook.pytest_runtest_protocol(item=item, nextitem=None)
+        session.config.hook.pytest_sessionfinish(session=session, exitstatus=0)
+        session.config.hook.pytest_unconfigure(config=session.config)
+
+
+def _interrupt_once(_number: int, _frame: FrameType | None) -> None:
+    """End the check; a second signal must not end what tidies up after it."""
+    for number in _ENDING_SIGNALS:
+        signal.signal(number, _do_nothing)
+    raise KeyboardInterrupt
+
+
+def _do_nothing(_number: int, _frame: FrameType | None) -> None:
+    """Take a signal; one that is ignored is reported if it came just before that."""
+
+
+def _groups(items: list[pytest.Item]) -> Iterator[list[int]]:
+    """Give the places of checks that one process runs, in the order of the first."""
+    groups: dict[object, list[int]] = {}
+    for index, item in enumerate(items):
+        mark = item.get_closest_marker("one_process")
+        groups.setdefault(mark.args[0] if mark else index, []).append(index)
+    yield from groups.values()

@@ -1,0 +1,131 @@
+"""A request that is answered without ASGI: a turn, which is small and answered whole.
+
+uvicorn's way through ASGI costs a turn as much as all rules together: events, messages,
+a router and middlewares for a body that is here already, and for an answer that is one
+piece. This class takes the place of uvicorn's cycle for such a request. Everything else
+goes the general way, and so does a turn with anything unusual in its head.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Awaitable, Callable, Mapping, MutableMapping, Sequence
+from typing import Any, Protocol
+
+from starlette.responses import Response
+
+from reference_server.http.connections.joined_answer import JOINED_BYTES_MAX
+from reference_server.http.connections.uvicorn_protocol import (
+    STATUS_LINE,
+    HttpToolsProtocol,
+)
+
+log = logging.getLogger("proctor.http")
+
+# A larger body is read part by part, with pauses, as uvicorn does it.
+DIRECT_BODY_BYTES_MAX = 2**16
+# Headers that change the way of a request through uvicorn, or who its client is.
+_UNUSUAL = frozenset(
+    b"expect transfer-encoding upgrade x-forwarded-for x-forwarded-proto".split()
+)
+
+
+class DirectAnswers(Protocol):
+    """The operation that is answered so."""
+
+    def path_of(self, method: bytes, url: bytes) -> Mapping[str, str] | None:
+        """The parameters of the path; None for a request that goes the general way."""
+
+    async def answer(self, scope: MutableMapping[str, Any], body: bytes) -> Response:
+        """The whole answer; never raises."""
+
+
+def is_usual(headers: Sequence[tuple[bytes, bytes]], length: int | None) -> bool:
+    """Whether nothing in the head asks for the general way. length: of the body."""
+    return (
+        length is not None
+        and length <= DIRECT_BODY_BYTES_MAX
+        and _UNUSUAL.isdisjoint([name for name, _ in headers])
+    )
+
+
+class _NoEvent:
+    """Nothing waits for the parts of a direct request."""
+
+    def set(self) -> None:
+        """Do nothing."""
+
+
+class DirectCycle:
+    """One request and its answer, with the members of a cycle that uvicorn uses."""
+
+    message_event = _NoEvent()
+    response_started = False
+    response_complete = False
+    disconnected = False
+    more_body = True
+
+    def __init__(
+        self,
+        connection: HttpToolsProtocol,
+        scope: MutableMapping[str, Any],
+        answer: Callable[[MutableMapping[str, Any], bytes], Awaitable[Response]],
+        *,
+        keep_alive: bool,
+    ) -> None:
+        self._connection, self._scope, self._answer = connection, scope, answer
+        self.keep_alive = keep_alive
+        self.body = bytearray()
+
+    def start(self) -> asyncio.Task[None]:
+        """Answer it, now that its body is complete."""
+        self.more_body = False
+        return self._connection.loop.create_task(self._run())
+
+    async def _run(self) -> None:
+        connection, body = self._connection, bytes(self.body)
+        self.body = bytearray()
+        try:
+            response = await self._answer(self._scope, body)
+            if await self._write(response):
+                self.response_complete = True
+                if not self.keep_alive:
+                    connection.transport.close()
+                connection.on_response_complete()
+        except Exception:
+            log.exception("an answer could not be sent")
+        finally:
+            if not self.response_complete:
+                connection.transport.close()
+
+    async def _write(self, response: Response) -> bool:
+        """Send it; returns whether the client is still there."""
+        parts: Sequence[bytes | memoryview]
+        parts = getattr(response, "parts", None) or (bytes(response.body),)
+        head = self._head_of(response)
+        if len(parts[0]) <= JOINED_BYTES_MAX:
+            parts = (b"".join((head, parts[0])), *parts[1:])
+        else:
+            parts = (head, *parts)
+        for part in parts:
+            if self._connection.flow.write_paused and not self.disconnected:
+                await self._connection.flow.drain()
+            if self.disconnected:
+                return False
+            self.response_started = True
+            self._connection.transport.write(part)
+        return True
+
+    def _head_of(self, response: Response) -> bytes:
+        lines = [STATUS_LINE[response.status_code]]
+        for headers in (
+            self._connection.server_state.default_headers,
+            response.raw_headers,
+        ):
+            for name, value in headers:
+                lines += (name, b": ", value, b"\r\n")
+        if not self.keep_alive:
+            lines.append(b"connection: close\r\n")
+        lines.append(b"\r\n")
+        return b"".join(lines)

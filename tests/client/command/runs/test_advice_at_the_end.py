@@ -1,0 +1,82 @@
+"""What `proctor run` advises when it ends without a score."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+from proctor_client import Run
+
+from reference_client.command.command_line.arguments import parse
+from reference_client.command.output.printer import Printer
+from reference_client.command.runs.running import _EvaluationCommand
+from reference_client.errors import (
+    NOT_TRUSTED,
+    POLICY_FAILED,
+    UNREACHABLE,
+    WORKER_DIED,
+    ProctorError,
+    RunFailed,
+    RunStopped,
+    as_sentence,
+)
+
+AT_ONCE = "\nTo continue:\n  proctor run --run-id run_1"
+MENDED = "\nWhen that is mended, to continue:\n  proctor run --run-id run_1"
+NEVER = "\nThis run cannot be continued.\n"
+
+
+def run_of(reason: str, *, retryable: bool = True) -> Run:
+    return cast(
+        "Run", SimpleNamespace(run_id="run_1", reason=reason, retryable=retryable)
+    )
+
+
+@pytest.mark.parametrize(
+    ("error", "advice"),
+    [
+        (ProctorError(UNREACHABLE, "No answer.", retryable=True), AT_ONCE),
+        (ProctorError(WORKER_DIED, "It exited.", retryable=True), AT_ONCE),
+        (RunStopped(run_of("Stopped by its submitter.")), AT_ONCE),
+        (RunFailed(run_of("Episode e0000 faulted 3 times: b.py has changed")), MENDED),
+        (ProctorError(NOT_TRUSTED, "Its certificate is not accepted."), MENDED),
+        (ProctorError(POLICY_FAILED, "The policy raised."), MENDED),
+        (ProctorError("unauthenticated", "Unknown token."), MENDED),
+        (ProctorError("convention_mismatch", "Radians."), MENDED),
+        (RunFailed(run_of("A task cannot be played", retryable=False)), NEVER),
+        (ProctorError("benchmark_unavailable", "It has changed."), NEVER),
+        (ProctorError("not_found", "There is no run run_1."), NEVER),
+    ],
+    ids=lambda value: getattr(value, "code", ""),
+)
+def test_a_command_is_advised_that_can_help(
+    error: ProctorError, advice: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    args = parse(["run", "--policy", "mine.py:P", "--benchmark", "tabletop"])
+    command = _EvaluationCommand(args, Printer(as_json=False), None)
+    command._run = run_of("")
+    ended: Any = command._report_refusal(error)
+    assert advice in capsys.readouterr().err
+    assert ("resume" in ended.value) == (advice != NEVER)
+
+
+@pytest.mark.parametrize(
+    ("reason", "sentence"),
+    [
+        ("restart the server", "restart the server."),
+        ("It is stopped.", "It is stopped."),
+        ("really?", "really?"),
+        ("no more…", "no more…"),
+        ("a line\n", "a line."),
+        ("", ""),
+        (None, ""),
+    ],
+)
+def test_a_reason_of_a_server_ends_as_a_sentence(
+    reason: str | None, sentence: str
+) -> None:
+    assert as_sentence(reason) == sentence
+    if sentence:
+        failed = RunFailed(run_of(reason or ""))
+        assert f"failed: {sentence} Scored episodes are kept" in failed.detail

@@ -1,0 +1,195 @@
+"""LIBERO's benchmarks, with a package that stands in for LIBERO and its assets.
+
+`make libero-check` plays LIBERO itself (libero_checks.py).
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import pickle
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from reference_sim import benchmark_registry
+from reference_sim.external.libero import libero_world
+from reference_sim.gymnasium import registration
+from tests.support.paths import ROOT
+from tests.support.sim import fake_libero
+
+PROGRAM = str(ROOT / "reference_sim" / "external" / "libero" / "libero_world.py")
+HOLD = {"action": [0.0] * 6 + [-1.0]}
+Numbers = NDArray[np.float64]
+
+
+@pytest.fixture(scope="module")
+def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Any]]:
+    """The definitions of the bundled file, by id."""
+    folder = tmp_path_factory.mktemp("libero")
+    clone = fake_libero.install(folder)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PYTHONPATH", str(folder))
+        patch.setenv("LIBERO_PATH", str(clone))
+        patch.setenv("LIBERO_PYTHON", sys.executable)
+        yield dict(registration.benchmarks("libero", lambda _line: None))
+
+
+@pytest.fixture
+def simulator(served: dict[str, Any]) -> Iterator[Any]:
+    settings = served["libero_goal"].settings(
+        {"codec": "raw", "width": 256, "height": 256}
+    )
+    world = benchmark_registry.SimulatorConfig("libero_goal", settings)
+    made = benchmark_registry.make(world)
+    yield made
+    made.close()
+
+
+def test_each_suite_is_a_benchmark(served: dict[str, Any]) -> None:
+    """Expect the limits of steps that openpi's evaluation has."""
+    manifests = {name: d.describe({}, 1) for name, d in served.items()}
+    assert {name: m["max_steps"] for name, m in manifests.items()} == {
+        "libero_spatial": 220,
+        "libero_object": 280,
+        "libero_goal": 300,
+        "libero_10": 520,
+    }
+    for manifest in manifests.values():
+        assert manifest["tasks"] == fake_libero.TASKS
+        assert manifest["episodes_total"] == 50 * len(fake_libero.TASKS)
+        assert {e["seed"] for e in manifest["episodes"]} == set(range(50))
+        assert "sealed_splits" not in manifest
+        engine = manifest["simulator"]
+        assert (engine["version"], engine["robosuite"]) == ("0.1.4", "1.4.0")
+        assert len(engine["assets_sha256"]) == 64
+        assert "libero_world.py" in engine["sources"]
+
+
+def test_an_episode_begins_at_its_published_state(simulator: Any) -> None:
+    """After ten steps in which the gripper opens. Expect the trained instruction."""
+    text = simulator.reset("KITCHEN_SCENE10_close_the_drawer", 7)
+    state = simulator.observe().state
+    assert text == "close the drawer"
+    assert state["state"][:3] == pytest.approx(fake_libero.STATES[7])
+    assert state["state"][3:6] == pytest.approx([math.pi, 0, 0])
+    assert state["state"][6:] == pytest.approx([0.1, -0.1])
+
+
+def test_a_seed_without_a_published_state_is_sampled(simulator: Any) -> None:
+    simulator.reset("push_the_plate", 50)
+    assert simulator.observe().state["state"][:3] == pytest.approx([0.5] * 3)
+
+
+def test_an_episode_does_not_depend_on_those_before(simulator: Any) -> None:
+    """LIBERO's list of samplers grows at each reset. Expect equal digests."""
+    digests = []
+    for seed in (3, 4, 3):
+        simulator.reset("push_the_plate", seed)
+        digests.append(simulator.state_bytes())
+    assert digests[0] == digests[2] != digests[1]
+
+
+def test_success_ends_an_episode(simulator: Any) -> None:
+    simulator.reset("push_the_plate", 0)
+    steps = [simulator.step({"action": [1.0] * 7}) for _ in range(7)]
+    assert [step.success for step in steps] == [False] * 6 + [True]
+    assert [step.terminated for step in steps] == [False] * 6 + [True]
+    assert steps[-1].reward == 1.0
+
+
+def test_images_are_turned_by_180_degrees(simulator: Any) -> None:
+    """The corner that robosuite draws first is the last one, in both directions."""
+    simulator.reset("push_the_plate", 0)
+    images = simulator.observe().images
+    drawn = fake_libero.OffScreenRenderEnv._render
+    for name, camera in libero_world.CAMERAS.items():
+        raw = drawn(None, 256, 256, camera_name=camera)  # type: ignore[arg-type]
+        assert np.array_equal(images[name], raw[::-1, ::-1])
+        assert (images[name][-1, -1] == 255).all()
+        assert images[name][0, 0, 0] == (camera == "agentview")
+
+
+def by_openpi(quaternion: Numbers) -> Numbers:
+    """The formula of openpi's examples/libero/main.py, x y z w to axis times angle."""
+    w = float(np.clip(quaternion[3], -1, 1))
+    sine = math.sqrt(1 - w * w)
+    return np.zeros(3) if sine == 0 else quaternion[:3] * 2 * math.acos(w) / sine
+
+
+def by_lerobot(quaternion: Numbers) -> Numbers:
+    """The formula of LeRobot's LiberoProcessorStep, which computes in float32."""
+    x, y, z, w = quaternion.astype(np.float32)
+    w = np.clip(w, np.float32(-1), np.float32(1))
+    sine = np.sqrt(max(np.float32(1) - w * w, np.float32(0)))
+    angle = np.float32(2) * np.arccos(w)
+    return np.array([x, y, z]) / sine * angle if sine > 1e-10 else np.zeros(3)
+
+
+@pytest.mark.parametrize(
+    ("quaternion", "turn"),
+    [
+        ([0, 0, 0, 1], [0, 0, 0]),
+        ([0, 0, 0, -1], [0, 0, 0]),
+        ([1, 0, 0, 0], [math.pi, 0, 0]),
+        ([0, 0, math.sin(0.15), math.cos(0.15)], [0, 0, 0.3]),
+        # The hand at the beginning of an episode of libero_spatial: more than half a
+        # turn, which is not written as less than half a turn the other way.
+        (
+            [0.999609615, -0.000906336483, -0.0279235845, -0.000264635271],
+            [3.1408953968, -0.0028478215, -0.0877393101],
+        ),
+        ([0, -math.sin(2.5), 0, math.cos(2.5)], [0, -5.0, 0]),
+    ],
+)
+def test_orientations_are_written_as_openpi_and_lerobot_do(
+    quaternion: list[float], turn: list[float]
+) -> None:
+    ours = libero_world.axis_angle(*quaternion)
+    assert ours == pytest.approx(turn, abs=2e-7)
+    numbers = np.array(quaternion, np.float64)
+    assert ours == pytest.approx(by_openpi(numbers), abs=1e-12)
+    assert ours == pytest.approx(by_lerobot(numbers), abs=2e-6)
+
+
+def test_a_published_file_runs_nothing(tmp_path: Path) -> None:
+    """A file with numbers is read; one that names a function is refused."""
+    path = tmp_path / "task.pruned_init"
+    path.write_bytes(fake_libero.torch_file(fake_libero.STATES))
+    assert np.array_equal(libero_world.read_states(path), fake_libero.STATES)
+    path.write_bytes(fake_libero.torch_file(os.getpid))
+    with pytest.raises(pickle.UnpicklingError, match="no array of numbers"):
+        libero_world.read_states(path)
+
+
+@pytest.mark.parametrize(
+    ("environment", "arguments", "said"),
+    [
+        ({}, ["libero_goal"], "LIBERO_PATH is not set; `git clone"),
+        ({"LIBERO_PATH": "/gone"}, ["libero_goal"], "LIBERO_PATH has no /gone/libero"),
+        ({}, ["libero_90"], "name a suite: libero_spatial, libero_object, "),
+        ({}, [], "name a suite: "),
+        ({"LIBERO_PYTHON": "/gone/python"}, [], "LIBERO_PYTHON: no /gone/python"),
+        ({"PYTHONPATH": "/gone"}, ["libero_10"], "hf-libero is not installed for "),
+    ],
+)
+def test_missing_parts_are_named(
+    environment: dict[str, str], arguments: list[str], said: str, tmp_path: Path
+) -> None:
+    fake_libero.install(tmp_path)
+    done = subprocess.run(
+        [sys.executable, PROGRAM, *arguments],
+        env={"PATH": os.environ["PATH"], "PYTHONPATH": str(tmp_path)} | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 1
+    assert done.stderr.startswith(said)
+    assert done.stderr.count("\n") == 1
