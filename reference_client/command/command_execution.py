@@ -23,6 +23,7 @@ from reference_record.command_line.click_commands import Options, WrongUsage
 Function = Callable[[Options, Printer], int]
 # Command → the function that does it, as MODULE:NAME. A command imports its own alone.
 FUNCTIONS = {
+    "login": "command.signing_in:login",
     "submit": "command.runs.control:submit",
     "run": "command.runs.running:run",
     "status": "command.runs.control:status",

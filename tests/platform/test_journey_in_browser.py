@@ -111,6 +111,11 @@ def make_key(browser: Browser, host: HostedServer) -> str:
     return key
 
 
+def keys_shown(browser: Browser, host: HostedServer) -> str:
+    browser.open(f"{host.url}/hosting/keys")
+    return str(browser.evaluate("document.querySelector('tbody').innerText"))
+
+
 def test_a_participant_registers_and_is_evaluated(
     host: HostedServer, mail: MailReceiver, browser: Browser, tmp_path: Path
 ) -> None:
@@ -129,8 +134,7 @@ def test_a_participant_registers_and_is_evaluated(
     assert "completed" in browser.text
     assert "1 of 2" in browser.text
     assert browser.find_faults() == []
-    browser.open(f"{host.url}/hosting/keys")
-    assert "–" not in browser.evaluate("document.querySelector('tbody').innerText")
+    wait_until(lambda: "–" not in keys_shown(browser, host), "the last use is shown")
     assert not browser.errors
     with host.client(key) as client:
         revoke_while_following(browser, client)
@@ -158,3 +162,38 @@ def revoke_while_following(browser: Browser, client: httpx.Client) -> None:
     assert ended
     assert ended[0] - revoked_at < 5
     wait_until(lambda: client.get(f"/v1/runs/{run_id}").status_code == 401, "401")
+
+
+def test_a_program_signs_in(
+    host: HostedServer, browser: Browser, tmp_path: Path
+) -> None:
+    """`proctor login` shows a code; the page gives it a key, which it keeps."""
+    environment = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
+    environment |= {"XDG_STATE_HOME": str(tmp_path), "PROCTOR_URL": host.url}
+    command = [sys.executable, "-m", "reference_client.command"]
+    with subprocess.Popen(
+        [*command, "login"],
+        cwd=ROOT, env=environment, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    ) as program:  # fmt: skip
+        assert program.stderr is not None
+        page = program.stderr.readline().split()[-1]
+        code = program.stderr.readline().split("code ")[1].split(".")[0]
+        browser.call("Network.clearBrowserCookies")
+        browser.open(page)
+        fill(browser, account="organiser", password=host.password)
+        submit(browser, "Sign in")
+        assert code in browser.text
+        assert browser.find_faults() == []
+        submit(browser, "Allow")
+        assert "has a key now" in browser.text
+        assert program.wait(30) == 0
+        assert program.stdout is not None
+        assert "Signed in as organiser" in program.stdout.read()
+    done = subprocess.run(
+        [*command, "status", "--json"],
+        cwd=ROOT, env=environment, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert done.stdout.strip() == "[]"
+    (kept,) = (tmp_path / "proctor" / "keys").iterdir()
+    assert kept.stat().st_mode & 0o077 == 0

@@ -14,6 +14,8 @@ from reference_platform.accounts.account_rules import (
     Decision,
     decide,
 )
+from reference_platform.command_line.challenge_command import main
+from reference_platform.parts import Parts
 from reference_platform.submissions import lifecycle
 from reference_platform.submissions.lifecycle import (
     FINAL,
@@ -34,6 +36,7 @@ from reference_platform.tracks.track_rules import (
     choose_track,
 )
 from reference_server.rules.refusal import Refused
+from tests.support.paths import ROOT
 
 NOW = 1_800_000_000.0
 
@@ -202,3 +205,13 @@ def test_a_wrong_track_is_refused(changed: dict[str, object]) -> None:
     check_track(TRACK)
     with pytest.raises(Refused, match=next(iter(changed))):
         check_track(msgspec.structs.replace(TRACK, **changed))
+
+
+def test_the_track_of_the_manual_is_right(parts: Parts) -> None:
+    page = (ROOT / "docs" / "host" / "challenge.md").read_text()
+    text = page.split("```toml\n")[1].split("```")[0]
+    file = parts.database.path.with_name("letters.toml")
+    file.write_text(text)
+    arguments = ["track", "put", str(file), "--database", str(parts.database.path)]
+    assert main(arguments) == 0
+    assert parts.tracks.get("letters").per_day == 5

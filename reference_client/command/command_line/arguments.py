@@ -31,6 +31,7 @@ EXIT_CODES_HELP = (
 )
 # Command → what it does; the last five are programs of their own.
 COMMANDS = {
+    "login": "sign in at a server where people have accounts, and keep the key",
     "submit": "submit a new run, or resume an existing one",
     "run": "evaluate a policy: submit, play, score",
     "status": "show the state of a run; without RUN, list the latest runs",

@@ -101,6 +101,7 @@ def _commands_on_runs() -> dict[str, Headings]:
         "results": {"": [*run_id, episodes, _save()]},
         "compare": {"": _compare()},
         "benchmarks": {"": [name]},
+        "login": {"": [flag("--forget", "remove the key that is kept for the server")]},
         "completion": {"": [argument("shell", "the shell", type=OneOf(SHELLS))]},
     }
 
