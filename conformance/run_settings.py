@@ -55,6 +55,7 @@ class Settings:
     attest_key: str | None = None
     attest_subject: str | None = None
     max_time_s: float | None = None
+    minutes: float = 0.0  # of further generated histories and requests
     deadline: float | None = None  # of the monotonic clock, which processes share
     round_trip_s: float = 0.0
     tolerance_s: float = 0.25

@@ -47,6 +47,13 @@ def manifest_of(benchmark: Json) -> Json:
     return hashed
 
 
+def is_deterministic(benchmark: Json) -> bool:
+    """False if its simulator says that equal actions may come to other results."""
+    simulator = benchmark.get("simulator")
+    stated = simulator.get("deterministic") if isinstance(simulator, Mapping) else None
+    return stated is not False
+
+
 def _without_texts(spaces: Any) -> Any:
     """Entries by name without their descriptions and those of their parts.
 

@@ -95,7 +95,7 @@ class Evaluation(Struct):
     finished_at: Text
     attempts_by_submitter: Count
     previous_statement_sha256: Sha256 | None
-    promise: Literal["exact", "outcome"]
+    promise: Literal["exact", "outcome", "none"]
 
 
 class BenchmarkEpisode(Struct):

@@ -19,6 +19,7 @@ from reference_sim.benchmarks.question_answering import benchmark as question_an
 from reference_sim.benchmarks.question_file import benchmark as question_file
 from reference_sim.benchmarks.tabletop import benchmark as tabletop
 from reference_sim.definition import BenchmarkDefinition, Json
+from reference_sim.external.socket_address import is_socket
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Simulator
 
@@ -64,6 +65,12 @@ class SimulatorConfig:
     def imports_own_files(self) -> bool:
         """Whether the simulator consists of files of the host's own."""
         return self.settings.get("adapter") == "gymnasium"
+
+    @property
+    def holds_connection(self) -> bool:
+        """Whether it has a connection to a program that may have one world."""
+        is_external = self.settings.get("adapter") == "external"
+        return is_external and is_socket(self.settings["plan"]["command"])
 
     @property
     def success_scored_tasks(self) -> Sequence[str]:

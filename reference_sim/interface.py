@@ -69,6 +69,10 @@ class ChangedSource(Exception):
         )
 
 
+class SimulatorAway(Exception):
+    """The simulator is a program that the server does not start; it does not listen."""
+
+
 class Simulator(Protocol):
     """Used by one process, playing episodes one after another."""
 

@@ -34,6 +34,7 @@ _NODES_MAX = 9
 # Processes of a quick run. A check waits for its server or for a moment half of its
 # time: three keep two cores busy, and each more costs more to start than it saves.
 _QUICK_PROCESSES = 4
+_MINUTES_MAX = 7 * 24 * 60
 
 
 def build_command() -> KitCommand:
@@ -183,6 +184,13 @@ def _execution_options() -> list[click.Option]:
             "reported as not verified; rules are judged in the order of --only",
         ),
         option(
+            "--minutes",
+            "generate histories and requests for so many minutes more: more of them "
+            "find more, and the report says how many there were",
+            type=float,
+            metavar="MINUTES",
+        ),
+        option(
             "--max-time",
             "start no check after this time; the remaining rules are reported as not "
             "verified",
@@ -290,6 +298,10 @@ def read_settings(options: KitOptions) -> Settings:
         raise BadArguments("--not-durable and --restart-cmd exclude each other")
     if options.fail_fast and options.known_failures is not None:
         raise BadArguments("--fail-fast and --known-failures exclude each other")
+    if options.minutes is not None and not 0 < options.minutes <= _MINUTES_MAX:
+        raise BadArguments(
+            f"--minutes {options.minutes:g}: must be above 0, up to {_MINUTES_MAX}"
+        )
     if options.max_time is not None and not options.max_time > 0:
         raise BadArguments(f"--max-time {options.max_time:g}: must be greater than 0")
     try:
@@ -307,6 +319,7 @@ def read_settings(options: KitOptions) -> Settings:
     settings.stress = options.stress or options.start_cmd is not None
     seed: int | None = options.seed
     settings.seed = seed if seed is not None else random.randrange(10**6)
+    settings.minutes = options.minutes or 0.0
     if options.max_time is not None:
         settings.max_time_s = options.max_time
         settings.deadline = time.monotonic() + options.max_time

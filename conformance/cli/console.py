@@ -17,7 +17,12 @@ from conformance.client.connections.transport.printable_text import (
     prepare_output,
     printable,
 )
-from conformance.reports.failure_card import CARD_WIDTH, OUTCOME_WORDS, card
+from conformance.reports.failure_card import (
+    CARD_WIDTH,
+    OUTCOME_WORDS,
+    card,
+    sentence,
+)
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result
@@ -25,6 +30,7 @@ from conformance.verdicts.verdict import Outcome, Verdict
 
 _EVERY_S = 3.0
 _IDS_SHOWN = 12
+_SENTENCES_SHOWN = 12
 _NO_BREAK = "\N{NO-BREAK SPACE}"
 _STYLES = {
     Outcome.PASSED: "green",
@@ -89,6 +95,8 @@ class Terminal:
             profiles = result.profiles().items()
             self._wrapped(" · ".join(_unbroken(f"{p} {n}") for p, n in profiles))
             self.say(f"{result.headline()} ({result.elapsed_s:.1f} s)", "bold")
+            if result.coverage.histories:
+                self._wrapped(result.coverage.sentence(result.settings))
             self.say(
                 f"reports in {result.settings.report}/, seed {result.settings.seed}, "
                 f"specification {spec_name()}"
@@ -96,6 +104,7 @@ class Terminal:
         for note in result.notes:
             self.say(f"note: {note}", "yellow")
         self._wrapped(" ".join(result.level_lines()))
+        self._sentences(result)
         style = {0: "bold green", 1: "bold red"}.get(result.exit_code, "bold yellow")
         self.say(result.conclusion(), style)
         if (advice := result.advice()) is not None:
@@ -103,9 +112,11 @@ class Terminal:
 
     def _rows(self, result: Result) -> None:
         ledger = load_ledger()
-        areas = itertools.groupby(
-            result.rows.values(), lambda row: ledger[row.requirement_id].area
-        )
+        # Rules of profiles that are not announced are counted, in the last lines.
+        shown = [
+            row for row in result.rows.values() if row.outcome != Outcome.NOT_APPLICABLE
+        ]
+        areas = itertools.groupby(shown, lambda row: ledger[row.requirement_id].area)
         for _, verdicts in areas:
             self.say("")
             for verdict in verdicts:
@@ -131,9 +142,19 @@ class Terminal:
     def _open_rules(self, result: Result) -> None:
         """Name the rules that are not green, except those of profiles not announced."""
         for why, ids in result.open_rules().items():
+            if why == "violated":
+                continue  # each has its sentence
             shown, left = ids[:_IDS_SHOWN], len(ids) - _IDS_SHOWN
             more = f" and {left} more" if left > 0 else ""
             self._wrapped(f"{why}: {', '.join(shown)}{more}", "yellow")
+
+    def _sentences(self, result: Result) -> None:
+        """Say in a sentence what each failure is, where a reader looks first."""
+        causes = result.causes(Outcome.FAILED, Outcome.KIT_ERROR)
+        for first, *others in causes[:_SENTENCES_SHOWN]:
+            self._wrapped(printable(sentence(first, others)), _STYLES[first.outcome])
+        if len(causes) > _SENTENCES_SHOWN:
+            self.say(f"and {len(causes) - _SENTENCES_SHOWN} more failures, shown above")
 
     def _wrapped(self, text: str, style: str = "") -> None:
         for line in textwrap.wrap(text, CARD_WIDTH, subsequent_indent="  "):

@@ -70,6 +70,7 @@ def run_checks(
 
     collector = execute(result.settings, processes, terminal.progress)
     result.problem = collector.problem
+    result.coverage = collector.coverage
     conclude(result, collector.verdicts, collector.tally, set(known_failures))
 
 

@@ -22,16 +22,22 @@ class ExchangeLog:
         self.dropped = 0
         self._lock = threading.Lock()
         self._count = 0
+        self._limit = _EXCHANGES_MAX
 
     def next_number(self) -> int:
         """Count one more exchange; too many mean that the check does not terminate."""
         with self._lock:
             self._count += 1
-            if self._count > _EXCHANGES_MAX:
+            if self._count > self._limit:
                 raise SetUpFailed(
                     f"request limit of the check reached ({_EXCHANGES_MAX})"
                 )
             return self._count
+
+    def allow_more(self) -> None:
+        """Count from here: what begins now is another of many examples."""
+        with self._lock:
+            self._limit = self._count + _EXCHANGES_MAX
 
     def add(self, exchange: Exchange) -> None:
         """Store an exchange; beyond the limit, the first half and the latest remain."""
@@ -42,3 +48,13 @@ class ExchangeLog:
             if len(self.exchanges) > _EXCHANGES_STORED:
                 del self.exchanges[_EXCHANGES_STORED // 2]
                 self.dropped += 1
+
+    def adopt(self, exchanges: list[Exchange], of: int) -> None:
+        """Take up how another check made what this one reads, as evidence.
+
+        of: how many exchanges there were; the others count as left out.
+        """
+        with self._lock:
+            if all(exchange not in self.exchanges for exchange in exchanges):
+                self.exchanges[:0] = exchanges
+                self.dropped += max(of - len(exchanges), 0)

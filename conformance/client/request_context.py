@@ -38,6 +38,7 @@ from conformance.specification.document import (
 )
 from conformance.specification.ledger import POLICY
 from conformance.specification.profile_fields import profile_of_task, profiles_used
+from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
@@ -96,6 +97,7 @@ class RequestContext:
             parent.exchange_log if parent else ExchangeLog(name)
         )
         self.tally: Tally = parent.tally if parent else Tally(shared.spec)
+        self.coverage: Coverage = parent.coverage if parent else Coverage()
         self.own_causes: OwnCauses = parent.own_causes if parent else OwnCauses()
         # The same seed gives the same requests.
         self.random = random.Random(f"{shared.settings.seed}/{name}")
@@ -230,6 +232,7 @@ class RequestContext:
                 withdraw = partial(self.call, "withdraw_entry", http_client=http_client)
                 self.clean_up_with(partial(withdraw, **path_params))
             raise
+        self.coverage.note(operation_id, run_id)
         self.own_causes.note(operation_id, sent, run_id, answer)
         if taken_back := taken_back_by(operation_id, answer, path_params):
             name, where = taken_back

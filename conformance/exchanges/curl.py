@@ -83,7 +83,8 @@ class Script:
                 beside_until = max(beside_until, ended_at)
                 command, is_alone, ended_at = f"{command} &", False, exchange.started_at
             yield command
-            yield f"# → {outcome_of(exchange)}"
+            mark = "   ← judged" if exchange.is_judged else ""
+            yield f"# → {outcome_of(exchange)}{mark}"
             if not is_alone and (
                 is_last or groups[index + 1][0].started_at >= beside_until
             ):

@@ -7,12 +7,13 @@ import textwrap
 from collections.abc import Iterator, Sequence
 
 from conformance.exchanges.curl import script
-from conformance.specification.ledger import load_ledger
+from conformance.specification.ledger import Requirement, load_ledger
 from conformance.verdicts.result import Result
-from conformance.verdicts.verdict import Outcome, Verdict
+from conformance.verdicts.verdict import Outcome, Verdict, rules_named_in
 
 CARD_WIDTH = 80
 _COMMANDS_SHOWN = 40
+_SHORT = 110
 OUTCOME_WORDS = {
     Outcome.PASSED: "passed",
     Outcome.FAILED: "FAILED",
@@ -36,6 +37,8 @@ def card(
         )
     story = " ".join(verdict.story.split())
     yield from _entry("check", f"{verdict.check}: {story}" if story else verdict.check)
+    for rule in deciding_rules(verdict):
+        yield from _entry("decides", f"{rule.id}: {rule.text}")
     if verdict.expected:
         yield from _entry("expected", verdict.expected)
         yield from _entry("observed", verdict.observed)
@@ -49,11 +52,35 @@ def card(
         "run the commands below in bash; the requests of the kit carried "
         f"X-Correlation-Id: {row.id}/1, {row.id}/2, …",
     )
+    if verdict.left_out:
+        yield f"    # {verdict.left_out} requests in the middle are left out"
     lines = script(verdict.exchanges, result.settings.url)
     if len(lines) > _COMMANDS_SHOWN:
         yield "    # shortened; the complete script is in report.html"
     for line in lines[-_COMMANDS_SHOWN:]:
         yield f"    {line}"
+
+
+def deciding_rules(verdict: Verdict) -> list[Requirement]:
+    """The rules that the expectation names, beside that of the verdict itself."""
+    named = rules_named_in(verdict.expected) - {verdict.requirement_id}
+    return [rule for id_, rule in load_ledger().items() if id_ in named]
+
+
+def sentence(verdict: Verdict, others: Sequence[Verdict] = ()) -> str:
+    """Say in one sentence what is wrong; the card has the whole."""
+    ids = ", ".join(row.requirement_id for row in (verdict, *others))
+    if verdict.outcome == Outcome.KIT_ERROR:
+        return f"{ids}: an error of the kit, {_short(verdict.reason)}"
+    if not verdict.expected:
+        return f"{ids}: {_short(verdict.reason)}"
+    expected, observed = _short(verdict.expected), _short(verdict.observed)
+    return f"{ids}: expected {expected}; observed {observed}"
+
+
+def _short(text: str) -> str:
+    line = " ".join(text.split())
+    return line if len(line) <= _SHORT else f"{line[: _SHORT - 1].rstrip()}…"
 
 
 def _entry(name: str, text: str) -> list[str]:

@@ -5,7 +5,9 @@ every value. The page is complete without JavaScript; report.js adds filters and
 buttons.
 """
 
+import difflib
 import itertools
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -16,6 +18,7 @@ from markupsafe import Markup, escape
 
 from conformance.exchanges.curl import outcome_of, script
 from conformance.exchanges.exchange import Exchange
+from conformance.reports.failure_card import deciding_rules
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import Requirement, load_areas, load_ledger
 from conformance.verdicts.result import WORST_FIRST, Result, label
@@ -23,6 +26,7 @@ from conformance.verdicts.verdict import Outcome, Verdict
 
 _HERE = Path(__file__).resolve().parent
 _BODY_SHOWN = 2000
+_ALIKE = 0.5
 _WITH_CARD = WORST_FIRST[:3]
 
 
@@ -45,6 +49,8 @@ class _Card:
     verdict: Verdict
     word: str
     check: str
+    deciding: list[Requirement]  # rules that the expectation names
+    sides: tuple[Markup, Markup]  # expected and observed, their difference marked
     script: str
     requests: list[dict[str, Any]] = field(default_factory=list)
     elapsed_s: float = 0.0
@@ -74,9 +80,30 @@ def page(result: Result) -> str:
         cards=[_card(cause, result) for cause in causes],
         areas=[
             (load_areas()[area], [_row(verdict, cards) for verdict in verdicts])
-            for area, verdicts in itertools.groupby(result.rows.values(), _area)
+            for area, verdicts in itertools.groupby(_applicable(result), _area)
         ],
+        not_applicable=len(result.rows) - len(_applicable(result)),
     )
+
+
+def _applicable(result: Result) -> list[Verdict]:
+    rows = result.rows.values()
+    return [row for row in rows if row.outcome != Outcome.NOT_APPLICABLE]
+
+
+def _with_difference(expected: str, observed: str) -> tuple[Markup, Markup]:
+    """Mark the words in which two texts differ, where they have most in common."""
+    words = [re.findall(r"\s+|[\w.+-]+|.", text) for text in (expected, observed)]
+    matcher = difflib.SequenceMatcher(a=words[0], b=words[1], autojunk=False)
+    if matcher.ratio() < _ALIKE:
+        return _with_code_spans(expected), _with_code_spans(observed)
+    sides = Markup(""), Markup("")
+    for kind, *bounds in matcher.get_opcodes():
+        pairs = (words[0][bounds[0] : bounds[1]], words[1][bounds[2] : bounds[3]])
+        mark = "{}" if kind == "equal" else "<mark>{}</mark>"
+        parts = [Markup(mark).format("".join(part)) if part else "" for part in pairs]  # noqa: S704 - one of two constants
+        sides = sides[0] + parts[0], sides[1] + parts[1]
+    return sides
 
 
 def _with_code_spans(text: str) -> Markup:
@@ -137,14 +164,17 @@ def _about(result: Result) -> dict[str, str]:
         f"{1000 * settings.round_trip_s:.1f} ms p95; "
         f"tolerance {settings.tolerance_s:.2f} s",
         "seed": str(settings.seed),
+        "tried": result.coverage.sentence(settings)
+        if result.coverage.histories
+        else "",
     }
 
 
 def _filters(result: Result) -> dict[str, dict[str, str]]:
     ledger = load_ledger()
     rows = result.rows.values()
-    present = {row.outcome for row in rows}
-    areas = dict.fromkeys(map(_area, rows))
+    present = {row.outcome for row in rows} - {Outcome.NOT_APPLICABLE}
+    areas = dict.fromkeys(map(_area, _applicable(result)))
     levels = dict.fromkeys(ledger[row.requirement_id].level for row in rows)
     return {
         "verdict": {o.value: label(o) for o in WORST_FIRST if o in present},
@@ -173,6 +203,8 @@ def _card(cause: list[Verdict], result: Result) -> _Card:
         verdict=verdict,
         word=_word(verdict),
         check=f"{verdict.check}: {' '.join(verdict.story.split())}",
+        deciding=deciding_rules(verdict),
+        sides=_with_difference(verdict.expected, verdict.observed),
         script="\n".join(script(verdict.exchanges, base_url)),
         requests=requests,
         elapsed_s=elapsed_s,
@@ -192,6 +224,7 @@ def _requests(
     requests = [
         {
             "number": exchange.number,
+            "is_judged": exchange.is_judged,
             "method": exchange.method,
             "url": exchange.url.removeprefix(base_url),
             "outcome": outcome_of(exchange).partition(" after ")[0],

@@ -10,6 +10,7 @@ import pytest
 
 from conformance.run_settings import Settings
 from conformance.runner.pytest_plugin import (
+    COVERAGE,
     SERVER_UNREACHABLE,
     TALLY,
     VERDICT,
@@ -19,6 +20,7 @@ from conformance.runner.pytest_plugin import (
 from conformance.runner.worker_processes import CAN_FORK, Properties, WorkerProcesses
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import OF_OTHER_PROGRAMS, PROFILES
+from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -37,6 +39,7 @@ class ResultCollector:
     def __init__(self, progress: Callable[[Verdict, int], None]) -> None:
         self.verdicts: dict[str, Verdict] = {}
         self.tally = Tally(load_spec())
+        self.coverage = Coverage()
         self.problem: str | None = None
         self.collect: Callable[[Properties], None] = self.add
         self._progress = progress
@@ -71,6 +74,8 @@ class ResultCollector:
                 self._add_verdict(Verdict.from_plain(value))
             elif name == TALLY:
                 self.tally.add_plain(value)
+            elif name == COVERAGE:
+                self.coverage.add_plain(value)
             elif name == SERVER_UNREACHABLE:
                 self.problem = self.problem or str(value)
 

@@ -30,6 +30,7 @@ from conformance.verdicts.verdict_of_check import is_violation, judge
 
 VERDICT = "kit_verdict"
 TALLY = "kit_tally"
+COVERAGE = "kit_coverage"
 SERVER_UNREACHABLE = "kit_server_unreachable"
 _BACKGROUND_TIMEOUT_S = 180
 # A check that the clock or a connection of the kit decided is tried so often, with time
@@ -358,6 +359,7 @@ def pytest_runtest_makereport(
             _stop_if_unreachable(item, check_context)
     if call.when == "teardown" and check_context is not None:
         item.user_properties.append((TALLY, check_context.tally.as_plain()))
+        item.user_properties.append((COVERAGE, check_context.coverage.as_plain()))
     return (yield)
 
 

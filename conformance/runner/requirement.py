@@ -26,3 +26,9 @@ def on_long_run(check: Check) -> Check:
     """
     marked: Check = pytest.mark.long_run(pytest.mark.one_process("long run")(check))
     return marked
+
+
+def from_schema(check: Check) -> Check:
+    """Mark a check whose requests schemathesis makes; one process loads the library."""
+    marked: Check = pytest.mark.one_process("schema")(check)
+    return marked

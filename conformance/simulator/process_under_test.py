@@ -1,6 +1,6 @@
-"""One process of the simulator under test: it is started, sent bytes, and ended.
+"""One simulator under test: a process that is started, or a connection to one.
 
-Knows frames and no calls. Everything that the process starts inherits a mark in its
+Knows frames and no calls. Everything that a process starts inherits a mark in its
 environment, by which it is found when the process has ended.
 """
 
@@ -8,6 +8,7 @@ import contextlib
 import os
 import select
 import signal
+import socket
 import struct
 import subprocess
 import threading
@@ -34,53 +35,13 @@ class Ended(NoFrame):
     """The output has ended."""
 
 
-class ProcessUnderTest:
-    """A running simulator. Raises OSError if it cannot be started."""
+class _Frames:
+    """Frames that are read from a descriptor, `_output`."""
 
-    def __init__(self, command: Sequence[str]) -> None:
-        self._mark = f"{_MARK}={uuid.uuid4()}"
-        name, _, value = self._mark.partition("=")
-        self._process = subprocess.Popen(
-            command,
-            env=os.environ | {name: value},
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            bufsize=0,
-            process_group=0,  # what it starts is ended with it
-        )
-        assert self._process.stdout is not None
-        self._output = self._process.stdout.fileno()
+    _output: int
+
+    def __init__(self) -> None:
         self._received = bytearray()
-        self._errors = b""
-        threading.Thread(target=self._read_errors, daemon=True).start()
-
-    def _read_errors(self) -> None:
-        assert self._process.stderr is not None
-        with contextlib.suppress(OSError, ValueError):
-            while data := self._process.stderr.read(1 << 16):
-                self._errors = (self._errors + data)[-_KEPT_BYTES:]
-
-    @property
-    def last_error_line(self) -> str:
-        """The last line of its standard error; empty if there is none."""
-        lines = self._errors.decode(errors="replace").strip().splitlines()
-        return lines[-1][:200] if lines else ""
-
-    def send(self, data: bytes) -> None:
-        """Write to its standard input. Raises Ended."""
-        assert self._process.stdin is not None
-        try:
-            while data:
-                data = data[self._process.stdin.write(data) :]
-        except OSError as error:
-            raise Ended(f"its standard input is closed ({error.strerror})") from error
-
-    def close_input(self) -> None:
-        """End its standard input."""
-        assert self._process.stdin is not None
-        with contextlib.suppress(OSError):
-            self._process.stdin.close()
 
     def read_frame(self, timeout_s: float, bytes_max: int) -> bytes:
         """The body of the next frame. Raises NoFrame."""
@@ -110,10 +71,100 @@ class ProcessUnderTest:
             left_s = max(0.0, until - time.monotonic())
             if not select.select([self._output], [], [], left_s)[0]:
                 raise TooSlow(f"{len(self._received)} of {size} bytes in time")
-            data = os.read(self._output, max(1 << 16, size - len(self._received)))
+            try:
+                data = os.read(self._output, max(1 << 16, size - len(self._received)))
+            except ConnectionError:
+                data = b""
             if not data:
                 raise Ended(f"the output ended after {len(self._received)} bytes")
             self._received += data
+
+
+class ConnectionUnderTest(_Frames):
+    """A connection to a simulator at a socket. Raises OSError."""
+
+    last_error_line = ""
+
+    def __init__(self, path: str) -> None:
+        super().__init__()
+        self._connection = socket.socket(socket.AF_UNIX)
+        try:
+            self._connection.connect(path)
+        except OSError:
+            self._connection.close()
+            raise
+        self._output = self._connection.fileno()
+
+    def send(self, data: bytes) -> None:
+        """Send bytes. Raises Ended."""
+        try:
+            self._connection.sendall(data)
+        except OSError as error:
+            raise Ended(f"the connection is closed ({error.strerror})") from error
+
+    def wait(self, timeout_s: float) -> int | None:
+        """0 when the connection has ended; None if it goes on."""
+        until = time.monotonic() + timeout_s
+        try:
+            while True:
+                self._fill(len(self._received) + 1, until)
+        except Ended:
+            return 0
+        except TooSlow:
+            return None
+
+    def end(self) -> None:
+        """End the connection."""
+        self._connection.close()
+
+
+class ProcessUnderTest(_Frames):
+    """A running simulator. Raises OSError if it cannot be started."""
+
+    def __init__(self, command: Sequence[str]) -> None:
+        super().__init__()
+        self._mark = f"{_MARK}={uuid.uuid4()}"
+        name, _, value = self._mark.partition("=")
+        self._process = subprocess.Popen(
+            command,
+            env=os.environ | {name: value},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            bufsize=0,
+            process_group=0,  # what it starts is ended with it
+        )
+        assert self._process.stdout is not None
+        self._output = self._process.stdout.fileno()
+        self._errors = b""
+        threading.Thread(target=self._read_errors, daemon=True).start()
+
+    def _read_errors(self) -> None:
+        assert self._process.stderr is not None
+        with contextlib.suppress(OSError, ValueError):
+            while data := self._process.stderr.read(1 << 16):
+                self._errors = (self._errors + data)[-_KEPT_BYTES:]
+
+    @property
+    def last_error_line(self) -> str:
+        """The last line of its standard error; empty if there is none."""
+        lines = self._errors.decode(errors="replace").strip().splitlines()
+        return lines[-1][:200] if lines else ""
+
+    def send(self, data: bytes) -> None:
+        """Write to its standard input. Raises Ended."""
+        assert self._process.stdin is not None
+        try:
+            while data:
+                data = data[self._process.stdin.write(data) :]
+        except OSError as error:
+            raise Ended(f"its standard input is closed ({error.strerror})") from error
+
+    def close_input(self) -> None:
+        """End its standard input."""
+        assert self._process.stdin is not None
+        with contextlib.suppress(OSError):
+            self._process.stdin.close()
 
     def wait(self, timeout_s: float) -> int | None:
         """Its exit code, negative for a signal; None if it runs on."""

@@ -7,6 +7,7 @@ names the rule that it breaks.
 import contextlib
 import math
 import random
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Never
 
@@ -15,12 +16,14 @@ import msgspec
 from conformance.client.check_context import CheckContext
 from conformance.simulator.process_under_test import (
     LENGTH,
+    ConnectionUnderTest,
     Ended,
     NoFrame,
     ProcessUnderTest,
     TooSlow,
 )
 from conformance.verdicts.expect import (
+    NotApplicable,
     SetUpFailed,
     TooLate,
     Violation,
@@ -31,6 +34,7 @@ PROTOCOL = 1
 REPLY_BYTES_MAX = 16 << 20
 EXTRA_BYTES = 1 << 20
 STEPS = 12
+_AWAY_PAUSE_S = 0.02
 TASKS_MAX = 3
 DTYPE_BYTES = {"bool": 1} | {
     f"{kind}{bits}": bits // 8
@@ -66,22 +70,44 @@ Episode = list[Json]
 
 
 class SimulatorClient:
-    """One process of the simulator. `context` names the rule under test."""
+    """One process of the simulator, or one connection to it at a socket.
 
-    def __init__(self, context: CheckContext) -> None:
+    context: names the rule under test. away_s: how long it is tried again when it does
+    not listen at its socket; by default, the time to start.
+    """
+
+    def __init__(self, context: CheckContext, away_s: float | None = None) -> None:
         self._context = context
         self._limits = context.shared.settings.simulator
+        self._number = self._answered = 0
         command = self._limits["command"]
         try:
-            self.process = ProcessUnderTest(command)
+            self.process: ConnectionUnderTest | ProcessUnderTest
+            if (path := socket_path(context)) is None:
+                self.process = ProcessUnderTest(command)
+            else:
+                wait_s = self._limits["start_timeout_s"] if away_s is None else away_s
+                self.process = _connect(path, wait_s)
         except OSError as error:
+            if path is not None:
+                text = f"{command[0]} cannot be reached: {error.strerror}"
+                self.broken("SIM-028", "that a new connection is accepted", text)
             text = f"{command[0]} cannot be started: {error.strerror}"
             raise SetUpFailed(text) from error
         self._has_described = False
 
+    @property
+    def started(self) -> ProcessUnderTest:
+        """The process. Raises NotApplicable for a simulator at a socket."""
+        if isinstance(self.process, ConnectionUnderTest):
+            raise NotApplicable("the simulator is at a socket")
+        return self.process
+
     def send(self, call: str, **members: Any) -> None:
-        """Send a request."""
-        body = msgspec.msgpack.encode({"call": call, **members})
+        """Send a request, with the next number."""
+        self._number += 1
+        request = {"call": call, "number": self._number, **members}
+        body = msgspec.msgpack.encode(request)
         with contextlib.suppress(Ended):  # what it wrote before says more
             self.process.send(LENGTH.pack(len(body)) + body)
 
@@ -100,6 +126,9 @@ class SimulatorClient:
             self.broken("SIM-001", f"a frame with a reply to {call}", str(wrong))
         if not isinstance(reply, dict):
             self.broken("SIM-001", "a map", format_value(reply))
+        self._answered += 1
+        if reply.pop("number", None) != self._answered:
+            self.broken("SIM-025", f"number {self._answered} in {call}", str(body[:80]))
         self._has_described = True
         return reply
 
@@ -203,10 +232,30 @@ class SimulatorClient:
         )
 
 
+def socket_path(context: CheckContext) -> str | None:
+    """Where the simulator listens; None if it is a command that the kit starts."""
+    kind, _, path = context.shared.settings.simulator["command"][0].partition(":")
+    return path if kind == "unix" else None
+
+
+def _connect(path: str, wait_s: float) -> ConnectionUnderTest:
+    """Raises OSError if the simulator does not listen in this time."""
+    until = time.monotonic() + wait_s
+    while True:
+        try:
+            return ConnectionUnderTest(path)
+        except OSError:
+            if time.monotonic() > until:
+                raise
+            time.sleep(_AWAY_PAUSE_S)
+
+
 @contextlib.contextmanager
-def simulator(context: CheckContext) -> Iterator[SimulatorClient]:
-    """A process that has described itself; it is ended after the check."""
-    client = SimulatorClient(context)
+def simulator(
+    context: CheckContext, away_s: float | None = None
+) -> Iterator[SimulatorClient]:
+    """A simulator that has described itself; it is ended after the check."""
+    client = SimulatorClient(context, away_s)
     try:
         for fault in context.shared.settings.simulator["faults"]:
             client.broken("SIM-008", "a description with all that is required", fault)

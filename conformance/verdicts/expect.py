@@ -31,6 +31,7 @@ _NEVER_FOR_SET_UP = frozenset(
 )
 _LONGEST_TEXT = 600
 _PATHS_SHOWN = 5
+_BEFORE_DIFFERENCE = 30
 _ABSENT = "(absent)"
 
 
@@ -192,11 +193,15 @@ def equal(observed: Any, expected: Any, what: str) -> None:
         return
     if len(format_value(expected)) + len(format_value(observed)) <= _LONGEST_TEXT:
         raise Violation(f"{what} = {format_value(expected)}", format_value(observed))
-    paths = list(itertools.islice(_differences(observed, expected), _PATHS_SHOWN))
+    parts = [
+        (at, *format_difference(due, seen))
+        for at, seen, due in itertools.islice(
+            _differences(observed, expected), _PATHS_SHOWN
+        )
+    ]
     raise Violation(
-        f"{what} with "
-        + ", ".join(f"{at} {format_value(due)}" for at, _, due in paths),
-        ", ".join(f"{at} {format_value(seen)}" for at, seen, _ in paths),
+        f"{what} with " + ", ".join(f"{at} {due}" for at, due, _ in parts),
+        ", ".join(f"{at} {seen}" for at, _, seen in parts),
     )
 
 
@@ -208,12 +213,11 @@ def _differences(
         for name in [*expected, *(n for n in observed if n not in expected)]:
             pair = (observed.get(name, _ABSENT), expected.get(name, _ABSENT))
             yield from _differences(*pair, f"{path}/{name}")
-    elif (
-        isinstance(observed, list)
-        and isinstance(expected, list)
-        and len(observed) == len(expected)
-    ):
-        for index, pair in enumerate(zip(observed, expected, strict=True)):
+    elif isinstance(observed, list) and isinstance(expected, list):
+        if len(observed) != len(expected):
+            yield f"{path} number of entries".strip(), len(observed), len(expected)
+        pairs = itertools.zip_longest(observed, expected, fillvalue=_ABSENT)
+        for index, pair in enumerate(pairs):
             yield from _differences(*pair, f"{path}/{index}")
     elif observed != expected:
         yield path or "/", observed, expected
@@ -283,6 +287,25 @@ def format_value(value: Any) -> str:
         return text
     half = _LONGEST_TEXT // 2
     return f"{text[:half]} … {text[-half:]}"
+
+
+def format_difference(expected: Any, observed: Any) -> tuple[str, str]:
+    """Write two values, each around the first place where they differ."""
+    due, seen = (
+        json.dumps(value, ensure_ascii=False, default=repr)
+        for value in (expected, observed)
+    )
+    if max(len(due), len(seen)) <= _LONGEST_TEXT // 2:
+        return due, seen
+    pairs = enumerate(zip(due, seen, strict=False))
+    same = next((n for n, (a, b) in pairs if a != b), min(len(due), len(seen)))
+    begin = max(0, same - _BEFORE_DIFFERENCE)
+    return _window(due, begin), _window(seen, begin)
+
+
+def _window(text: str, begin: int) -> str:
+    end = begin + _LONGEST_TEXT // 4
+    return f"{'… ' * (begin > 0)}{text[begin:end]}{' …' * (end < len(text))}"
 
 
 def _pointers(body: dict[str, Any]) -> list[Any]:

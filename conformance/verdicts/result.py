@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from conformance.exchanges.curl import script
@@ -15,6 +15,7 @@ from conformance.specification.ledger import (
     load_ledger,
 )
 from conformance.specification.stages import advice
+from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.levels import LevelVerdict, judge_level
 from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
@@ -43,6 +44,7 @@ class Result:
     round_trip_p50_s: float = 0.0
     rows: dict[str, Verdict] = field(default_factory=dict)
     stale: list[str] = field(default_factory=list)
+    coverage: Coverage = field(default_factory=Coverage)
 
     @property
     def exit_code(self) -> int:
@@ -277,7 +279,10 @@ def _apply_tally(verdict: Verdict, tally: Tally) -> None:
     verdict.outcome = Outcome.FAILED
     verdict.reason = f"{tally.broken[row]} of {tally.exercised[row]} answers"
     verdict.expected, verdict.observed = first.expected, first.observed
-    verdict.exchanges = [breach.exchange for breach in breaches[:3]]
+    verdict.exchanges = [
+        replace(breach.exchange, is_judged=True) for breach in breaches[:3]
+    ]
+    verdict.left_out = 0
 
 
 def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:
@@ -336,6 +341,8 @@ def as_plain(result: Result) -> dict[str, Any]:
         "started_at": result.started_at,
         "elapsed_s": round(result.elapsed_s, 3),
         "seed": settings.seed,
+        "minutes": settings.minutes,
+        "coverage": result.coverage.as_plain(),
         "only": settings.only,
         "level": settings.level,
         "profiles": settings.profiles,

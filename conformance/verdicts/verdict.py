@@ -51,6 +51,7 @@ class Verdict:
     elapsed_s: float = 0.0
     is_known_failure: bool = False
     exchanges: list[Exchange] = field(default_factory=list)
+    left_out: int = 0  # exchanges between these, which were too many to keep
 
     def as_plain(self) -> dict[str, Any]:
         """Give it as JSON-ready data."""

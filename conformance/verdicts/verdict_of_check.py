@@ -7,6 +7,7 @@ a result that nothing can decide. Any other exception is a defect of the kit.
 from __future__ import annotations
 
 import traceback
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from conformance.exchanges.curl import select_exchanges_for
@@ -35,6 +36,16 @@ def is_violation(verdict: Verdict, context: CheckContext | None) -> bool:
     return is_failed or (context is not None and context.tally.broken.total() > 0)
 
 
+def _mark_judged(verdict: Verdict, number: int | None) -> None:
+    """Mark the exchange that decided: the last one, where the check names none."""
+    if verdict.exchanges and number is None:
+        number = max(exchange.number for exchange in verdict.exchanges)
+    verdict.exchanges = [
+        replace(exchange, is_judged=exchange.number == number)
+        for exchange in verdict.exchanges
+    ]
+
+
 def judge(
     requirement_id: str,
     error: BaseException | None,
@@ -46,6 +57,7 @@ def judge(
         return verdict
     if context is not None:
         verdict.exchanges = list(context.exchange_log.exchanges)
+        verdict.left_out = context.exchange_log.dropped
     match error:
         case expect.Violation():
             verdict.outcome = Outcome.FAILED
@@ -54,6 +66,8 @@ def judge(
                 verdict.exchanges = select_exchanges_for(
                     error.exchange, verdict.exchanges
                 )
+                verdict.left_out = 0
+            _mark_judged(verdict, error.exchange)
         case expect.SetUpFailed():
             verdict.outcome = Outcome.NOT_VERIFIED
             verdict.reason, verdict.allowed = error.reason, error.allowed

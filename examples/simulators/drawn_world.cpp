@@ -93,7 +93,7 @@ class PointWorld : public ps::Simulator {
   ps::Numbers position_{0, 0}, target_{0, 0};
 };
 
-int main() {
+int main(int count, char** words) {
   PointWorld world;
-  return ps::serve(world);
+  return ps::serve(world, count > 1 ? words[1] : "");
 }

@@ -165,7 +165,7 @@ class PuckWorld : public ps::Simulator {
   bool is_open_ = false;
 };
 
-int main() {
+int main(int count, char** words) {
   PuckWorld world;
-  return ps::serve(world);
+  return ps::serve(world, count > 1 ? words[1] : "");
 }

@@ -3,8 +3,14 @@
 Copy proctor_simulator.py beside this file; then
 
     proctor-server --simulator "python numpy_world.py"
+
+or, started by yourself and found by the server at a socket:
+
+    python numpy_world.py unix:/tmp/world.sock
+    proctor-server --simulator unix:/tmp/world.sock
 """
 
+import sys
 from typing import Any, Dict, List
 
 import numpy as np
@@ -69,4 +75,4 @@ class PointWorld(proctor_simulator.Simulator):
 
 
 if __name__ == "__main__":
-    proctor_simulator.serve(PointWorld())
+    proctor_simulator.serve(PointWorld(), *sys.argv[1:])

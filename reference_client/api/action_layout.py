@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 
 # Rounding to float32 does not count as clipping; relative to the width of the range.
@@ -148,6 +149,6 @@ class ClipCount:
         """`45 of 50 actions were clipped …`, with how many numbers of each vector."""
         names = ", ".join(f"{name} {n}" for name, n in self.numbers.items())
         return (
-            f"{self.clipped} of {self.actions} actions were clipped to the declared "
-            f"range (numbers outside: {names})"
+            f"{self.clipped} of {counted(self.actions, 'action')} were clipped to the "
+            f"declared range (numbers outside: {names})"
         )

@@ -33,6 +33,7 @@ from reference_client.printable_text import printable
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
 from reference_record.command_line.click_commands import Options
+from reference_record.counted_text import counted
 from reference_record.formats.checkpoint import Checkpoint
 from reference_record.pages.spreadsheet_cells import as_cell
 
@@ -208,9 +209,9 @@ def _rank(row: RankedEntry) -> str:
 
 def _notes(ranking: Ranking) -> Prose:
     of = f"{ranking.benchmark_id}, manifest {ranking.manifest_sha256[:12]}"
-    episodes = ranking.episodes_total
+    episodes = ranking.episodes_total or 0  # known where there are rows
     noun = "entry" if ranking.ranked == 1 else "entries"
-    lines = [f"{of}: {ranking.ranked} ranked {noun} of {episodes} episodes."]
+    lines = [f"{of}: {ranking.ranked} ranked {noun} of {counted(episodes, 'episode')}."]
     if ranking.ranked > 1:
         lines.append(
             "A rank is an interval: entries with a letter in common cannot be "

@@ -19,6 +19,7 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.click_commands import Options
+from reference_record.counted_text import counted
 
 RETRY_TIMEOUT_S = 10.0
 
@@ -67,7 +68,7 @@ def explaining_state(
 
 def _way_to_completion(run: Run) -> str:
     scored, total = run.progress.episodes_scored, run.progress.episodes_total
-    counts = f"{scored} of {total} episodes are scored"
+    counts = f"{scored} of {counted(total, 'episode is', 'episodes are')} scored"
     if run.state.value == "failed" and not run.retryable:
         return f"{counts}, and the run cannot be resumed."
     if run.policy_server is not None:

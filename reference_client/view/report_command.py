@@ -31,6 +31,7 @@ from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.counted_text import counted
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
 from reference_record.pages.recorded_episode import (
@@ -97,11 +98,11 @@ def _write(
     left_out = videos.left_out(run_ids)
     for line in left_out:
         printer.say(f"proctor: {line}")
-    index, counted = folder / "index.html", f"{pages} pages"
+    index, what = folder / "index.html", counted(pages, "page")
     if args.videos:
-        counted += f", {videos.placed} video{'s' * (videos.placed != 1)}"
+        what += f", {counted(videos.placed, 'video')}"
     answer = {"index": str(index), "pages": pages, "videos": videos.placed}
-    printer.answer(answer | {"left_out": left_out}, f"{index}  ({counted})")
+    printer.answer(answer | {"left_out": left_out}, f"{index}  ({what})")
     return DONE
 
 

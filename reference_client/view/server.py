@@ -17,6 +17,7 @@ from typing import Any, Self
 
 from reference_client.evaluation.status_board import Progress, StatusBoard, TurnSnapshot
 from reference_client.evaluation.turn_report import RESULTS_MAX, LatestTurn
+from reference_record.pages.page_templates import read_asset
 
 LOOPBACK = "127.0.0.1"
 CONTENT_SECURITY_POLICY = (
@@ -112,6 +113,8 @@ class _PageHandler(BaseHTTPRequestHandler):
         elif self.path == "/":
             page = files("reference_client.view").joinpath("page.html").read_bytes()
             self._answer(200, "text/html; charset=utf-8", page)
+        elif self.path == "/favicon.ico":  # each browser asks for it
+            self._answer(200, "image/svg+xml", read_asset("icon.svg"))
         elif self.path == "/state.json":
             state = json.dumps(self.server.view.state()).encode()
             self._answer(200, "application/json", state)

@@ -31,6 +31,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
+from reference_record.counted_text import counted
+
 ALPHA: Final = 0.05
 THRESHOLD: Final = 1 / ALPHA
 _DECIDES: Final = f"decided at e ≥ {THRESHOLD:g}"
@@ -139,7 +141,9 @@ def describe(comparison: SequentialComparison) -> str:
     """One sentence for people: what is decided, whether more episodes are needed."""
     if comparison.at_decision is not None:
         return _describe_decision(comparison, comparison.at_decision)
-    evidence = f"e = {comparison.e_value:.3g} after {comparison.compared} episodes"
+    evidence = (
+        f"e = {comparison.e_value:.3g} after {counted(comparison.compared, 'episode')}"
+    )
     if not comparison.left:
         return f"all episodes are compared, so that p decides ({evidence})"
     if not comparison.may_decide:

@@ -13,6 +13,7 @@ from typing import Any, Final
 from urllib.parse import urlencode
 
 from reference_record.comparison.sequential_comparison import describe
+from reference_record.counted_text import counted
 from reference_record.pages import run_page
 from reference_record.pages.comparison_page import (
     KINDS,
@@ -338,8 +339,8 @@ def _reason(episode: Document) -> str:
         return ""
     if result["outcome"] == "abandoned":
         return (
-            f"Abandoned: {result['attempt']} attempts ended without a result, which "
-            "are all that the benchmark allows."
+            f"Abandoned: {counted(result['attempt'], 'attempt')} ended without a "
+            "result, and the benchmark allows no more."
         )
     if result["outcome"] == "success":
         return "The goal held, by the success rule of the benchmark."

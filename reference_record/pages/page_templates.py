@@ -15,6 +15,7 @@ from urllib.parse import urlsplit
 
 from jinja2 import BaseLoader, ChoiceLoader, Environment, PackageLoader
 
+from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 
 # Limits what a browser loads and runs; a server sends it with each of these pages.
@@ -24,6 +25,7 @@ CONTENT_SECURITY_POLICY = (
     "frame-ancestors 'none'"
 )
 ASSETS = {
+    "icon.svg": "image/svg+xml",
     "pages.css": "text/css; charset=utf-8",
     "pages.js": "text/javascript; charset=utf-8",
     "vendor/NOTICE.txt": "text/plain; charset=utf-8",
@@ -100,6 +102,7 @@ def make_environment(*more: BaseLoader) -> Environment:
         auto_reload=False,
     )
     environment.filters |= {
+        "counted": counted,
         "percent": percent,
         "score": score_text,
         "duration": duration,

@@ -20,6 +20,7 @@ from reference_record.command_line.click_commands import (
     flag,
     option,
 )
+from reference_record.counted_text import counted
 from reference_record.keys import load_or_make
 from reference_record.recording import timestamp
 from reference_server.records.recordings import Recordings
@@ -204,7 +205,7 @@ def prune_old(files: AdminFiles, args: Options) -> None:
     for run_id in removed:
         print(f"{'would remove' if args.dry_run else 'removed'} {run_id}")
     freed = sum(before.get(run_id, 0) for run_id in removed)
-    print(f"{len(removed)} runs, {_shown(freed)}")
+    print(f"{counted(len(removed), 'run')}, {_shown(freed)}")
 
 
 async def _prune(files: AdminFiles, days: float, *, is_dry: bool) -> list[str]:

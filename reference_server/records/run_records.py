@@ -18,7 +18,11 @@ from typing import Any, Literal
 
 import msgspec
 
-from reference_record.benchmark_manifest import manifest_file, texts_of
+from reference_record.benchmark_manifest import (
+    is_deterministic,
+    manifest_file,
+    texts_of,
+)
 from reference_record.broken import UnusableRecord
 from reference_record.formats.envelope import read_envelope
 from reference_record.formats.names import (
@@ -327,7 +331,9 @@ class RunRecords:
             finished_at=timestamp(int(last * 1e9)),
             attempts_by_submitter=await self._signed.count_attempts(run),
             previous_statement_sha256=await self._signed.last_statement_sha256(),
-            promise=self._settings.promise,
+            promise=(
+                self._settings.promise if is_deterministic(run.manifest) else "none"
+            ),
         )
 
 

@@ -308,9 +308,9 @@ def record_fault(
 
     The episode begins again in the same attempt (FAULT-001), unless it has faulted
     `max_faults` times or can never be played: then the run fails, and the sessions
-    that ended with it are returned (FAULT-002, FAULT-005, FAULT-014). FAULT-008: what
-    the attempt has executed is forgotten. FAULT-007: a fault that fails the run costs
-    no worker an attempt.
+    that ended with it are returned (FAULT-002, FAULT-005, FAULT-014, FAULT-015).
+    FAULT-008: what the attempt has executed is forgotten. FAULT-007: a fault that fails
+    the run costs no worker an attempt.
     """
     episode = _episode_of(session)
     episode.faults += 1

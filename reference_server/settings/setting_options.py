@@ -18,6 +18,7 @@ from reference_record.command_line.click_commands import (
     Command,
     OneOf,
     WrongUsage,
+    argument,
     option,
     parse_options,
     placeholder,
@@ -25,22 +26,27 @@ from reference_record.command_line.click_commands import (
 from reference_server.settings.server_settings import Settings, describe_faults
 
 PROGRAM = "proctor-server"
+_NAMED = "named"
 _PLACEHOLDERS = {str(str): "TEXT", str(int): "N", str(float): "SECONDS"}
 
 
 def build_command() -> Command:
     """The command `proctor-server`, with an option for each setting."""
     options = [_option(name, field) for name, field in Settings.model_fields.items()]
-    return Command(PROGRAM, "", options, help_text=Settings.__doc__)
+    named = argument(_NAMED, "as --benchmarks", nargs=-1, metavar="[BENCHMARK]...")
+    return Command(PROGRAM, "", [named, *options], help_text=Settings.__doc__)
 
 
 def read_settings(arguments: Sequence[str]) -> Settings:
-    """Settings of flags and the environment; flags win.
+    """Settings of flags and the environment; flags win. Words are benchmarks.
 
     Raises WrongUsage, which names each setting that is wrong and what it may be.
     """
     values = vars(parse_options(build_command(), arguments))
+    named = values.pop(_NAMED) or []
     given = {name: value for name, value in values.items() if value is not None}
+    if named:
+        given["benchmarks"] = ",".join([*filter(None, [values["benchmarks"]]), *named])
     try:
         return Settings(**given)
     except ValidationError as error:

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.broken import UnusableRecord
+from reference_record.counted_text import counted
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.statement import EpisodeLine
@@ -119,12 +120,12 @@ class Simulation:
             self._say(f"sealed seeds: drawn with {self._benchmark.secret_file}")
         counts = Counter(facts["reason"] for facts in left_out)
         if sealed := counts["seed_sealed"]:
-            self._say(f"{sealed} episodes left out, as their seeds are sealed")
+            self._say(f"{counted(sealed, 'episode')} left out: sealed seeds")
             self._say(WHO_HAS_SEEDS)
             program = "video" if job.kind == "video" else f"export --to {job.kind}"
             self._say(f"then: proctor {program} {job.record} --seeds FILE")
         if unrecorded := counts["not_recorded"]:
-            self._say(f"{unrecorded} episodes left out, as nothing of them is recorded")
+            self._say(f"{counted(unrecorded, 'episode')} left out: nothing is recorded")
 
     def cameras(self, task: str) -> list[str]:
         """Names of the pictures that there are in a task."""

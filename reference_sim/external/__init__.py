@@ -3,7 +3,8 @@
 `simulator_messages` has the messages, `supervisor` is the process that starts the
 program and ends everything that it started, `program` exchanges frames with it,
 `external_simulator` plays it, and `described_benchmark` makes a benchmark of what it
-says about itself. `libraries` is for authors of programs: nothing here imports it.
+says about itself. `socket_address` is about a program that the server
+does not start. `libraries` is for authors of programs: nothing here imports it.
 """
 
 from pathlib import Path

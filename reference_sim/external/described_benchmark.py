@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -12,8 +13,10 @@ from msgspec import Meta
 from pydantic import ValidationError
 
 from reference_sim.definition import BenchmarkDefinition, Json, definition_of_plan
+from reference_sim.external import socket_address
 from reference_sim.external.external_simulator import DTYPES, ExternalSimulator, make
 from reference_sim.external.program import (
+    AWAY_TIMEOUT_S,
     START_TIMEOUT_S,
     Program,
     ProgramFault,
@@ -35,7 +38,7 @@ from reference_sim.gymnasium.own_sources import (
     hash_files,
     sha256_of,
 )
-from reference_sim.interface import TaskUnplayable
+from reference_sim.interface import SimulatorAway, TaskUnplayable
 from reference_sim.vector_spaces import VectorPart
 
 ADAPTER = "external"
@@ -145,16 +148,19 @@ def definition(
     assert command is not None
     name = program_name(command, str(folder))
     start_timeout_s = benchmark.start_timeout_s or START_TIMEOUT_S
+    away_timeout_s = benchmark.away_timeout_s
     plan: Json = {
-        "command": _with_path(command, folder),
         "folder": str(folder),
         "start_timeout_s": start_timeout_s,
+        "away_timeout_s": AWAY_TIMEOUT_S if away_timeout_s is None else away_timeout_s,
     }
     try:
+        plan["command"] = _with_path(command, folder)
         program = Program(
             plan["command"],
             plan["folder"],
             start_timeout_s=start_timeout_s,
+            away_timeout_s=start_timeout_s,
             on_wait=_Progress(say, command),
         )
         try:
@@ -170,7 +176,7 @@ def definition(
         finally:
             program.close()
     # A ValueError is of a declared file, or of a member of the description.
-    except (ProgramFault, TaskUnplayable, ValueError) as error:
+    except (ProgramFault, SimulatorAway, TaskUnplayable, ValueError) as error:
         is_invalid = isinstance(error, msgspec.ValidationError)
         text = f"its description: {error}" if is_invalid else str(error)
         raise BadBenchmark(f"simulator {name}: {text}") from error
@@ -187,21 +193,27 @@ def definition(
 
 def _with_path(command: Sequence[str], folder: Path) -> list[str]:
     """The command, with a program beside its file named by its whole path."""
+    if socket_address.is_socket(command):
+        return socket_address.resolve(command, folder)
     program = folder / command[0]
     is_path = "/" in command[0] or is_file(program)
     return [str(program) if is_path else command[0], *command[1:]]
 
 
 class _Progress:
-    """Says every ten seconds that a program is waited for."""
+    """Says after three seconds, and then every ten, that a program is waited for."""
 
     def __init__(self, say: Callable[[str], None], command: Sequence[str]) -> None:
-        self._say, self._command, self._times = say, command, 0
+        self._say, self._command = say, command
+        self._began_at, self._next_s = time.monotonic(), 3.0
 
     def __call__(self) -> None:
-        self._times += 1
-        if self._times % 10 == 3:
-            self._say(f"simulator {self._command[0]}: starting, {self._times} s so far")
+        spent_s = time.monotonic() - self._began_at
+        if spent_s >= self._next_s:
+            self._next_s += 10.0
+            is_socket = socket_address.is_socket(self._command)
+            doing = "waiting until it listens" if is_socket else "starting"
+            self._say(f"simulator {self._command[0]}: {doing}, {spent_s:.0f} s so far")
 
 
 def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark:
@@ -260,7 +272,8 @@ def _manifest(
         "simulator": {
             **described["simulator"],
             "protocol": PROTOCOL,
-            "command": list(command),
+            # Where a program listens does not change what it plays.
+            **({} if socket_address.is_socket(command) else {"command": list(command)}),
             "graded": declared.graded,
             "deterministic": declared.deterministic,
             "sources": plan["announced"] | plan["sources"],

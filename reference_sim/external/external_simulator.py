@@ -213,7 +213,8 @@ def make(
 ) -> ExternalSimulator:
     """Start the program of these settings, which described_benchmark makes.
 
-    Raises ChangedSource and ProgramFault if it is not what the server has described.
+    Raises ChangedSource and ProgramFault if it is not what the server has described,
+    and SimulatorAway.
     """
     plan = settings["plan"]
     files = DeclaredFiles(Path(plan["folder"]), plan["sources"])
@@ -223,6 +224,7 @@ def make(
         plan["folder"],
         start_timeout_s=plan["start_timeout_s"],
         call_timeout_s=None,  # the server has the time of a turn
+        away_timeout_s=plan["away_timeout_s"],
         on_wait=on_wait,
     )
     announced = program.description.benchmark.pop("sources", {})

@@ -1,8 +1,9 @@
 """A program that speaks the simulator protocol, and the exchange of frames with it.
 
-The program is a child of `supervisor.py`, which ends it when this process ends. Pixels
-are received into the memory that is shared with the server, so that they are copied
-no more often than those of a simulator in this process.
+The program is a child of `supervisor.py`, which ends it when this process ends, or it
+was started elsewhere and listens at a socket. Pixels are received into the memory that
+is shared with the server, so that they are copied no more often than those of a
+simulator in this process.
 """
 
 from __future__ import annotations
@@ -17,11 +18,13 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Sequence
+from itertools import chain, repeat
 from pathlib import Path
 from typing import Any, Never
 
 import msgspec
 
+from reference_sim.external import socket_address
 from reference_sim.external.simulator_messages import (
     LENGTH,
     PROTOCOL,
@@ -30,18 +33,22 @@ from reference_sim.external.simulator_messages import (
     Closed,
     DescribeCall,
     Described,
-    FaultReply,
     ReplyT,
+    ReportedFault,
     Request,
+    WrongNumber,
     frame,
     read_reply,
 )
-from reference_sim.interface import TaskUnplayable
+from reference_sim.interface import SimulatorAway, TaskUnplayable
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 START_TIMEOUT_S = 120.0
 CALL_TIMEOUT_S = 60.0
 CLOSE_TIMEOUT_S = 5.0
+AWAY_TIMEOUT_S = 10.0
+# Between tries to reach a program that does not listen; the last one from then on.
+AWAY_PAUSES_S = (0.1, 0.2, 0.4, 0.8, 1.0)
 _WAIT_INTERVAL_S = 1.0
 _PIPE_BYTES = 1 << 20
 _INBOX_BYTES = 1 << 16
@@ -67,11 +74,17 @@ class ProgramFault(Exception):
     """The program had a fault, broke its protocol or ended; the text says what."""
 
 
+class NoReply(ProgramFault):
+    """The program ended, ended its connection, or did not reply in time."""
+
+
 class Program:
     """One running program. Every method raises ProgramFault and TaskUnplayable.
 
     on_wait: called about every second while the program starts.
     call_timeout_s: time for each request; None if another process watches the time.
+    away_timeout_s: how long a program is tried again that does not listen at its
+        socket; then SimulatorAway is raised.
     """
 
     def __init__(
@@ -81,15 +94,30 @@ class Program:
         *,
         start_timeout_s: float = START_TIMEOUT_S,
         call_timeout_s: float | None = CALL_TIMEOUT_S,
+        away_timeout_s: float = AWAY_TIMEOUT_S,
         on_wait: Callable[[], None] = lambda: None,
     ) -> None:
         self.name = program_name(command, folder)
-        self._call_timeout_s = call_timeout_s
+        self._call_timeout_s, self._start_timeout_s = call_timeout_s, start_timeout_s
         self._inbox = bytearray(_INBOX_BYTES)
-        self._start(command, folder)
+        self._supervisor: subprocess.Popen[bytes] | None = None
+        if socket_address.is_socket(command):
+            self._reach(command, away_timeout_s, on_wait)
+        else:
+            self._start(command, folder)
+            self._describe(on_wait)
+
+    def _describe(self, on_wait: Callable[[], None]) -> None:
+        """The first exchange; the program is ended if it fails."""
+        self._number = 0
+        self._poll = select.poll()
+        self._poll.register(self._replies, select.POLLIN)
         try:
             self.description = self.request(
-                DescribeCall(), Described, timeout_s=start_timeout_s, on_wait=on_wait
+                DescribeCall(),
+                Described,
+                timeout_s=self._start_timeout_s,
+                on_wait=on_wait,
             )
             if self.description.protocol != PROTOCOL:  # SIM-007
                 protocol = self.description.protocol
@@ -97,6 +125,32 @@ class Program:
         except BaseException:
             self.end()
             raise
+
+    def _reach(
+        self, command: Sequence[str], timeout_s: float, on_wait: Callable[[], None]
+    ) -> None:
+        """Connect; a program that has one world listens when its connection has ended.
+
+        Raises SimulatorAway.
+        """
+        until = time.monotonic() + timeout_s
+        for pause_s in chain(AWAY_PAUSES_S, repeat(AWAY_PAUSES_S[-1])):
+            try:
+                self._requests = socket_address.connect(command).detach()
+                self._replies = os.dup(self._requests)
+                return self._describe(on_wait)
+            except PermissionError as error:
+                raise ProgramFault(f"{command[0]}: {error.strerror}") from error
+            except (OSError, NoReply) as error:
+                if time.monotonic() + pause_s > until:
+                    why = getattr(error, "strerror", None) or error
+                    raise SimulatorAway(
+                        f"the simulator at {command[0]} is away ({why}); it was tried "
+                        f"for {timeout_s:g} s"
+                    ) from error
+            time.sleep(pause_s)
+            on_wait()
+        raise AssertionError("pauses do not end")
 
     def _start(self, command: Sequence[str], folder: str) -> None:
         their_input, self._requests = os.pipe()
@@ -125,8 +179,6 @@ class Program:
         finally:
             os.close(their_input)
             os.close(their_output)
-        self._poll = select.poll()
-        self._poll.register(self._replies, select.POLLIN)
 
     def request(
         self,
@@ -142,17 +194,22 @@ class Program:
         self._deadline, self._on_wait = time.monotonic() + limit_s, on_wait
         call = type(request).__name__.removesuffix("Call").lower()
         self._limit_text = f"{call} within {limit_s:g} s"
+        self._number = request.number = self._number + 1
         self._send(frame(request))
         body = self._receive(reply_bytes_max)
         try:
-            reply = read_reply(body, wanted)
+            return read_reply(body, wanted, self._number)
+        except WrongNumber as error:
+            self._raise(
+                f"sent a reply with number {error}: each request has one reply, with "
+                "its number"
+            )
         except msgspec.DecodeError as error:
             self._raise(f"sent a reply to {call} that is not valid: {error}")
-        if isinstance(reply, FaultReply):
-            if reply.unplayable:
-                raise TaskUnplayable(reply.fault)
-            self._raise(f"reports a fault: {reply.fault}")
-        return reply
+        except ReportedFault as fault:
+            if fault.is_unplayable:
+                raise TaskUnplayable(str(fault)) from None
+            self._raise(f"reports a fault: {fault}")
 
     def _send(self, message: bytearray) -> None:
         unsent = memoryview(message)
@@ -191,8 +248,11 @@ class Program:
         while not self._poll.poll(_WAIT_INTERVAL_S * 1000):
             self._on_wait()
             if time.monotonic() > self._deadline:
-                self._raise(f"did not reply to {self._limit_text}")
-        received = os.readv(self._replies, [place])
+                raise NoReply(f"{self.name} did not reply to {self._limit_text}")
+        try:
+            received = os.readv(self._replies, [place])
+        except ConnectionError:  # of a socket
+            received = 0
         if received == 0:
             self._raise_ended()
         return received
@@ -202,6 +262,8 @@ class Program:
 
     def _raise_ended(self) -> Never:
         """Raise what the supervisor reports about the end of the program."""
+        if self._supervisor is None:
+            raise NoReply(f"{self.name} ended its connection")
         report: dict[str, Any] = {}
         assert self._supervisor.stdout is not None
         if select.select([self._supervisor.stdout], [], [], CLOSE_TIMEOUT_S)[0]:
@@ -211,12 +273,13 @@ class Program:
             self._raise(f"cannot be started: {reason}")
         status = report.get("status")
         if status is None:
-            self._raise("closed its standard input or output")
+            raise NoReply(f"{self.name} closed its standard input or output")
         how = f"with exit code {status}"
         if status < 0:
             how = f"by {signal.Signals(-status).name}"
         last = report.get("last_line")
-        self._raise(f"ended {how}" + (f"; its last line: {last}" if last else ""))
+        last_line = f"; its last line: {last}" if last else ""
+        raise NoReply(f"{self.name} ended {how}{last_line}")
 
     def close(self) -> None:
         """Ask the program to end, then end it."""
@@ -225,9 +288,10 @@ class Program:
         self.end()
 
     def end(self) -> None:
-        """End the program and everything that it started."""
+        """End the program and everything that it started, or the connection."""
         with contextlib.suppress(OSError):
             os.close(self._requests)
             os.close(self._replies)
-        with self._supervisor:  # closes its input, and waits until nothing is left
-            pass
+        if self._supervisor is not None:
+            with self._supervisor:  # closes its input, and waits until nothing is left
+                pass

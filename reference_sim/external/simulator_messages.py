@@ -18,8 +18,10 @@ def _call_of(class_name: str) -> str:
     return class_name.removesuffix("Call").lower()
 
 
-class _Request(msgspec.Struct, tag_field="call", tag=_call_of):
-    """A request; its call is its class's name without `Call`."""
+class _Request(msgspec.Struct, tag_field="call", tag=_call_of, kw_only=True):
+    """A request; its call is its class's name without `Call`. number: from 1 on."""
+
+    number: int = 0
 
 
 class DescribeCall(_Request):
@@ -61,18 +63,27 @@ class CloseCall(_Request):
     pass
 
 
-class Described(msgspec.Struct):
+class Reply(msgspec.Struct, kw_only=True):
+    """A reply. number: that of its request (SIM-025). fault: what is wrong; a reply
+    that is a fault needs no other member."""
+
+    number: int | None = None
+    fault: str | None = None
+    unplayable: bool = False
+
+
+class Described(Reply):
     protocol: int
     benchmark: dict[str, Any]
 
 
-class EpisodeBegun(msgspec.Struct):
+class EpisodeBegun(Reply):
     instruction: str
     state: dict[str, list[float]]
     stages: list[str] = []
 
 
-class StepDone(msgspec.Struct):
+class StepDone(Reply):
     state: dict[str, list[float]]
     success: bool
     terminated: bool = False
@@ -93,33 +104,28 @@ class TensorValue(msgspec.Struct):
     data: memoryview
 
 
-class Observed(msgspec.Struct):
+class Observed(Reply):
     images: dict[str, Pixels] = {}
     tensors: dict[str, TensorValue] = {}
 
 
-class Digested(msgspec.Struct):
+class Digested(Reply):
     digest: bytes
 
 
-class Closed(msgspec.Struct):
+class Closed(Reply):
     pass
 
 
-class FaultReply(msgspec.Struct):
-    fault: str
-    unplayable: bool = False
-
-
-ReplyT = TypeVar("ReplyT", bound=msgspec.Struct)
+ReplyT = TypeVar("ReplyT", bound=Reply)
 Request = DescribeCall | ResetCall | StepCall | ObserveCall | DigestCall | CloseCall
 
 _encoder = msgspec.msgpack.Encoder()
-_DECODERS: dict[type[msgspec.Struct], msgspec.msgpack.Decoder[Any]] = {
+_DECODERS: dict[type[Reply], msgspec.msgpack.Decoder[Any]] = {
     kind: msgspec.msgpack.Decoder(kind)
     for kind in (Described, EpisodeBegun, StepDone, Observed, Digested, Closed)
 }
-_fault_decoder = msgspec.msgpack.Decoder(FaultReply)
+_any_decoder = msgspec.msgpack.Decoder(Reply)
 
 
 def frame(request: Request) -> bytearray:
@@ -130,14 +136,34 @@ def frame(request: Request) -> bytearray:
     return buffer
 
 
-def read_reply(body: bytes | memoryview, wanted: type[ReplyT]) -> ReplyT | FaultReply:
-    """Raises msgspec.DecodeError, also for a reply that lacks a member."""
+class WrongNumber(ValueError):
+    """The reply is that of another request; the text has both numbers."""
+
+
+class ReportedFault(Exception):
+    """The reply is a fault; the text is that of the program."""
+
+    def __init__(self, reply: Reply) -> None:
+        super().__init__(reply.fault)
+        self.is_unplayable = reply.unplayable
+
+
+def read_reply(body: bytes | memoryview, wanted: type[ReplyT], number: int) -> ReplyT:
+    """The reply to the request with this number.
+
+    Raises WrongNumber, ReportedFault, and msgspec.DecodeError if it lacks a member.
+    """
     try:
         reply: ReplyT = _DECODERS[wanted].decode(body)
     except msgspec.ValidationError:
-        try:
-            return _fault_decoder.decode(body)
-        except msgspec.ValidationError:
-            pass
+        _require_answer(_any_decoder.decode(body), number)
         raise
+    _require_answer(reply, number)
     return reply
+
+
+def _require_answer(reply: Reply, number: int) -> None:
+    if reply.number != number:
+        raise WrongNumber(f"{reply.number} instead of {number}")
+    if reply.fault is not None:
+        raise ReportedFault(reply)

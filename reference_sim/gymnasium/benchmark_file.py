@@ -6,6 +6,7 @@ omits is completed by `check`, from the environment.
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 import tomllib
@@ -41,8 +42,9 @@ _DEFAULT_EPISODES = 10
 _OF_ENVIRONMENTS = {"modules", "kwargs", "tasks", "success", "ends_on_success"} | {
     *("score", "rebuild_every_episode", "camera", "action", "state")
 }
-_OF_SIMULATORS = {"start_timeout_s"}
+_OF_SIMULATORS = {"start_timeout_s", "away_timeout_s"}
 SIMULATOR = "simulator:"  # before the command line of a program
+SOCKET = "unix:"  # before the socket at which a program listens
 UNNAMED = "simulator"  # the id of a program's benchmark until the program names it
 
 BenchmarkId = Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]{0,63}$")]
@@ -269,6 +271,7 @@ class Benchmark(_Strict):
     made_by: Reference | None = None
     simulator: Annotated[list[str], Field(min_length=1)] | None = None
     start_timeout_s: Annotated[float, Field(gt=0, le=3600)] | None = None
+    away_timeout_s: Annotated[float, Field(ge=0, le=3600)] | None = None
     modules: list[str] = []
     files: list[str] = []
     kwargs: dict[str, Any] = {}
@@ -348,8 +351,8 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
     place, _, name = reference.rpartition(":")
     if reference in BUNDLED_BENCHMARKS:
         yield from _read_file(BUNDLED_BENCHMARKS[reference])
-    elif reference.startswith(SIMULATOR):
-        command = shlex.split(reference[len(SIMULATOR) :])
+    elif reference.startswith((SIMULATOR, SOCKET)):
+        command = shlex.split(reference.removeprefix(SIMULATOR))
         yield Benchmark(benchmark_id=UNNAMED, simulator=command), Path.cwd()
     elif reference.startswith("gymnasium:") and name:
         yield _registered(reference.partition(":")[2]), Path.cwd()
@@ -369,10 +372,23 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
         yield from chain.from_iterable(map(_read_file, files))
     else:
         raise BadBenchmark(
-            f"{reference}: unknown benchmark reference; expected gymnasium:ID, "
-            "FILE.toml, a folder of such "
-            f"files, FILE.py:CLASS, FILE.jsonl or {', '.join(BUNDLED_BENCHMARKS)}"
+            f"{reference}: unknown benchmark reference; {_advice(reference)}"
         )
+
+
+def _advice(reference: str) -> str:
+    """What to write instead of a word that is no reference."""
+    path = Path(reference)
+    if path.suffix == ".py":
+        text = read_text_file(path) if path.is_file() else ""
+        name = re.search(r"^class (\w+)", text, re.MULTILINE)
+        return f"name the class, too: {reference}:{name[1] if name else 'CLASS'}"
+    if path.is_file() and os.access(path, os.X_OK):
+        return f"a program is given as --simulator {reference}"
+    return (
+        "expected gymnasium:ID, FILE.toml, a folder of such files, FILE.py:CLASS, "
+        f"FILE.jsonl, unix:SOCKET or {', '.join(BUNDLED_BENCHMARKS)}"
+    )
 
 
 def _registered(name: str) -> Benchmark:

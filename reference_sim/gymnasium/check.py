@@ -23,7 +23,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from reference_sim.definition import Json
+from reference_sim.definition import Json, how_to_install
 from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.entries import Entry
@@ -292,7 +292,7 @@ def _lines(said: Mapping[str, list[str]]) -> list[str]:
 def _cure(text: str) -> str:
     """Gymnasium says how it is installed, but not where."""
     needed = re.search(r"is not installed.*(gymnasium\[[a-z0-9-]+\])", text)
-    return "" if needed is None else f"; here: make add PACKAGE='{needed[1]}'"
+    return "" if needed is None else f"; here: {how_to_install(repr(needed[1]))}"
 
 
 def main() -> None:

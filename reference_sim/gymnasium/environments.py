@@ -19,6 +19,8 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
+from reference_record.command_line.spelling import did_you_mean
+from reference_sim.definition import how_to_install
 from reference_sim.gymnasium.entries import Entry, Structure, UnsupportedSpace
 from reference_sim.gymnasium.own_sources import OWN_SOURCES, OwnLoader
 
@@ -144,8 +146,16 @@ def find(reference: str, folder: str) -> Callable[..., Any]:
         module = _import(place, folder)
     made = getattr(module, name, None)
     if not callable(made):
-        raise EnvironmentUnavailable(f"{place} has no class or function {name}")
+        offered = _defined_in(module)
+        advice = did_you_mean(name, offered) or f"; it has {', '.join(offered)}"
+        has = f"{place} has no class or function {name}"
+        raise EnvironmentUnavailable(f"{has}{advice if offered else ''}")
     return made  # type: ignore[no-any-return]
+
+
+def _defined_in(module: ModuleType) -> list[str]:
+    values = vars(module).items()
+    return [n for n, v in values if getattr(v, "__module__", None) == module.__name__]
 
 
 def _import(module: str, folder: str) -> ModuleType:
@@ -191,7 +201,7 @@ def _why_missing(error: ImportError, folder: str) -> str:
         return why
     return (
         f"{why}; put {error.name.partition('.')[0]}.py into {folder}, or install its "
-        "package: make add PACKAGE=…"
+        f"package: {how_to_install('…')}"
     )
 
 

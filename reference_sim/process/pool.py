@@ -264,8 +264,13 @@ class SimulatorPool:
         if (idle := self._pick_idle(world)) is not None:
             self._fill_spares()
             # It may have died unnoticed: this failure implies nothing about `world`.
-            with contextlib.suppress(SimulatorFault):
+            try:
                 await idle.build(world)
+            except ResourceShortage:
+                raise
+            except SimulatorFault:
+                pass
+            else:
                 return idle
         process = await self._obtain_process(world)
         while not _may_play(process, world):
@@ -304,6 +309,8 @@ class SimulatorPool:
         self._lent.discard(process)
         if self._closed or process.is_busy:
             process.end("was released while it played")
+        if process.world is not None and process.world.holds_connection:
+            process.end("gives its connection back")
         if process.alive:
             self._idle.append(process)
         while len(self._idle) > self._spares + IDLE_MAX:

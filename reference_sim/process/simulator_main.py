@@ -28,7 +28,12 @@ import msgspec
 
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
-from reference_sim.interface import ChangedSource, Simulator, TaskUnplayable
+from reference_sim.interface import (
+    ChangedSource,
+    Simulator,
+    SimulatorAway,
+    TaskUnplayable,
+)
 from reference_sim.process.observation_encoding import EncodedObservation, encode
 from reference_sim.process.recorder import (
     EpisodeRecorder,
@@ -163,11 +168,15 @@ class ReplayReply(msgspec.Struct, tag="replayed", frozen=True):
 
 
 class FailureReply(msgspec.Struct, tag="failed", frozen=True):
-    """no_room: nothing is wrong but the disk, which is full."""
+    """no_room: nothing is wrong but the disk, which is full.
+
+    away: the simulator is a program that the server does not start; see SimulatorAway.
+    """
 
     error: str
-    unplayable: bool
+    unplayable: bool = False
     no_room: bool = False
+    away: bool = False
 
 
 SimulatorCommand = Build | Begin | Play | Observe | ReplayRecording
@@ -233,9 +242,11 @@ class _EpisodeHost:
         except TaskUnplayable as unplayable:
             return FailureReply(str(unplayable), unplayable=True)
         except UnwritableRecording as failed:
-            return FailureReply(str(failed), unplayable=False, no_room=failed.no_room)
+            return FailureReply(str(failed), no_room=failed.no_room)
+        except SimulatorAway as away:
+            return FailureReply(str(away), away=True)
         except ChangedSource as changed:  # the server logs its text
-            return FailureReply(f"ChangedSource: {changed}", unplayable=False)
+            return FailureReply(f"ChangedSource: {changed}")
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             if self._is_sealed:
                 # Its text may name the seed, and so may the lines of a traceback.
@@ -243,7 +254,7 @@ class _EpisodeHost:
                 _log.error(text, type(error).__name__)
             else:
                 _log.error("simulator failed", exc_info=True)
-            return FailureReply(f"{type(error).__name__}: {error}", unplayable=False)
+            return FailureReply(f"{type(error).__name__}: {error}")
 
     def _execute(self, command: SimulatorCommand, received: bytes) -> SimulatorReply:
         match command:

@@ -53,7 +53,8 @@ class SimulatorFault(Exception):
 
 
 class ResourceShortage(SimulatorFault):
-    """The machine has no files, processes or memory left; no simulator caused it."""
+    """No simulator caused it: the machine has no files, processes or memory left, or a
+    program that the server does not start is away."""
 
 
 class NoRoomToRecord(Exception):
@@ -309,6 +310,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             raise SimulatorFault("wrong answer")
         if reply.no_room:
             raise NoRoomToRecord(reply.error)
+        if reply.away:
+            raise ResourceShortage(reply.error)
         raise SimulatorFault(reply.error)
 
     def end(self, why: str) -> None:

@@ -28,6 +28,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.counted_text import counted
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
@@ -154,7 +155,7 @@ class _Progress:
             )
         if time.monotonic() - self._said_at > REPORT_EVERY_S:
             self._said_at = time.monotonic()
-            _say(f"{self._done} of {self._total} episodes")
+            _say(f"{self._done} of {counted(self._total, 'episode')}")
 
 
 def _name_seeds(
@@ -163,7 +164,8 @@ def _name_seeds(
     """A sentence on the treatment of episodes of sealed splits, if there are any."""
     if not (args.seeds or benchmark.secret or benchmark.secret_file):
         return None
-    count = f"{report.sealed} of {report.episodes} episodes are of sealed splits: "
+    whole = counted(report.episodes, "episode is", "episodes are")
+    count = f"{report.sealed} of {whole} of sealed splits: "
     if benchmark.secret:
         return f"{count}left out, for their seeds are the secret of the host (--seeds)"
     if benchmark.secret_file is not None:
@@ -173,7 +175,7 @@ def _name_seeds(
 
 def _print(replay: ReplaySummary, report: Report, seeds: str | None) -> None:
     packages = ", ".join(f"{k} {v}" for k, v in replay.engine["packages"].items())
-    counts = f"{replay.exact} of {replay.episodes} episodes exact, "
+    counts = f"{replay.exact} of {counted(replay.episodes, 'episode')} exact, "
     counts += f"{replay.outcome} with the same outcome, {replay.diverged} diverged"
     lines = [
         f"{replay.result}: {counts}",

@@ -12,7 +12,11 @@ from typing import Any, Final
 
 import msgspec
 
-from reference_record.benchmark_manifest import manifest_of, manifest_sha256
+from reference_record.benchmark_manifest import (
+    is_deterministic,
+    manifest_of,
+    manifest_sha256,
+)
 from reference_record.broken import UnusableRecord
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES
@@ -181,6 +185,11 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
     known = open_part(manifest)
     if manifest_sha256(known) != choice.open_sha256:
         raise AnotherManifest(benchmark_id, known)
+    if not is_deterministic(known):
+        raise UnusableRecord(
+            f"{benchmark_id} cannot be replayed: its simulator says that equal seeds "
+            "and actions may give other episodes, so its records promise no replay"
+        )
     return ReplayedBenchmark(known, resolved.world)
 
 

@@ -4,19 +4,27 @@ breaks.
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 import pytest
 
 from conformance.specification.ledger import SIMULATOR, load_ledger
+from tests.support.example_simulators import build_example
 from tests.support.kit.run_kit import KitRun, run_simulator_kit
 from tests.support.sim import breakable_simulator
 
 pytestmark = pytest.mark.slow("starts kits, and each of them many simulators")
 
 PROGRAM = [sys.executable, "-S", breakable_simulator.__file__]
-LATE = ("SIM-003", "SIM-023")  # these are waited for, three times
+LATE = ("SIM-003", "SIM-023", "SIM-027")  # these are waited for, three times
+OF_PROCESSES = {"SIM-022", "SIM-023", "SIM-024"}
+OF_SOCKETS = {"SIM-026", "SIM-027", "SIM-028"}
 RULES = [row.id for row in load_ledger().values() if row.profile == SIMULATOR]
 
 
@@ -24,15 +32,50 @@ def judge(folder: Path, *options: str, command: list[str] = PROGRAM) -> KitRun:
     return run_simulator_kit(folder, "--seed", "1", *options, command=command)
 
 
-def test_a_right_simulator_is_conformant(tmp_path: Path) -> None:
-    kit = judge(tmp_path)
-    assert (kit.code, kit.report["problem"]) == (0, None)
-    assert kit.outcomes == dict.fromkeys(RULES, "passed")
+@contextmanager
+def listening(folder: Path, *command: str) -> Iterator[list[str]]:
+    """Start a program that listens at a socket; gives its address as a command."""
+    address = f"unix:{folder}/sim.sock"
+    started = subprocess.Popen([*command, address], start_new_session=True)
+    try:
+        yield [address]
+    finally:
+        os.killpg(started.pid, signal.SIGKILL)  # its connections are its children
+        started.wait()
+
+
+def require_conformant(kit: KitRun, not_applicable: set[str]) -> None:
+    assert (kit.code, kit.report["problem"]) == (0, None), kit.output
+    assert kit.rules_with("not_applicable") == not_applicable
+    assert kit.rules_with("passed") == {*RULES} - not_applicable
     assert kit.report["conclusion"] == "conformant"
 
 
+def test_a_right_simulator_is_conformant(tmp_path: Path) -> None:
+    require_conformant(judge(tmp_path), OF_SOCKETS)
+
+
+def test_a_right_simulator_at_a_socket_is_conformant(tmp_path: Path) -> None:
+    with listening(tmp_path, *PROGRAM, "") as address:
+        require_conformant(judge(tmp_path, command=address), OF_PROCESSES)
+
+
+@pytest.mark.parametrize("example", ["numpy_world.py", "go_world", "drawn_world.cpp"])
+def test_an_example_is_conformant_at_a_socket(example: str, tmp_path: Path) -> None:
+    """One world and many, of both libraries and of none."""
+    rules = ",".join(OF_SOCKETS | {"SIM-001", "SIM-021", "SIM-025"})
+    with listening(tmp_path, *build_example(example, tmp_path)) as address:
+        kit = judge(tmp_path, "--only", rules, command=address)
+    assert (kit.code, kit.rules_with("failed")) == (0, set()), kit.output
+
+
 def judge_broken(rule: str, folder: Path, *options: str) -> None:
-    kit = judge(folder, *options, command=[*PROGRAM, rule])
+    with ExitStack() as stack:
+        command = [*PROGRAM, rule]
+        if rule in OF_SOCKETS:
+            command = stack.enter_context(listening(folder, *command))
+            options = ("--start-timeout", "2", *options)
+        kit = judge(folder, *options, command=command)
     assert kit.rules_with("failed") == {rule}, kit.output
     assert kit.code == (1 if load_ledger()[rule].level == "MUST" else 0)
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -54,3 +56,39 @@ def test_a_program_that_dies_costs_a_fault_and_no_score(tmp_path: Path) -> None:
         started = descendants(server.process.pid)
         assert len(started) > 4
     wait_until_ended(started)
+
+
+def test_a_record_of_chance_promises_no_replay(tmp_path: Path) -> None:
+    """Expect the record to say so, `verify` to show it, and `replay` to refuse."""
+    program = [sys.executable, "-S", breakable_simulator.__file__, "by_chance"]
+    benchmark = tmp_path / "chance.toml"
+    benchmark.write_text(f"simulator = {json.dumps(program)}\n")
+    record = tmp_path / "run.proctor"
+    settings = {"PROCTOR_BENCHMARKS": str(benchmark), "PROCTOR_RECORD_PROMISE": "exact"}
+    with ReferenceServer(tmp_path, **settings) as server:
+        score = evaluate(
+            AddTheMost, url=server.url, token=TOKENS["alice"], benchmark="chance"
+        )
+        done = proctor("export", score.run_id, "--output", str(record), server=server)
+        assert done.returncode == 0, done.stderr
+    shown = proctor("verify", str(record)).stdout
+    assert "no replay, because its simulator is not deterministic" in shown
+    for command, options in (("replay", ()), ("video", ("--episode", "1"))):
+        of = (str(record), "--benchmarks", str(benchmark))
+        done = proctor(command, *of, *options)
+        assert done.returncode == 2, done.stdout
+        assert "its records promise no replay" in done.stderr
+
+
+def proctor(
+    *arguments: str, server: ReferenceServer | None = None
+) -> subprocess.CompletedProcess[str]:
+    environment = os.environ | (
+        {}
+        if server is None
+        else {"PROCTOR_URL": server.url, "PROCTOR_TOKEN": TOKENS["alice"]}
+    )
+    command = [sys.executable, "-m", "reference_client.command", *arguments]
+    return subprocess.run(
+        command, env=environment, capture_output=True, text=True, check=False
+    )

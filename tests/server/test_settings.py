@@ -112,6 +112,14 @@ def settings(*flags: str) -> Settings:
     return read_settings(flags)
 
 
+def test_words_are_benchmarks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They are added to those of the flag, and replace those of the environment."""
+    monkeypatch.setenv("PROCTOR_BENCHMARKS", "old.toml")
+    assert settings().benchmarks == "old.toml"
+    assert settings("a.py:A", "b.toml").benchmarks == "a.py:A,b.toml"
+    assert settings("--benchmarks", "c.toml", "a.py:A").benchmarks == "c.toml,a.py:A"
+
+
 @pytest.mark.parametrize(
     ("flags", "says"),
     [

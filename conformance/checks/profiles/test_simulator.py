@@ -20,11 +20,12 @@ from conformance.simulator.simulator_client import (
     names_of,
     reply_faults,
     simulator,
+    socket_path,
     tasks_of,
     tensor_bytes,
 )
 from conformance.verdicts import expect
-from conformance.verdicts.expect import NotApplicable
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 _SILENCE_S = 0.2
 _CLOSE_S, _END_OF_INPUT_S = 5.0, 2.0
@@ -375,14 +376,20 @@ def test_sim_022_close_ends_the_program(context: CheckContext) -> None:
     """`close` before an episode and within one. Expect a reply, and exit code 0."""
     for plays in (False, True):
         with simulator(context) as client:
-            if plays:
-                client.play(tasks_of(context)[0], 0, steps=1)
-            begun_at = time.monotonic()
-            client.call("close")
-            code = client.process.wait(2 * _CLOSE_S)
-            took_s = time.monotonic() - begun_at
-            expect.in_time(took_s, _CLOSE_S, "the end after `close`")
-            expect.equal(code, 0, "exit code")
+            _ = client.started
+            expect.equal(_close(client, context, plays=plays), 0, "exit code")
+
+
+def _close(client: SimulatorClient, context: CheckContext, *, plays: bool) -> object:
+    """Expect a reply to `close`, and the end in time; give the exit code."""
+    if plays:
+        client.play(tasks_of(context)[0], 0, steps=1)
+    begun_at = time.monotonic()
+    client.call("close")
+    code = client.process.wait(2 * _CLOSE_S)
+    took_s = time.monotonic() - begun_at
+    expect.in_time(took_s, _CLOSE_S, "the end after `close`")
+    return code
 
 
 @requirement("SIM-023")
@@ -394,8 +401,8 @@ def test_sim_023_end_of_input_ends_the_program(context: CheckContext) -> None:
     for begin in (b"", b"\x00", LENGTH.pack(100) + b"\x81"):
         with simulator(context) as client:
             client.play(tasks_of(context)[0], 0, steps=1)
-            client.process.send(begin)
-            client.process.close_input()
+            client.started.send(begin)
+            client.started.close_input()
             begun_at = time.monotonic()
             client.process.wait(2 * _END_OF_INPUT_S)
             took_s = time.monotonic() - begun_at
@@ -408,6 +415,78 @@ def test_sim_024_no_process_is_left(context: CheckContext) -> None:
     with simulator(context) as client:
         client.play(tasks_of(context)[0], 0)
         client.call("close")
-        client.process.wait(2 * _CLOSE_S)
-        left = client.process.others()
+        client.started.wait(2 * _CLOSE_S)
+        left = client.started.others()
         expect.true(not left, "no process of the program", f"{len(left)} processes")
+
+
+@requirement("SIM-025")
+def test_sim_025_replies_have_the_number_of_their_request(
+    context: CheckContext,
+) -> None:
+    """An episode, an unknown call and an unknown task. Expect the number in each."""
+    with simulator(context) as client:
+        client.play(tasks_of(context)[0], 0, steps=1, observed=True)
+        client.ask(_NOWHERE)
+        client.ask("reset", task=_NOWHERE, seed=0, split="test")
+        client.call("close")
+
+
+def _require_socket(context: CheckContext) -> None:
+    if socket_path(context) is None:
+        raise NotApplicable("the simulator is not at a socket")
+
+
+@requirement("SIM-026")
+def test_sim_026_connections_are_independent(context: CheckContext) -> None:
+    """An episode is played alone, and again beside one of a second connection.
+
+    Expect equal replies. A simulator that has one world does not listen meanwhile.
+    """
+    _require_socket(context)
+    _require_deterministic(context)
+    task, seed = tasks_of(context)[0], context.shared.settings.seed
+    with simulator(context) as client:
+        alone = client.play(task, seed)
+        played = [client.reset(task, seed)]
+        try:
+            with simulator(context, away_s=_SILENCE_S) as other:
+                other.reset(tasks_of(context)[-1], seed + 1)
+                for index in range(len(alone) - 1):
+                    other.step(tasks_of(context)[-1], index + 1)
+                    played.append(client.step(task, index))
+                beside = other.play(task, seed)
+        except SetUpFailed as failed:
+            if failed.breaks != "SIM-028":
+                raise
+            return  # it has one world
+    _require_equal(played, alone, "beside another connection")
+    _require_equal(beside, alone, "on the other connection")
+
+
+@requirement("SIM-027")
+def test_sim_027_close_ends_the_connection(context: CheckContext) -> None:
+    """`close` before an episode and within one. Expect a reply, and the end."""
+    _require_socket(context)
+    for plays in (False, True):
+        with simulator(context) as client:
+            _close(client, context, plays=plays)
+
+
+@requirement("SIM-028")
+def test_sim_028_a_new_connection_is_played(context: CheckContext) -> None:
+    """Connections end before an episode, within one, and within a request.
+
+    Expect each time that another one is accepted, has no episode, and begins one.
+    """
+    _require_socket(context)
+    task = tasks_of(context)[0]
+    for begin in (None, b"", b"\x00", LENGTH.pack(100) + b"\x81"):
+        with simulator(context) as client:
+            if begin is not None:
+                client.play(task, 0, steps=1)
+                client.process.send(begin)
+        with simulator(context) as client:
+            reply = client.ask("step", action=action_of(_benchmark(context), task, 0))
+            expect.true("fault" in reply, "a fault of a step before a reset", reply)
+            client.reset(task, 0)

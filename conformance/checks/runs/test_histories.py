@@ -30,6 +30,7 @@ from conformance.verdicts.expect import Violation
 
 SEQUENCES, CONCURRENT_HISTORIES = 30, 60
 # Races come and go: they hardly become smaller.
+_SHARE = 0.4  # of --minutes, each
 SHRINK_SEQUENCES_S, SHRINK_CONCURRENT_S = 3.0, 1.0
 KINDS = [
     *(
@@ -100,6 +101,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
     """
 
     def check_property(sequence: list[ClientCommand]) -> None:
+        context.coverage.histories += 1
         modelled_run = ModelledRun(context, clients=2)
         for command in sequence:
             modelled_run.execute(command)
@@ -119,6 +121,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
         SEQUENCES,
         SHRINK_SEQUENCES_S,
         known=KNOWN_SEQUENCES,
+        share=_SHARE,
     )
 
 
@@ -183,6 +186,7 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
     """
 
     def check_property(plan: tuple[list[str], list[list[ClientCommand]]]) -> None:
+        context.coverage.histories += 1
         opening, threads = plan
         modelled_run = ModelledRun(context, clients=1, task="delay")
         for kind in opening:
@@ -218,4 +222,5 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
         CONCURRENT_HISTORIES,
         SHRINK_CONCURRENT_S,
         known=KNOWN_PLANS,
+        share=_SHARE,
     )

@@ -28,7 +28,7 @@ from conformance.checks.support.submissions import NAMES_OF_LANGUAGES, submit
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.raw_connection import open_raw_connection
 from conformance.client.run_client import WorkerClient
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import from_schema, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -138,6 +138,7 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
     expect_nothing_executed(worker)
 
 
+@from_schema
 @requirement("ERR-003")
 def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     """An unknown member, at the top of every body and inside it; many of them; members
@@ -205,6 +206,7 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
         expect.true(session_id != lower.session_id, "two sessions", session_id)
 
 
+@from_schema
 @requirement("ERR-004")
 def test_err_004_cannot_send_a_member_of_the_wrong_type(context: CheckContext) -> None:
     """Each value of each body is replaced by values of every other type; in
@@ -463,6 +465,7 @@ def expect_no_server_error_for_paths(context: CheckContext) -> None:
         expect.true(is_right, f"no server error for GET {path}", f"status {status}")
 
 
+@from_schema
 @requirement("ERR-012")
 def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None:
     """Random requests, which keep their schema or break it, are sent to every

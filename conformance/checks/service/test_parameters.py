@@ -20,7 +20,7 @@ from conformance.checks.support.submissions import (
 )
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import from_schema, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -55,6 +55,7 @@ def expect_pages_in_range(run: RunClient) -> None:
             expect.ok(run.call(operation_id, params={"limit": limit}))
 
 
+@from_schema
 @requirement("ERR-014")
 def test_err_014_cannot_send_parameters_that_break_their_schema(
     context: CheckContext,

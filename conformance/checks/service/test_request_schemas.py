@@ -12,7 +12,7 @@ from conformance.checks.support.operation_samples import (
 from conformance.checks.support.schema_requests import expect_faults_refused
 from conformance.checks.support.submissions import submit, whole_submission
 from conformance.client.check_context import CheckContext
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import from_schema, requirement
 from conformance.verdicts import expect
 
 
@@ -24,6 +24,7 @@ def schema_of(context: CheckContext, operation_id: str) -> dict[str, Any]:
     return schema
 
 
+@from_schema
 @requirement("ERR-015")
 def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> None:
     """Null, lists, texts, numbers and booleans as the whole body of every operation.
@@ -43,6 +44,7 @@ def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> 
         expect.ok(send(worker.run, sample), status)
 
 
+@from_schema
 @requirement("ERR-016")
 def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None:
     """Each bound of each body is broken alone, and each required member left out.

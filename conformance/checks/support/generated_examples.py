@@ -1,5 +1,6 @@
 """Properties checked on generated examples, seeded and shrunk."""
 
+import itertools
 import math
 import time
 from collections.abc import Callable, Sequence
@@ -20,6 +21,7 @@ from conformance.verdicts.expect import (
 
 Example = TypeVar("Example")
 _SHRINK_S = 10.0
+_NEXT_SEED = 1_000_003  # no seed of a run is that of another run's next round
 _NOT_VIOLATIONS = (SetUpFailed, Inconclusive, NotApplicable)
 
 
@@ -31,30 +33,32 @@ def for_all(
     shrink_s: float = _SHRINK_S,
     *,
     known: Sequence[Example] = (),
+    share: float = 0.0,
+    first_round: int = 0,
 ) -> None:
     """Check a property on examples; raise the violation of the smallest one.
 
     times: how many examples, a quarter of them with `--quick`. known: played before
     them, with every seed: what found a broken server once finds the next one as well.
+    share: of `--minutes`, for which as many are tried again and again, always others.
+    first_round: which others a caller tries that repeats itself.
     The log then holds the exchanges before the examples, and those of that example.
     The first example that could not be decided ends the search, and is raised.
     """
-    for example in known:
-        try:
-            check_property(example)
-        except Violation as error:
-            raise _with_example(error, example) from error
+    exchange_log = context.exchange_log
+    before = list(exchange_log.exchanges)
+    until = time.monotonic() + 60 * context.shared.settings.minutes * share
+    _check_known(context, known, check_property)
     ended: list[Exception] = []
     broken: list[tuple[Violation, list[Exchange]]] = []
     shrink_until = math.inf
-    exchange_log = context.exchange_log
-    before = list(exchange_log.exchanges)
 
     def judge_example(example: Example) -> None:
         nonlocal shrink_until
         if ended or time.monotonic() > shrink_until:
             return
         exchange_log.exchanges[:] = before
+        exchange_log.allow_more()
         try:
             check_property(example)
         except _NOT_VIOLATIONS as error:
@@ -74,15 +78,35 @@ def for_all(
         report_multiple_bugs=False,
         suppress_health_check=list(hypothesis.HealthCheck),
     )
-    seeded = hypothesis.seed(context.shared.settings.seed)
-    try:
-        seeded(search(hypothesis.given(examples)(judge_example)))()
-    except (Violation, Flaky):
-        # Flaky: it broke, and then it did not: a race, or no time was left to shrink.
-        violation, exchange_log.exchanges[:] = broken[-1]
-        raise violation from None
-    if ended:
-        raise ended[0]
+    for rounds in itertools.count(first_round):
+        seeded = hypothesis.seed(context.shared.settings.seed + rounds * _NEXT_SEED)
+        try:
+            seeded(search(hypothesis.given(examples)(judge_example)))()
+        except (Violation, Flaky):
+            # Flaky: it broke, and then it did not: a race, or no time was left to
+            # shrink.
+            violation, exchange_log.exchanges[:] = broken[-1]
+            raise violation from None
+        if ended:
+            raise ended[0]
+        if time.monotonic() > until or context.shared.settings.is_time_up:
+            return
+        context.tidy_up()
+
+
+def _check_known(
+    context: CheckContext,
+    known: Sequence[Example],
+    check_property: Callable[[Example], None],
+) -> None:
+    before = list(context.exchange_log.exchanges)
+    for example in known:
+        # The report of a failure has the requests of its own example alone.
+        context.exchange_log.exchanges[:] = before
+        try:
+            check_property(example)
+        except Violation as error:
+            raise _with_example(error, example) from error
 
 
 def _with_example(error: Violation, example: object) -> Violation:

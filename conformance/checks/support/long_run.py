@@ -12,6 +12,7 @@ from typing import Any
 from conformance.checks.support.planned_run import PlannedEpisode
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
+from conformance.exchanges.exchange import Exchange
 from conformance.verdicts.expect import SetUpFailed
 
 # More than a page of 100, and more differing pairs than 170: 171! overflows a double.
@@ -40,6 +41,7 @@ class LongRun:
     plan: list[PlannedEpisode]
     handed_out: list[int] = field(default_factory=list)  # to the second worker
     turns: list[dict[str, Any]] = field(default_factory=list)
+    evidence: list[Exchange] = field(default_factory=list)  # how it began and ended
 
     def results(self) -> list[dict[str, Any]]:
         """Give the results that the turns carried, in the order of scoring."""
@@ -71,13 +73,17 @@ def other_long_run(context: CheckContext) -> LongRun:
 def _stored(context: CheckContext, name: str, *, is_other: bool) -> LongRun:
     stored = context.shared.stored
     if name not in stored:
+        log = context.exchange_log
+        count = len(log.exchanges)
         try:
             stored[name] = _play(context, is_other)
+            stored[name].evidence = log.exchanges[count:][:3] + log.exchanges[-2:]
         except SetUpFailed as error:
             stored[name] = error
     entry: LongRun | SetUpFailed = stored[name]
     if isinstance(entry, SetUpFailed):
         raise entry
+    context.exchange_log.adopt(entry.evidence, len(entry.turns))
     return entry
 
 

@@ -6,8 +6,10 @@ reach the operation and not a 404.
 """
 
 import contextlib
+import itertools
 import json
 import random
+import time
 import uuid
 from collections.abc import Iterator
 from typing import Any, cast
@@ -38,7 +40,8 @@ from conformance.client.run_client import RunClient, WorkerClient
 from conformance.specification.document import JSON, MSGPACK
 from conformance.verdicts import expect
 
-_QUICK_FAULTS = 60
+_QUICK_FAULTS = 40
+_SHARE = 0.2  # of --minutes
 _EITHER = {"header:Proctor-Version": "unsupported_version"}
 # Members of a random body that name what there is; a live run fills them in.
 _LINKS = ("benchmark_id", "session_id", "seq", "attach_key", "actions")
@@ -109,19 +112,36 @@ def _whole_samples(worker: WorkerClient) -> Iterator[OperationSample]:
 def send_random_requests(context: CheckContext, times: int) -> None:
     """Send random requests, right and wrong, to every operation.
 
-    times: of each kind to each operation, a quarter of them with `--quick`. Expect no
-    server error; the rules on all answers judge these as well. What ends a session or a
-    run is sent to a run of its own.
+    times: of each kind to each operation; with `--quick` one of either kind, and with
+    `--minutes` again and again. Expect no server error; the rules on all answers judge
+    these as well. What ends a session or a run is sent to a run of its own.
     """
+    until = time.monotonic() + 60 * context.shared.settings.minutes * _SHARE
+    for number in itertools.count():
+        _send_round(context, times, number)
+        if time.monotonic() > until:
+            return
+        context.tidy_up()
+
+
+def _send_round(context: CheckContext, times: int, number: int) -> None:
     worker, second = attach_live_worker(context), context.submit()
     samples = dict(operation_samples(worker))
+    is_quick = context.shared.settings.quick
     for operation_id, how in samples.items():
-        for is_right in (True, False):
+        kinds = (True, False)
+        for is_right in [context.random.choice(kinds)] if is_quick else kinds:
 
             def check(request: OperationSample, right: Any = how) -> None:
                 _send_random(worker, second, request, right)
 
-            for_all(context, random_requests(operation_id, is_right), check, times)
+            for_all(
+                context,
+                random_requests(operation_id, is_right),
+                check,
+                1 if is_quick else times,
+                first_round=number,
+            )
 
 
 def _send_random(

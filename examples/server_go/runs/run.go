@@ -246,7 +246,7 @@ func (r *Run) fail(reason string, retryable bool) {
 		r.end(s, "run_failed", false)
 	}
 	r.fire(eventFault)
-	r.reason, r.retryable = reason, retryable // FAULT-002, FAULT-005
+	r.reason, r.retryable = reason, retryable // FAULT-002, FAULT-005, FAULT-015
 	r.commit()
 }
 

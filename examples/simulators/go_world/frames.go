@@ -58,6 +58,8 @@ func appendValue(to []byte, value any) []byte {
 		return append(to, 0xc2)
 	case int:
 		return binary.BigEndian.AppendUint64(append(to, 0xd3), uint64(v))
+	case int64:
+		return binary.BigEndian.AppendUint64(append(to, 0xd3), uint64(v))
 	case float64:
 		return binary.BigEndian.AppendUint64(append(to, 0xcb), math.Float64bits(v))
 	case string:

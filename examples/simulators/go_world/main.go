@@ -1,12 +1,20 @@
 // A world in Go, written from spec/simulator.md alone: a point is pushed to a target.
 //
 //	go build -o go_world . && proctor-server --simulator ./go_world
+//
+// With an address it is started by hand, and plays as many worlds as servers ask for:
+//
+//	./go_world unix:/tmp/world.sock & proctor-server --simulator unix:/tmp/world.sock
 package main
 
 import (
+	"io"
+	"log"
 	"math"
 	"math/rand/v2"
+	"net"
 	"os"
+	"strings"
 )
 
 const (
@@ -138,16 +146,41 @@ func (w *World) answer(request Map) Map {
 	return w.observe(names, int(number(request["width"])), int(number(request["height"])))
 }
 
-func main() {
+func play(input io.Reader, output io.Writer) {
 	world := World{}
 	for {
-		request, err := receive(os.Stdin)
+		request, err := receive(input)
 		if err != nil {
-			return // the end of standard input
+			return // the end of the input
 		}
-		send(os.Stdout, world.answer(request))
+		reply := world.answer(request)
+		reply["number"] = request["number"]
+		send(output, reply)
 		if request["call"] == "close" {
 			return
 		}
+	}
+}
+
+func main() {
+	if len(os.Args) < 2 {
+		play(os.Stdin, os.Stdout)
+		return
+	}
+	path := strings.TrimPrefix(os.Args[1], "unix:")
+	os.Remove(path)
+	listener, err := net.Listen("unix", path)
+	if err != nil {
+		log.Fatal(err)
+	}
+	for {
+		connection, err := listener.Accept()
+		if err != nil {
+			log.Fatal(err)
+		}
+		go func() {
+			defer connection.Close()
+			play(connection, connection)
+		}()
 	}
 }

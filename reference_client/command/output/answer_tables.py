@@ -31,6 +31,7 @@ from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     describe,
 )
+from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 
 
@@ -151,8 +152,8 @@ def _headline(score: Score) -> str:
     if score.score is None:
         scored = score.counts.total - score.counts.unscored
         return (
-            f"partial, {scored} of {score.counts.total} episodes; not complete: "
-            f"between {score.score_low:.4f} and {score.score_high:.4f}"
+            f"partial, {scored} of {counted(score.counts.total, 'episode')}; not "
+            f"complete: between {score.score_low:.4f} and {score.score_high:.4f}"
         )
     part = " of a part of the benchmark" if part_text(score.select) else ""
     if len(score.by_split) > 1:  # a score over several splits must not be quoted
@@ -183,7 +184,7 @@ def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
         scored = f"{counts.total - counts.unscored}/{counts.total}"
         table.add(score.run_id, score_text(score), str(counts.success), scored)
     mean, spread = mean_and_spread(scores)
-    over = f"over {len(scores)} runs"
+    over = f"over {counted(len(scores), 'run')}"
     return [
         table,
         fact_table(
@@ -244,13 +245,14 @@ def comparison_tables(
             "earlier runs": _earlier_of_both(
                 earlier.get(comparison.baseline), earlier.get(run.run_id)
             ),
-            "pairs": f"{run.paired} episodes are scored in both"
+            "pairs": counted(run.paired, "episode is", "episodes are")
+            + " scored in both"
             + ("" if run.complete else "; incomplete"),
             "difference": None
             if run.difference is None
             else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
             f"{run.mean:.4f} (plus is better)",
-            "scores": f"{whole.better} episodes better, {whole.worse} worse",
+            "scores": f"{counted(whole.better, 'episode')} better, {whole.worse} worse",
             "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
             "release": explain_release(comparison, run, evidence, watched),

@@ -20,6 +20,7 @@ from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     compare_sequentially,
 )
+from reference_record.counted_text import counted
 
 Player = PlayerView | None
 FAULTED_MAX = 5  # more names are left out
@@ -85,19 +86,19 @@ def faults_text(episodes: Sequence[Episode]) -> str | None:
     more = len(faulted) - len(names)
     return (
         f"{sum(episode.faults for episode in faulted)} of the simulator, in "
-        f"{len(faulted)} episode{'s' * (len(faulted) > 1)}: {', '.join(names)}"
+        f"{counted(len(faulted), 'episode')}: {', '.join(names)}"
         + (f" and {more} more" if more else "")
     )
 
 
 def played_by(episodes: Sequence[Episode]) -> str | None:
     """`hold with proctor-eval/0.1.0 (hold): 6 episodes; not declared: 2 episodes`."""
-    counted = _counted(episodes)
-    if not counted:
+    players = _counted(episodes)
+    if not players:
         return None
     return "; ".join(
-        f"{label_of(player)}: {number} episode{'s' * (number > 1)}"
-        for player, number in counted
+        f"{label_of(player)}: {counted(number, 'episode')}"
+        for player, number in players
     )
 
 
@@ -132,7 +133,7 @@ def _return(results: Sequence[EpisodeResult]) -> str | None:
     spread = statistics.stdev(returns) if len(returns) > 1 else 0.0
     return (
         f"mean {statistics.mean(returns):.4f}, standard deviation {spread:.4f}, over "
-        f"{len(returns)} episode{'s' * (len(returns) > 1)}"
+        f"{counted(len(returns), 'episode')}"
     )
 
 
@@ -142,4 +143,5 @@ def _clipped(results: Sequence[EpisodeResult]) -> str | None:
         return None
     actions = sum(result.clipped_actions or 0 for result in clipped)
     steps = sum(result.steps for result in results)
-    return f"{actions} of {steps} actions, in {len(clipped)} of {len(results)} episodes"
+    where = f"{len(clipped)} of {counted(len(results), 'episode')}"
+    return f"{actions} of {counted(steps, 'action')}, in {where}"

@@ -25,6 +25,7 @@ from reference_client.printable_text import (
     output_that_may_end,
     printable,
 )
+from reference_record.counted_text import counted
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
 
@@ -148,7 +149,7 @@ class ProgressDisplay:
 
 
 def episodes_text(progress: Progress) -> str:
-    return f"{progress.episodes_scored}/{progress.episodes_total} episodes"
+    return f"{progress.episodes_scored}/{counted(progress.episodes_total, 'episode')}"
 
 
 def scored_text(progress: Progress) -> str:

@@ -26,6 +26,7 @@ from reference_client.protocol.record_client import fetch_keys, fetch_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.counted_text import counted
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
 from reference_record.replay_verdict import ReplayVerdict
@@ -207,13 +208,18 @@ def _facts(path: Path, report: Report) -> TextTable:
             f"{'s' * (said.attempts_by_submitter != 1)} of its submitter on this "
             "benchmark, this one included, when the record was signed",
             "finished": said.finished_at,
-            "checked": f"signature, {report.episodes} episodes, "
-            f"{report.recordings} recordings with {report.turns} turns, the score",
+            "checked": f"signature, {counted(report.episodes, 'episode')}, "
+            f"{counted(report.recordings, 'recording')} with "
+            f"{counted(report.turns, 'turn')}, the score",
             "sealed": _sealed_text(report),
+            "promise": _PROMISES.get(said.promise),
             "replays": "; ".join(map(_verdict_text, report.replayed_by)) or "none",
             "not shown": NOT_SHOWN,
         }
     )
+
+
+_PROMISES = {"none": "no replay, because its simulator is not deterministic"}
 
 
 def _part_text(select: object) -> str | None:
@@ -231,9 +237,10 @@ def _part_text(select: object) -> str | None:
 def _sealed_text(report: Report) -> str | None:
     if not report.sealed:
         return None
+    whole = counted(report.episodes, "episode")
     return (
-        f"{report.sealed} of {report.episodes} episodes: their seeds are the secret of "
-        "the host; with the file in which it opens them, see proctor replay --seeds"
+        f"{report.sealed} of {whole}: their seeds are the secret of the host; with the "
+        "file in which it opens them, see proctor replay --seeds"
     )
 
 
@@ -258,7 +265,7 @@ def _verdict_text(named: tuple[str | None, ReplayVerdict]) -> str:
     who, verdict = named
     replay = verdict.replay
     text = f"{who or f'unknown key {verdict.keyid}'}: {replay.result}, "
-    text += f"{replay.episodes} episodes, {verdict.created_at}"
+    text += f"{counted(replay.episodes, 'episode')}, {verdict.created_at}"
     if where := replay.first_divergence:
         text += (
             f"; diverged at episode {where.episode_index}, attempt {where.attempt}, "

@@ -26,6 +26,7 @@ from reference_client.protocol.record_client import read_import, send_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.counted_text import counted
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.bundle import open_bundle
 from reference_record.unsigned_record import save_blocks, with_verdict
@@ -131,7 +132,7 @@ def _print_broken(error: ProctorError, printer: Printer) -> int:
 
 def _facts(file: str, taken: RecordImport) -> TextTable:
     version = f", version {taken.policy.version}" if taken.policy.version else ""
-    done = f"{taken.episodes_replayed} of {taken.episodes} episodes"
+    done = f"{taken.episodes_replayed} of {counted(taken.episodes, 'episode')}"
     score = "not complete" if taken.score is None else f"{taken.score:.4f}"
     return fact_table(
         {

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from reference_server.files.private_files import read_or_create, restrict
 from reference_server.http.auth import new_secret
+from reference_sim.definition import in_checkout
 
 
 class BadTokenFile(Exception):
@@ -57,7 +58,11 @@ def startup_lines(secret: str, path: Path | None, url: str) -> list[str]:
 
 def certify_lines(url: str, argument: str) -> list[str]:
     """The command that judges the server; argument: the token as the shell reads it."""
-    return ["certify:", "make conformance \\", f" URL={url} \\", f' TOKEN="{argument}"']
+    if in_checkout():
+        command = ["make conformance \\", f" URL={url} \\", f' TOKEN="{argument}"']
+        return ["certify:", *command]
+    run = [f'PROCTOR_TOKEN="{argument}" \\', "proctor-conformance \\", f" --url {url}"]
+    return ["certify:", "pip install proctor-conformance", *run]
 
 
 def _relative(path: Path) -> Path:

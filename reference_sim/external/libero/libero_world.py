@@ -12,6 +12,7 @@ docs/host/simulators.md has the conventions.
 from __future__ import annotations
 
 import contextlib
+import copy
 import hashlib
 import importlib
 import importlib.util
@@ -85,6 +86,7 @@ class LiberoWorld(proctor_simulator.Simulator):
         self._task = ""
         self._environment: Any = None  # of LIBERO
         self._states: Any = None
+        self._seen: Any = None
         engine = {name: metadata.version(name) for name in VERSIONS}
         self.benchmark = {
             "benchmark_id": suite,
@@ -140,8 +142,23 @@ class LiberoWorld(proctor_simulator.Simulator):
         }
 
     def draw(self, camera: str, width: int, height: int) -> Any:
-        drawn = self._environment.sim.render(width, height, camera_name=CAMERAS[camera])
+        simulation = self._environment.sim
+        context = simulation._render_context_offscreen  # noqa: SLF001 - no other way
+        context.data = types.SimpleNamespace(_data=self._seen)
+        try:
+            drawn = simulation.render(width, height, camera_name=CAMERAS[camera])
+        finally:
+            context.data = simulation.data
         return drawn[::-1, ::-1]
+
+    def _keep(self, sampled: Any) -> Any:
+        """Keep the physics of an observation, of which its images are drawn.
+
+        robosuite samples observations in the first of the 25 simulation steps of an
+        action, so they are older than the physics after the action.
+        """
+        self._seen = copy.copy(self._environment.sim.data._data)  # noqa: SLF001
+        return sampled
 
     def digest(self) -> bytes:
         """Of what decides the next steps: physics, and what controllers remember."""
@@ -176,6 +193,7 @@ class LiberoWorld(proctor_simulator.Simulator):
             use_camera_obs=False,  # drawn when the server asks
             ignore_done=True,  # the server counts the steps
         )
+        self._environment.env.modify_observable("robot0_eef_pos", "filter", self._keep)
         self._task = task
 
 
@@ -213,8 +231,8 @@ def package_folder() -> Path:
         if (Path(place) / "libero" / "bddl_files").is_dir():
             return Path(place) / "libero"
     raise SystemExit(
-        f"hf-libero is not installed for {sys.executable}: LIBERO_PYTHON names a "
-        "Python that has it"
+        f"hf-libero is not installed for {sys.executable}: `make libero` installs it, "
+        "or LIBERO_PYTHON names a Python that has it"
     )
 
 

@@ -5,6 +5,9 @@
 //
 //     int main() { World world; return proctor_simulator::serve(world); }
 //
+// serve(world, "unix:/run/world.sock") listens there, for one server after the other, in a
+// program that you start yourself.
+//
 // Standard output belongs to the protocol: while `serve` runs, what is printed goes to
 // standard error. The protocol stands in spec/simulator.md.
 
@@ -13,9 +16,12 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <iostream>
@@ -334,6 +340,7 @@ class Session {
   explicit Session(Simulator& simulator) : simulator_(simulator), benchmark_(simulator.benchmark()) {}
 
   Writer answer(const Value& request) {
+    number_ = request["number"];
     const auto* call = std::get_if<std::string>(&request["call"].content);
     try {
       Writer reply;
@@ -351,21 +358,31 @@ class Session {
   bool answer_call(const std::string& call, const Value& request, Writer& reply) {
     if (call == "describe") return describe(request, reply);
     if (call == "reset") return reset(request, reply);
-    if (call == "close") return reply.map(0), true;
+    if (call == "close") return begin(reply, 0), true;
     if (call != "step" && call != "observe" && call != "digest") return false;
     if (!is_reset_) throw std::logic_error(call + " before the first reset");
     if (call == "step") return step(request, reply);
     if (call == "observe") return observe(request, reply);
     const std::string digest = simulator_.digest();
-    reply.map(1);
+    begin(reply, 1);
     reply.text("digest");
     std::memcpy(reply.room(digest.size()), digest.data(), digest.size());
     return true;
   }
+  // The map of a reply, with its first member.
+  void begin(Writer& reply, std::size_t members) {
+    reply.map(members + 1);
+    reply.text("number");
+    reply.value(number_);
+  }
   bool describe(const Value& request, Writer& reply) {
     for (const auto& protocol : request["protocols"].as<List>())
       if (protocol.number() == kProtocol) {
-        reply.value(Map{{"protocol", kProtocol}, {"benchmark", benchmark_}});
+        begin(reply, 2);
+        reply.text("protocol");
+        reply.value(kProtocol);
+        reply.text("benchmark");
+        reply.value(benchmark_);
         return true;
       }
     throw std::runtime_error("this library speaks protocol 1");
@@ -379,7 +396,7 @@ class Session {
     const auto seed = std::uint64_t(request["seed"].number());
     const Beginning begun = simulator_.reset(task, seed, request["split"].as<std::string>());
     is_reset_ = true;
-    reply.map(3);
+    begin(reply, 3);
     reply.text("instruction");
     reply.text(begun.instruction);
     reply.text("state");
@@ -393,7 +410,7 @@ class Session {
     for (const auto& [name, numbers] : request["action"].as<Map>())
       for (const auto& value : numbers.as<List>()) action[name].push_back(value.number());
     const StepResult result = simulator_.step(action);
-    reply.map(5);
+    begin(reply, 5);
     reply.text("state");
     reply.numbers(result.state);
     reply.text("success");
@@ -408,7 +425,7 @@ class Session {
   }
   bool observe(const Value& request, Writer& reply) {
     const auto* names = std::get_if<List>(&request["images"].content);
-    reply.map(1);
+    begin(reply, 1);
     reply.text("images");
     reply.map(names ? names->size() : 0);
     if (!names) return true;
@@ -429,46 +446,90 @@ class Session {
     }
     return true;
   }
-  static Writer fault(const std::string& what, bool is_unplayable) {
+  Writer fault(const std::string& what, bool is_unplayable) {
     Writer reply;
-    reply.value(Map{{"fault", what}, {"unplayable", is_unplayable}});
+    begin(reply, 2);
+    reply.text("fault");
+    reply.text(what);
+    reply.text("unplayable");
+    reply.truth(is_unplayable);
     return reply;
   }
   Simulator& simulator_;
   const Value benchmark_;
   SharedMemory memory_;
+  Value number_;
   bool is_reset_ = false;
 };
 
-}  // namespace detail
-
-// Answer requests until the server closes. Returns the exit code of the program.
-inline int serve(Simulator& simulator) {
-  const int requests = ::dup(0), replies = ::dup(1);
-  ::dup2(::open("/dev/null", O_RDONLY), 0);
-  ::dup2(2, 1);  // prints of other libraries must not break a frame
-  detail::Session session(simulator);
-  std::vector<std::uint8_t> received(4);
+// Answer requests until `close` or their end; whether all replies could be sent.
+inline bool answer_all(Simulator& simulator, int requests, int replies) {
+  Session session(simulator);
+  std::vector<std::uint8_t> received;
   for (bool is_closed = false; !is_closed;) {
     received.resize(4);
-    if (!detail::read_all(requests, received.data(), 4)) return 0;
+    if (!read_all(requests, received.data(), 4)) return true;
     std::size_t size = 0;
     for (const auto byte : received) size = size << 8 | byte;
     received.resize(size);
-    if (!detail::read_all(requests, received.data(), size)) return 0;
-    const Value request = detail::Reader(received.data(), size).value();
+    if (!read_all(requests, received.data(), size)) return true;
+    const Value request = Reader(received.data(), size).value();
     auto bytes = session.answer(request).bytes;
     const std::size_t length = bytes.size() - 4;
     for (int i = 0; i < 4; ++i) bytes[i] = std::uint8_t(length >> (24 - 8 * i));
     for (std::size_t sent = 0; sent < bytes.size();) {
       const ssize_t n = ::write(replies, bytes.data() + sent, bytes.size() - sent);
-      if (n <= 0) return 1;
+      if (n <= 0) return false;
       sent += std::size_t(n);
     }
     const auto* call = std::get_if<std::string>(&request["call"].content);
     is_closed = call != nullptr && *call == "close";
   }
-  return 0;
+  return true;
+}
+
+// The next connection. The socket is closed while it is open, so that the server sees
+// that the one world is busy.
+inline int accept_one(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.empty() || path.size() >= sizeof address.sun_path)
+    throw std::runtime_error("no path of a socket: " + path);
+  path.copy(address.sun_path, path.size());
+  struct stat status;
+  if (::stat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode)) ::unlink(path.c_str());
+  const int listener = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  int connection = -1;
+  if (::bind(listener, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0 &&
+      ::listen(listener, 1) == 0)
+    connection = ::accept(listener, nullptr, nullptr);
+  ::close(listener);
+  if (connection < 0) throw std::runtime_error("cannot listen at " + path);
+  return connection;
+}
+
+}  // namespace detail
+
+// Answer requests until the server closes. Returns the exit code of the program. With an
+// address, `unix:PATH`, it listens there and does not return.
+inline int serve(Simulator& simulator, const std::string& address = "") {
+  if (!address.empty()) {
+    if (address.rfind("unix:", 0) != 0) throw std::runtime_error("write unix:PATH");
+    std::signal(SIGPIPE, SIG_IGN);  // a server may end its connection at any time
+    for (;;) {
+      const int connection = detail::accept_one(address.substr(5));
+      try {
+        detail::answer_all(simulator, connection, connection);
+      } catch (const std::exception& error) {
+        std::cerr << "the connection failed: " << error.what() << '\n';
+      }
+      ::close(connection);
+    }
+  }
+  const int requests = ::dup(0), replies = ::dup(1);
+  ::dup2(::open("/dev/null", O_RDONLY), 0);
+  ::dup2(2, 1);  // prints of other libraries must not break a frame
+  return detail::answer_all(simulator, requests, replies) ? 0 : 1;
 }
 
 }  // namespace proctor_simulator

@@ -17,7 +17,11 @@ One file without dependencies, for Python 3.8 and newer: copy it beside your pro
             return pixels  # uint8 (height, width, channels): an array, or bytes
 
     if __name__ == "__main__":
-        proctor_simulator.serve(World())
+        proctor_simulator.serve(World(), *sys.argv[1:])
+
+The server starts such a program. One that you start yourself, in a container or on a
+display, is given the address of a Unix socket, `unix:/run/world.sock`, and listens
+there for one server after the other.
 
 Numbers and arrays may be NumPy's or others with `tolist`. Standard output belongs to
 the protocol: while `serve` runs, what is printed goes to standard error. The SHA-256 of
@@ -30,6 +34,7 @@ from __future__ import annotations
 import hashlib
 import mmap
 import os
+import socket
 import struct
 import sys
 import sysconfig
@@ -113,39 +118,71 @@ def vector(
     return space
 
 
-def serve(simulator: Simulator, installed: Sequence[str] = ()) -> NoReturn:
+def serve(
+    simulator: Simulator, address: str = "", *, installed: Sequence[str] = ()
+) -> NoReturn:
     """Answer requests until the server closes; then end the program.
 
+    address: `unix:PATH`, where to listen; then it goes on for the next server.
     installed: folders with packages of others, besides `site-packages`.
     """
+    sources = _Sources(installed)
+    if address:
+        _serve_connections(simulator, address, sources)
     requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     os.dup2(2, 1)  # prints of other packages, in C as well, must not break a frame
     sys.stdout = sys.stderr
-    session = _Session(simulator, installed)
+    _answer(_Session(simulator, sources), requests, replies)
+    simulator.close()
+    sys.exit(0)
+
+
+def _serve_connections(simulator: Simulator, address: str, sources: Any) -> NoReturn:
+    """One connection at a time, because there is one world. The socket is closed
+    meanwhile, so that the server sees that the simulator is busy."""
+    kind, _, path = address.partition(":")
+    if kind != "unix" or not path:
+        raise ValueError(f"an address is unix:PATH, not {address!r}")
+    while True:
+        if Path(path).is_socket():
+            os.unlink(path)  # noqa: PTH108
+        with socket.socket(socket.AF_UNIX) as listener:
+            listener.bind(path)
+            listener.listen(1)
+            connection, _ = listener.accept()
+        with connection, connection.makefile("rb") as requests:
+            try:
+                session = _Session(simulator, sources)
+                _answer(session, requests, connection.fileno())
+            except Exception as error:  # noqa: BLE001 - the next server may do better
+                sys.stderr.write(f"the connection failed: {error}\n")
+
+
+def _answer(session: Any, requests: Any, replies: int) -> None:
+    """Answer requests until `close` or their end."""
     while True:
         head = requests.read(_LENGTH.size)
         if len(head) < _LENGTH.size:
-            break
+            return
         (length,) = _LENGTH.unpack(head)
         body = requests.read(length)
         if len(body) < length:
-            break
+            return
         request = unpack(body)
-        _write(replies, session.answer(request))
+        reply = session.answer(request)
+        _write(replies, dict(reply, number=request.get("number")))
         if request.get("call") == "close":
-            break
-    simulator.close()
-    sys.exit(0)
+            return
 
 
 class _Session:
     """Answers one request after the other."""
 
-    def __init__(self, simulator: Simulator, installed: Sequence[str] = ()) -> None:
+    def __init__(self, simulator: Simulator, sources: Any = None) -> None:
         self._simulator = simulator
         self._is_reset = False
-        self._sources = _Sources(installed)
+        self._sources = sources or _Sources()
         self._number, self._memory = -1, None  # type: Tuple[int, Any]
 
     def answer(self, request: Dict[str, Any]) -> Dict[str, Any]:
@@ -241,7 +278,7 @@ class _Session:
 class _Sources:
     """The program's own files of Python, which no package versions."""
 
-    def __init__(self, installed: Sequence[str]) -> None:
+    def __init__(self, installed: Sequence[str] = ()) -> None:
         names = ("stdlib", "platstdlib")
         folders = [
             *map(sysconfig.get_path, names),

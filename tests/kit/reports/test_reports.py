@@ -1,6 +1,8 @@
 """Verdicts, exit codes and reports: honest, complete, readable, and the same ids."""
 
 import json
+import re
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -184,8 +186,12 @@ def test_each_profile_and_what_is_not_green_are_named(
     whys = list(judged.open_rules().items())
     assert whys[:2] == [("violated", ["ATT-003"]), ("inconclusive, slow", ["ATT-004"])]
     Terminal().report(judged)
-    end = capsys.readouterr().out.partition("violated: ATT-003\n")[2]
-    assert end.startswith("inconclusive, slow: ATT-004\n")
+    printed = capsys.readouterr().out
+    assert not re.search(r"^EVT-", printed, re.MULTILINE)  # counted, not listed
+    mark = "inconclusive, slow: ATT-004\n"
+    end = mark + printed.partition(mark)[2]
+    assert "ATT-003: expected " in end
+    assert end.splitlines()[-1].startswith("NOT conformant")
     assert f"msgpack {packed}/{packed}" in end
     lines = end.partition(" MUST: ")[0].splitlines()
     assert all(len(line) <= 80 for line in lines)
@@ -261,7 +267,7 @@ def test_answer_that_breaks_a_rule_for_all_fails_its_row() -> None:
     judged = Result(Settings(url="http://host", only=["ERR-012"], profiles=PROFILES))
     conclude(judged, {"ERR-012": Verdict("ERR-012", Outcome.PASSED)}, tally, set())
     assert judged.rows["ERR-012"].outcome == Outcome.FAILED
-    assert judged.rows["ERR-012"].exchanges == [sent]
+    assert judged.rows["ERR-012"].exchanges == [replace(sent, is_judged=True)]
 
 
 def test_rule_for_all_answers_needs_an_answer() -> None:
@@ -278,6 +284,25 @@ def test_page_needs_no_network_and_no_script() -> None:
     assert '<div class="filters" hidden>' in html
     for part in ("worker_busy", "status 409", "status 200 &lt;&amp;", "A story."):
         assert part in html.partition("All rules")[0]
+
+
+def test_the_judged_request_and_the_difference_are_marked() -> None:
+    verdict = failed()
+    verdict.expected = "status 409 with code `worker_busy`, by ATT-004"
+    verdict.observed = "status 404 with code `worker_busy`, by ATT-004"
+    verdict.left_out = 7
+    verdict.exchanges += [exchange(2, "GET", "/v1/runs", status=200, is_judged=True)]
+    html, text = page(result(verdict)), "\n".join(card(verdict, result(verdict)))
+    assert "<mark>409</mark>" in html
+    assert "<mark>404</mark>" in html
+    assert html.count('<li class="judged">') == 1
+    assert "judged: the answer to request 2" in html
+    assert "7 in the middle are left out" in html
+    assert "7 requests in the middle are left out" in text
+    assert text.count("← judged") == 1
+    rule = ledger.load_ledger()["ATT-004"].text
+    assert "ATT-004 decides" in html
+    assert f"ATT-004: {rule[:40]}" in text
 
 
 def test_page_shows_when_each_request_was_sent() -> None:

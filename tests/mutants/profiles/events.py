@@ -86,7 +86,11 @@ async def restarts_the_stream_on_reconnect(
     return answer if answer.status_code == 204 else await right(self, None)
 
 
-@mutant("EVT-010", through=with_short_keepalive(instead_of(EventStream, "answer")))
+@mutant(
+    "EVT-009",
+    "EVT-010",
+    through=with_short_keepalive(instead_of(EventStream, "answer")),
+)
 async def sends_an_empty_stream_after_the_last_event(
     right: Any, self: EventStream, last_id: str | None
 ) -> Any:

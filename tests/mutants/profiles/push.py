@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -162,7 +163,8 @@ def executes_the_response_to_a_repeated_call_twice() -> None:
     async def predict(self: ProctorPolicy, turn: Any) -> Any:
         before = len(sent)
         answer = await right_predict(self, turn)
-        if len(sent) > before + 1:
+        calls = Counter(sent[before:])  # also those of other workers
+        if max(calls.values()) > 1:
             answer.actions = answer.actions * 2
         return answer
 

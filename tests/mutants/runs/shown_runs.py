@@ -59,6 +59,13 @@ def calls_stopped_runs_retryable(body: Json, run: RunHead) -> None:
         body["retryable"] = True
 
 
+@mutant("FAULT-015", through=change_run)
+def calls_every_fault_final(body: Json, run: RunHead) -> None:
+    """A client submits a run again that a resume would have completed."""
+    if run.state == "failed" and "faulted" in (run.reason or ""):
+        body["retryable"] = False
+
+
 @mutant("RUN-024")
 def numbers_episodes_with_two_digits() -> None:
     """Results of two episodes are filed under one id."""

@@ -32,7 +32,7 @@ def change_each_action(change: Callable[[Any], Json]) -> None:
 
 @mutant(
     *("ATR-004", "ATR-006", "CAL-007", "CAL-008", "CAL-011", "FAULT-012", "PRED-001"),
-    *("PRED-006", "PRED-007", "PRED-012", "PRED-018", "PRED-021"),
+    *("PRED-006", "PRED-007", "PRED-012", "PRED-018", "PRED-021", "PRED-028"),
     *("SCORE-002", "SCORE-003"),
     through=change_actions,
 )

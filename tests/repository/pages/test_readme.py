@@ -59,7 +59,7 @@ def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> 
     done = run_program(tmp_path, server.url, PROCTOR_TOKEN=TOKENS["alice"])
     assert done.returncode == 0, done.stderr
     count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
-    assert f"score 1.0 of {count} episodes" in done.stdout
+    assert f"score 1.000, {count} episodes (" in done.stdout
 
 
 def test_the_sample_verdict_has_the_number_of_rules() -> None:

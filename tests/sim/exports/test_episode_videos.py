@@ -187,7 +187,7 @@ def test_a_sealed_seed_stays_a_secret(
     assert video(sealed_record, episodes=[1]) == 2
     said = capsys.readouterr().err
     assert "no episode 1 that can be simulated" in said
-    assert "1 episodes left out, as their seeds are sealed" in said
+    assert "1 episode left out: sealed seeds" in said
     assert "--seeds" in said
     assert video(sealed_record, episodes=[0]) == 0
     assert json.loads(capsys.readouterr().out)["left_out"] == []

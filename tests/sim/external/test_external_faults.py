@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
+import os
+import signal
+import subprocess
 import sys
 import tempfile
 import uuid
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from collections.abc import AsyncIterator, Iterator
+from contextlib import asynccontextmanager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,13 +20,19 @@ import pytest
 
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.external import LIBRARIES
+from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.own_sources import sha256_of
-from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
+from reference_sim.process.pool import (
+    NoCapacity,
+    SimulatorFault,
+    SimulatorHandle,
+    SimulatorPool,
+)
 from tests.support.paths import ROOT
 from tests.support.processes import descendants
 from tests.support.sim import breakable_simulator
 from tests.support.sim.shared_processes import shared_pool
-from tests.support.waiting import wait_in_loop
+from tests.support.waiting import wait_in_loop, wait_until
 
 pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="needs /proc"),
@@ -36,6 +46,12 @@ SOURCES = {
         LIBRARIES / "proctor_simulator.py",
     )
 }
+ONE_WORLD = """
+import sys
+from breakable_simulator import WORLD, proctor_simulator
+proctor_simulator.serve(WORLD, *sys.argv[1:])
+"""
+FOLDERS = f"{LIBRARIES}:{Path(breakable_simulator.__file__).parent}"
 
 
 @dataclass(frozen=True)
@@ -44,12 +60,20 @@ class Mark:
 
     value: str
 
-    def config(self, *arguments: str) -> SimulatorConfig:
+    def command(self, *arguments: str) -> list[str]:
         program = [sys.executable, "-S", breakable_simulator.__file__, *arguments]
-        command = ["env", f"SIMULATOR_TEST={self.value}", *program]
+        return ["env", f"SIMULATOR_TEST={self.value}", *program]
+
+    def config(self, *arguments: str) -> SimulatorConfig:
+        return self.config_of(self.command(*arguments))
+
+    def config_of(
+        self, command: list[str], away_timeout_s: float = 10.0
+    ) -> SimulatorConfig:
         plan: dict[str, Any] = {"command": command, "folder": str(Path.cwd())}
         plan |= {"sources": {}, "announced": SOURCES, "start_timeout_s": 60.0}
-        plan["benchmark"] = breakable_simulator.WORLD.benchmark
+        plan |= {"away_timeout_s": away_timeout_s}
+        plan |= {"benchmark": breakable_simulator.WORLD.benchmark}
         settings: dict[str, Any] = {"codec": "raw", "width": 8, "height": 6}
         settings |= {"adapter": "external", "plan": plan, "success_scored_tasks": []}
         return SimulatorConfig("breakable", settings)
@@ -61,6 +85,26 @@ class Mark:
                 if f"SIMULATOR_TEST={self.value}".encode() in path.read_bytes():
                     found.add(int(path.parent.name))
         return found
+
+    @contextmanager
+    def listening(self, folder: Path, fault: str = "") -> Iterator[list[str]]:
+        """A program that the server did not start; gives its address.
+
+        fault: of its second connection.
+        """
+        path = folder / "sim.sock"
+        started = subprocess.Popen(
+            self.command(fault, f"unix:{path}", "2"), stderr=subprocess.DEVNULL
+        )
+        try:
+            wait_until(path.exists, "it listens")
+            yield [f"unix:{path}"]
+        finally:
+            started.kill()
+            for pid in self.processes():  # the server does not end it
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
+            started.wait()
 
 
 @asynccontextmanager
@@ -101,7 +145,7 @@ async def play(handle: SimulatorHandle) -> None:
     await handle.play([ACTION] * 5, observe_all=True)
 
 
-@pytest.mark.parametrize(
+FAULTS = pytest.mark.parametrize(
     ("fault", "said"),
     [
         ("SIM-001", "announced a reply of 1819238756 bytes, and 16777216 is the most"),
@@ -121,11 +165,17 @@ async def play(handle: SimulatorHandle) -> None:
             "sent a reply to step that is not valid: MessagePack data is",
         ),
         ("replies_twice", "sent more than one reply to a request"),
+        ("replies_late", r"a reply with number \d instead of \d: each request has"),
+        ("has_no_numbers", "sent a reply with number None instead of 2"),
+        ("faults_to_observe", "reports a fault: the display is gone"),
         ("not_finite", "sent a state 'sum' that is not finite"),
         ("killed", "ended by SIGKILL"),
         ("forks", "ended with exit code 1"),
     ],
 )
+
+
+@FAULTS
 async def test_a_program_that_misbehaves_costs_its_episode_a_fault(
     fault: str, said: str
 ) -> None:
@@ -140,6 +190,78 @@ async def test_a_program_that_misbehaves_costs_its_episode_a_fault(
         assert played.steps == 3
         assert not played.ended
         await other.release()
+
+
+@FAULTS
+async def test_a_program_at_a_socket_that_misbehaves_costs_its_episode_a_fault(
+    fault: str, said: str, tmp_path: Path
+) -> None:
+    """Its other connections go on, and so does a new one."""
+    mark = Mark(str(uuid.uuid4()))
+    said = "sim.sock ended its connection" if said.startswith("ended") else said
+    pool = shared_pool(spares=0, turn_timeout_s=1.0 if "no step" in said else 60.0)
+    await pool.start()
+    try:
+        with mark.listening(tmp_path, fault) as command:
+            other = await pool.acquire(mark.config_of(command))
+            await begin(other)
+            handle = await pool.acquire(mark.config_of(command))
+            with pytest.raises(SimulatorFault, match=said):
+                await play(handle)
+            for playing in (other, await pool.acquire(mark.config_of(command))):
+                await begin(playing)
+    finally:
+        await pool.close()
+
+
+async def test_a_program_that_is_away_is_tried_again(tmp_path: Path) -> None:
+    """Expect `no_capacity` when it stays away, and no fault; then it is played."""
+    mark = Mark(str(uuid.uuid4()))
+    address = [f"unix:{tmp_path}/sim.sock"]
+    pool = shared_pool(spares=0)
+    await pool.start()
+    try:
+        with pytest.raises(NoCapacity, match=r"is away \(No such file or directory\)"):
+            await pool.acquire(mark.config_of(address, away_timeout_s=0.0))
+        waiting = asyncio.create_task(pool.acquire(mark.config_of(address)))
+        with mark.listening(tmp_path):
+            await begin(await waiting)
+    finally:
+        await pool.close()
+
+
+async def test_one_world_is_played_by_one_session_at_a_time(tmp_path: Path) -> None:
+    """A world of the library, in two sizes of pictures: the second has to wait."""
+    (tmp_path / "one_world.py").write_text(ONE_WORLD)
+    entry = tmp_path / "one.toml"
+    entry.write_text('simulator = ["unix:sim.sock"]\naway_timeout_s = 0.3\n')
+    program = [sys.executable, "-S", "one_world.py", "unix:sim.sock"]
+    environment = os.environ | {"PYTHONPATH": FOLDERS}
+    pool = shared_pool(spares=0)
+    await pool.start()
+    started = subprocess.Popen(program, cwd=tmp_path, env=environment)  # noqa: ASYNC220
+    try:
+        ((_, definition),) = await asyncio.to_thread(
+            lambda: list(registration.benchmarks(str(entry), print))
+        )
+        manifest = definition.describe({}, 1)
+        assert "one_world.py" in manifest["simulator"]["sources"]
+        assert "command" not in manifest["simulator"]
+        configs = [
+            SimulatorConfig("one", definition.settings({"codec": "raw", **size}))
+            for size in manifest["image_sizes"]
+        ]
+        for config, busy in (configs, configs[::-1]):
+            handle = await pool.acquire(config)
+            await begin(handle)
+            with pytest.raises(NoCapacity, match="is away"):
+                await pool.acquire(busy)
+            assert (await handle.play([ACTION], observe_all=False)).steps == 1
+            await handle.release()
+    finally:
+        started.kill()
+        started.wait()
+        await pool.close()
 
 
 async def test_a_flood_of_errors_costs_time_alone(

@@ -64,7 +64,8 @@ def test_a_valid_environment_has_no_faults() -> None:
         ("RewardIsNotFinite", "the reward is inf"),
         ("ConstructorRaises", "OSError: the robot is not plugged in"),
         ("HasText", "'action' is a Text, which has no vector"),
-        ("Missing", "gymnasium_envs.py has no class or function Missing"),
+        ("Missing", "gymnasium_envs.py has no class or function Missing; it has "),
+        ("IgnoreSeed", "no class or function IgnoreSeed; did you mean IgnoresSeed?"),
         ("RaisesLater", None),
     ],
 )

@@ -193,6 +193,9 @@ def test_all_faults_of_a_file_are_reported_together(tmp_path: Path) -> None:
         ),
         ("gymnasium:", "unknown benchmark reference; expected"),
         ("x.py:", "unknown benchmark reference; expected"),
+        ("gone.py", "name the class, too: gone.py:CLASS"),
+        ("examples/benchmarks/corridor.py", "/corridor.py:Corridor"),
+        ("/bin/sh", "a program is given as --simulator /bin/sh"),
     ],
 )
 def test_an_invalid_reference_is_an_error(reference: str, fault: str) -> None:

@@ -1,19 +1,23 @@
 """A simulator without packages that an argument breaks: a rule, or a way to misbehave.
 
-    python breakable_simulator.py [SIM-011 | NAME of a function below]
+    python breakable_simulator.py [SIM-011 | NAME of a function below [unix:PATH [N]]]
 
-Without an argument it obeys every rule and has every part of the protocol.
+Without a fault, or with "", it obeys every rule and has every part of the protocol. At
+a socket each connection has a process and a world of its own; N is the one that is
+broken, if not all are.
 """
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
+import socket
 import struct
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +31,7 @@ __all__ = ["WORLD", "part", "vector"]
 
 Json = dict[str, Any]
 REPLIES = os.dup(1)
+REQUESTS = sys.stdin.buffer
 SLEEPERS: list[subprocess.Popen[bytes]] = []
 
 
@@ -197,9 +202,21 @@ def has_one_digest(_request: Json, reply: Json) -> Json:
 
 
 @breaks("SIM-022", "close")
-def ends_with_an_error(_request: Json, reply: Json) -> Json:
-    _write(REPLIES, reply)
+def ends_with_an_error(request: Json, reply: Json) -> Json:
+    _write(REPLIES, numbered(request, reply))
     os._exit(3)
+
+
+@breaks("SIM-025")
+def has_the_number_of_a_fault(_request: Json, reply: Json) -> Json:
+    return reply | {"number": 0} if "fault" in reply else reply
+
+
+@breaks("SIM-027", "close")
+def keeps_the_connection(request: Json, reply: Json) -> Json:
+    _write(REPLIES, numbered(request, reply))
+    time.sleep(60)
+    return {}
 
 
 def continues_after_three_steps(right: Callable[..., Json]) -> Callable[..., Json]:
@@ -239,6 +256,11 @@ def speaks_another_protocol(_request: Json, reply: Json) -> Json:
     return reply | {"protocol": 2}
 
 
+@breaks("by_chance", "describe")
+def is_not_deterministic(_request: Json, reply: Json) -> Json:
+    return reply | {"benchmark": WORLD.benchmark | {"deterministic": False}}
+
+
 @breaks("floods", "step")
 def writes_errors_without_end(_request: Json, reply: Json) -> Json:
     for _ in range(20_000):
@@ -274,10 +296,25 @@ def writes_what_is_not_messagepack(_request: Json, _reply: Json) -> Json:
 
 
 @breaks("replies_twice", "step")
-def sends_each_reply_twice(_request: Json, reply: Json) -> Json:
-    body = b"".join(pack(reply))
+def sends_each_reply_twice(request: Json, reply: Json) -> Json:
+    body = b"".join(pack(numbered(request, reply)))
     os.write(REPLIES, 2 * (_LENGTH.pack(len(body)) + body))  # both arrive at once
     return reply
+
+
+@breaks("replies_late", "step")
+def repeats_its_reply_when_the_next_is_waited_for(request: Json, reply: Json) -> Json:
+    return reply | {"number": request["number"] - (WORLD.steps > 1)}
+
+
+@breaks("has_no_numbers")
+def is_of_an_earlier_draft(request: Json, reply: Json) -> Json:
+    return reply if request["call"] == "describe" else reply | {"number": None}
+
+
+@breaks("faults_to_observe", "observe")
+def cannot_draw(_request: Json, _reply: Json) -> Json:
+    return {"fault": "the display is gone"}
 
 
 @breaks("not_finite", "step")
@@ -347,6 +384,42 @@ def break_world(fault: str) -> None:
         start_sleeper()
 
 
+def numbered(request: Json, reply: Json) -> Json:
+    return {"number": request["number"], **reply}
+
+
+def serve_connections(fault: str, path: str, broken: int = 0) -> None:
+    """Each in a child of its own: what it does to itself costs no other connection."""
+    global REPLIES, REQUESTS
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)
+    listener = socket.socket(socket.AF_UNIX)
+    listener.bind(path)
+    listener.listen(8)
+    count = 0
+    while True:
+        connection, _ = listener.accept()
+        count += 1
+        if os.fork() == 0:
+            listener.close()
+            REPLIES, REQUESTS = connection.fileno(), connection.makefile("rb")
+            if fault == "SIM-026":
+                WORLD.offset = 0.01 * len(list(open_connections()))
+            main(fault if broken in (0, count) else "")
+        connection.close()
+        if fault == "SIM-028" and count == 2:
+            listener.close()
+            signal.pause()
+
+
+def open_connections() -> Iterator[Path]:
+    """The other processes of this process's parent."""
+    own = f"PPid:\t{os.getppid()}\n"
+    for path in Path("/proc").glob("[0-9]*/status"):
+        with contextlib.suppress(OSError):
+            if own in path.read_text() and path.parent.name != str(os.getpid()):
+                yield path
+
+
 def main(fault: str) -> None:
     session = _Session(WORLD)
     break_world(fault)
@@ -361,7 +434,7 @@ def main(fault: str) -> None:
         session._offsets = offsets_that_are_one_too_large(session._offsets)  # type: ignore[method-assign]
     change = CHANGES.get(fault, unchanged)
     while (request := receive()) is not None:
-        _write(REPLIES, change(request, session.answer(request)))
+        _write(REPLIES, numbered(request, change(request, session.answer(request))))
         if request["call"] == "close":
             break
     if fault == "SIM-023":
@@ -371,14 +444,17 @@ def main(fault: str) -> None:
 
 def receive() -> Json | None:
     """The next request; None when the input has ended."""
-    head = sys.stdin.buffer.read(_LENGTH.size)
+    head = REQUESTS.read(_LENGTH.size)
     if len(head) < _LENGTH.size:
         return None
     (length,) = _LENGTH.unpack(head)
-    body = sys.stdin.buffer.read(length)
+    body = REQUESTS.read(length)
     request: Json = unpack(body) if len(body) == length else {}
     return request or None
 
 
 if __name__ == "__main__":
+    if sys.argv[2:]:
+        fault, address, *numbers = sys.argv[1:]
+        serve_connections(fault, address.removeprefix("unix:"), *map(int, numbers))
     main("".join(sys.argv[1:]))

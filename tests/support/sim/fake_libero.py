@@ -76,14 +76,19 @@ class OffScreenRenderEnv:
         assert goals == GOAL
         assert not use_camera_obs
         assert ignore_done
-        self.env = SimpleNamespace(object_property_initializers=[])
+        self.env = SimpleNamespace(
+            object_property_initializers=[], modify_observable=self._set_filter
+        )
         self.robots = [
             SimpleNamespace(
                 controller=SimpleNamespace(goal_pos=np.zeros(3), goal_ori=np.eye(3)),
                 gripper=SimpleNamespace(current_action=np.zeros(2)),
             )
         ]
-        self.sim = SimpleNamespace(render=self._render)
+
+    def _set_filter(self, name: str, attribute: str, keep: Any) -> None:
+        assert (name, attribute) == ("robot0_eef_pos", "filter")
+        self._keep = keep
 
     def seed(self, seed: int) -> None:
         np.random.seed(seed)  # noqa: NPY002 - as LIBERO
@@ -93,35 +98,54 @@ class OffScreenRenderEnv:
         self.env.object_property_initializers.append("drawer")
         for _ in self.env.object_property_initializers:
             cabinet = np.random.uniform(-0.01, 0.01, (1, 3))  # noqa: NPY002
-        self.sim.model = SimpleNamespace(body_pos=cabinet, body_quat=np.eye(4))
-        self.sim.data = SimpleNamespace(time=0.0, qpos=np.array([0.5, 0.5, 0.5]))
-        for name in ("qvel", "ctrl", "qacc_warmstart"):
-            setattr(self.sim.data, name, np.zeros(3))
+        self.sim = Simulation(cabinet)
 
     def set_init_state(self, state: Any) -> None:
         self.sim.data.qpos = np.array(state)
 
     def step(self, action: list[float]) -> tuple[dict[str, Any], float, bool, Any]:
+        """Observes before it moves, nearly as robosuite."""
         assert len(action) == 7
-        self.robots[0].gripper.current_action += np.sign(action[6]) * 0.01
-        self.sim.data.time += 0.05
-        self.sim.data.qpos += 0.05 * np.asarray(action[:3])
-        success = bool(self.sim.data.qpos[0] > SUCCESS_X)
-        fingers = self.robots[0].gripper.current_action * [-1, 1]
+        gripper = self.robots[0].gripper
         seen = {
-            "robot0_eef_pos": self.sim.data.qpos,
+            "robot0_eef_pos": self._keep(self.sim.data.qpos),
             "robot0_eef_quat": np.array([1.0, 0.0, 0.0, 0.0]),
-            "robot0_gripper_qpos": fingers,
+            "robot0_gripper_qpos": gripper.current_action * [-1, 1],
             "robot0_joint_pos": np.arange(7.0),
         }
+        gripper.current_action = gripper.current_action + np.sign(action[6]) * 0.01
+        self.sim.data.time += 0.05
+        self.sim.data.qpos = self.sim.data.qpos + 0.05 * np.asarray(action[:3])
+        success = bool(self.sim.data.qpos[0] > SUCCESS_X)
         return seen, float(success), success, {}
 
     def close(self) -> None:
         pass
 
-    def _render(self, width: int, height: int, *, camera_name: str) -> Any:
-        """Rows from the bottom, as robosuite: a white corner, below on the left."""
+
+class Simulation:
+    def __init__(self, cabinet: Any) -> None:
+        self.model = SimpleNamespace(body_pos=cabinet, body_quat=np.eye(4))
+        self.data = Physics()
+        self._render_context_offscreen = SimpleNamespace(data=self.data)
+
+    def render(self, width: int, height: int, *, camera_name: str) -> Any:
+        """Rows from the bottom, as robosuite: a grey corner, below on the left.
+
+        Its grey says where the hand is.
+        """
+        shown = self._render_context_offscreen.data._data
         pixels = np.full((height, width, 3), 9, np.uint8)
-        pixels[: height // 4, : width // 4] = 255
+        pixels[: height // 4, : width // 4] = 100 + round(100 * shown.qpos[0])
         pixels[-1, -1] = [camera_name == "agentview", 0, 0]
         return pixels
+
+
+class Physics:
+    def __init__(self) -> None:
+        self.time, self.qpos = 0.0, np.array([0.5, 0.5, 0.5])
+        self.qvel = self.ctrl = self.qacc_warmstart = np.zeros(3)
+
+    @property
+    def _data(self) -> Physics:
+        return self

@@ -53,7 +53,7 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert proctor.code == 0
 
 
-COUNTS = "0 of 1 episodes are scored"
+COUNTS = "0 of 1 episode is scored"
 THE_REST = (
     "Play the rest, then repeat this command: proctor run --run-id RUN --policy …"
 )

@@ -46,7 +46,7 @@ def test_an_interruption_costs_no_attempt(
         assert (process.returncode, out) == (128 + number, "")
     text = said.read_text()
     assert WAITS.search(text), text
-    assert ": 0/1 episodes scored" in text
+    assert ": 0/1 episode scored" in text
     assert "Traceback" not in text
     assert direct_client.control.get_run(run_id).live_workers == 1
     (command,) = RESUME.findall(text)

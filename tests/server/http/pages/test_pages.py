@@ -86,6 +86,28 @@ def test_pages_say_what_the_api_says(server: ReferenceServer, run_id: str) -> No
     assert outcomes == ["failure", "failure", "success"], "failures stand first"
 
 
+ONE_OF_MANY = re.compile(
+    r"(?<![\d.,])1(</b>)? ?"
+    r"(actions|attempts|entries|episodes|failures|faults|runs|steps|turns|videos)\b"
+)
+
+
+def test_one_of_a_kind_is_no_plural(server: ReferenceServer) -> None:
+    """A run of a single episode with a single action, and its comparison."""
+    first, second = (submit_and_play(server, {at}, tasks=["score"]) for at in (0, 1))
+    reader = PageReader(server.url, "alice")
+    pair = f"baseline={first}&run={second}"
+    for path in (
+        *(f"/runs/{first}", f"/runs/{second}", f"/runs/{first}/episodes/e0000"),
+        *(f"/compare?{pair}", f"/compare/episode?{pair}&episode=e0000"),
+        *("/benchmarks/calibration", f"/compare/several?run={first}&run={second}"),
+    ):
+        page = reader.text(f"/pages{path}")
+        text = re.sub(r"<(?!/b>)[^>]*>", "", page)
+        assert not ONE_OF_MANY.search(text), path
+        assert '<link rel="icon" href="' in page, "else a browser looks for one"
+
+
 def test_an_episode_says_what_was_asked_and_how_it_is_drawn(
     server: ReferenceServer, run_id: str
 ) -> None:
@@ -259,7 +281,7 @@ def test_what_pages_load_is_here(server: ReferenceServer, run_id: str) -> None:
         for tag, one in elements_of(page)
         if tag == "link" or (tag == "script" and "src" in one)
     ]
-    assert len(loaded) == 4
+    assert len(loaded) == 5
     for address in loaded:
         answer = reader.get(address)
         assert answer.status_code == 200

@@ -1,0 +1,33 @@
+"""What differs is shown, and never left out on both sides."""
+
+from typing import Any
+
+import pytest
+
+from conformance.verdicts import expect
+
+LONG = [*range(180)]
+
+
+@pytest.mark.parametrize(
+    ("observed", "due", "shown", "says"),
+    [
+        (LONG, [*LONG[:90], -1, *LONG[91:]], "-1", "90"),
+        (LONG[:-1], LONG, "180", "179"),
+        (LONG[:-1], LONG, "179", "(absent)"),
+        ([LONG], [LONG[1:]], "179", "180"),
+        ({"a": LONG, "b": 1}, {"a": LONG, "b": 2}, "/b 2", "/b 1"),
+        ("x" * 900 + "left", "x" * 900 + "right", "right", "left"),
+        ("x" * 400, "x" * 401, "x", "x"),
+        ({"text": "é" * 700 + "1"}, {"text": "é" * 700 + "2"}, '2"', '1"'),
+    ],
+)
+def test_both_sides_show_where_they_differ(
+    observed: Any, due: Any, shown: str, says: str
+) -> None:
+    with pytest.raises(expect.Violation) as raised:
+        expect.equal(observed, due, "a value")
+    assert shown in raised.value.expected
+    assert says in raised.value.observed
+    assert raised.value.expected.removeprefix("a value with ") != raised.value.observed
+    assert len(raised.value.expected) < 1500
