@@ -56,6 +56,10 @@ class _Log(msgspec.Struct):
     lines: list[LogLine]
 
 
+class _Presets(msgspec.Struct):
+    presets: list[str]
+
+
 class _UploadState(msgspec.Struct):
     offset: int
     is_complete: bool
@@ -89,7 +93,6 @@ class HostingClient:
                     f"{target}?offset={state.offset}&size={size}",
                     _UploadState,
                     body=file.read(BLOCK_BYTES),
-                    content_type="application/octet-stream",
                 )
 
             while not self._retry_policy.call(send_next_block).is_complete:
@@ -101,11 +104,19 @@ class HostingClient:
         """Make a submission, for which nothing is uploaded yet."""
         return self._change("/submissions", members)
 
-    def attach(
-        self, submission_id: str, digest: str, dockerfile: str
-    ) -> HostedSubmission:
+    def attach(self, submission_id: str, digest: str, dockerfile: str) -> None:
+        """Name the upload of a submission. Repeated, it changes nothing."""
         body = {"digest": digest, "dockerfile": dockerfile}
-        return self._change(f"{_path(submission_id)}/upload", body)
+        once = replace(self._retry_policy, total_s=0.0)
+        once.call(
+            lambda: self._send("POST", f"{_path(submission_id)}/upload", json=body)
+        )
+
+    def presets(self) -> list[str]:
+        """Names of what code can be run in."""
+        return self._retry_policy.call(
+            lambda: self._read("GET", "/presets", _Presets)
+        ).presets
 
     def start(self, submission_id: str) -> HostedSubmission:
         return self._change(f"{_path(submission_id)}/start", {})
@@ -133,21 +144,27 @@ class HostingClient:
         *,
         json: Any = None,
         body: bytes | None = None,
-        content_type: str = _JSON,
     ) -> _Answer:
         """One request, and its answer as a structure. Raises as RetryPolicy expects."""
-        content = msgspec.json.encode(json) if json is not None else body
+        return msgspec.json.decode(
+            self._send(method, path, json=json, body=body), type=kind
+        )
+
+    def _send(
+        self, method: str, path: str, *, json: Any = None, body: bytes | None = None
+    ) -> bytes:
+        """json: a body as a value. body: one as bytes."""
         response = self._connection.control.api_client.send(
             method,
             f"/v1/hosting{path}",
-            body=content,
-            content_type=content_type,
+            body=body if json is None else msgspec.json.encode(json),
+            content_type="application/octet-stream" if json is None else _JSON,
             more_headers={"Accept": _JSON},
             timeout=_UPLOAD_TIMEOUTS_S,
         )
         if not 200 <= response.status < 300:
             raise refusal(response)
-        return msgspec.json.decode(response.data, type=kind)
+        return bytes(response.data)
 
 
 def pack_code(folder: Path, archive: Path) -> None:

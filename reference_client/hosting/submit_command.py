@@ -75,17 +75,23 @@ def _hand_in(
         raise UsageError("--track needs --image FILE, or --code FOLDER --preset NAME")
     if (args.code is None) != (args.preset is None):
         raise UsageError("--code and --preset belong together")
+    if args.preset is not None and args.preset not in (names := client.presets()):
+        raise UsageError(
+            f"the host has no preset {args.preset}; it has {', '.join(names) or 'none'}"
+        )
     dockerfile = _read_dockerfile(args)
     with _file_of(args) as path:
+        # Created first: an upload for a track that is closed would be in vain.
+        submission = client.create(
+            track_id=args.track,
+            kind="image" if args.code is None else "code",
+            preset=args.preset or "",
+            policy_name=args.name or Path(args.image or args.code).resolve().stem,
+        )
+        printer.say(f"submission {submission.submission_id}")
         digest = client.upload(path, _Progress(printer))
-    submission = client.create(
-        track_id=args.track,
-        kind="image" if args.code is None else "code",
-        preset=args.preset or "",
-        policy_name=args.name or Path(args.image or args.code).resolve().stem,
-    )
-    printer.say(f"submission {submission.submission_id}")
-    return client.attach(submission.submission_id, digest, dockerfile)
+    client.attach(submission.submission_id, digest, dockerfile)
+    return submission
 
 
 def _read_dockerfile(args: Options) -> str:

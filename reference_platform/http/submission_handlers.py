@@ -1,10 +1,10 @@
-"""The operations of spec/hosting.yaml on uploads, submissions, logs and images."""
+"""The operations of hosting.yaml on uploads, logs, presets and images."""
 
 from __future__ import annotations
 
 from collections.abc import AsyncIterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Final, Literal
+from typing import Any, Final
 
 import msgspec
 from starlette.responses import Response, StreamingResponse
@@ -30,13 +30,6 @@ from reference_server.rules.refusal import Refused
 
 LINES_MAX: Final = 1000
 _EVENT_STREAM: Final = "text/event-stream"
-
-
-class NewSubmission(msgspec.Struct, forbid_unknown_fields=True):
-    track_id: str
-    kind: Literal["image", "code"] = "image"
-    preset: str = ""
-    policy_name: str = ""
 
 
 class AttachedUpload(msgspec.Struct, forbid_unknown_fields=True):
@@ -69,14 +62,7 @@ class SubmissionHandlers:
                 "GET": (self.get_upload, "run"),
                 "PATCH": (self.append_upload, "run"),
             },
-            "/submissions": {
-                "GET": (self.list_submissions, "read"),
-                "POST": (self.create_submission, "run"),
-            },
-            one: {"GET": (self.get_submission, "read")},
             f"{one}/upload": {"POST": (self.attach_upload, "run")},
-            f"{one}/start": {"POST": (self.start_submission, "run")},
-            f"{one}/stop": {"POST": (self.stop_submission, "run")},
             f"{one}/log": {"GET": (self.read_log, "read")},
             "/images": {"GET": (self.list_images, "host")},
             "/images/{digest}/decisions": {"POST": (self.decide_image, "host")},
@@ -108,18 +94,6 @@ class SubmissionHandlers:
 
     # --- submissions ---
 
-    async def create_submission(self, call: ApiCall) -> Response:
-        body = await call.body(NewSubmission)
-        if body.kind == "code" and body.preset not in self.presets.names():
-            names = ", ".join(self.presets.names()) or "none"
-            text = f"There is no such preset; there are: {names}."
-            raise Refused("invalid_request", text, errors=[("/preset", text)])
-        submission = call.parts.submissions.create(
-            call.account, body.track_id, body.kind, body.preset, body.policy_name
-        )
-        self._say(submission, "The submission was created.")
-        return json_response(self._view(submission), 201)
-
     async def attach_upload(self, call: ApiCall) -> Response:
         body = await call.body(AttachedUpload)
         own = self._own(call)
@@ -127,34 +101,16 @@ class SubmissionHandlers:
         if not self.uploads.state(account, body.digest).is_complete:
             text = "The account has not uploaded such a file completely."
             raise Refused("not_found", text)
+        if own.kind == "code" and own.preset not in self.presets.names():
+            names = ", ".join(self.presets.names()) or "none"
+            text = f"There is no preset {own.preset}; there are: {names}."
+            raise Refused("invalid_request", text, errors=[("/preset", text)])
         path = self.uploads.path_of(account, body.digest)
         if own.kind == "image":
             size = path.stat().st_size
             self.reviews.add(body.digest, account, size, body.dockerfile)
-        submission = call.parts.submissions.attach(own.submission_id, body.digest)
-        self._say(submission, f"The upload {body.digest} has arrived.")
-        return json_response(self._view(submission))
-
-    async def list_submissions(self, call: ApiCall) -> Response:
-        submissions = call.parts.submissions.of_account(call.account.account)
-        return json_response({"submissions": [self._view(s) for s in submissions]})
-
-    async def get_submission(self, call: ApiCall) -> Response:
-        return json_response(self._view(self._own(call)))
-
-    async def start_submission(self, call: ApiCall) -> Response:
-        submission = call.parts.submissions.start(
-            call.path("submission_id"), call.account.account
-        )
-        self._say(submission, "The evaluation was asked for.")
-        return json_response(self._view(submission))
-
-    async def stop_submission(self, call: ApiCall) -> Response:
-        submission = call.parts.submissions.stop(
-            call.path("submission_id"), call.account.account
-        )
-        self._say(submission, submission.reason)
-        return json_response(self._view(submission))
+        call.parts.submissions.attach(own.submission_id, body.digest)
+        return Response(status_code=204)
 
     async def read_log(self, call: ApiCall) -> Response:
         """The lines after one, at most 1000; or all that come, as events."""
@@ -188,31 +144,6 @@ class SubmissionHandlers:
         return call.parts.submissions.get_own(
             call.path("submission_id"), call.account.account
         )
-
-    def _view(self, submission: Submission) -> Mapping[str, Any]:
-        is_image = submission.kind == "image" and submission.digest
-        image = self.reviews.get(submission.digest) if is_image else None
-        return {
-            "submission_id": submission.submission_id,
-            "track_id": submission.track_id,
-            "kind": submission.kind,
-            "preset": submission.preset,
-            "policy_name": submission.policy_name,
-            "digest": submission.digest,
-            "image_state": "" if image is None else image.state,
-            "state": submission.state,
-            "reason": submission.reason,
-            "cause": submission.cause,
-            "next_action": submission.next_action,
-            "created_at": time_text(submission.created_at),
-            "entered_at": time_text(submission.entered_at),
-            "deadline_at": time_text(submission.deadline_at),
-            "run_id": submission.run_id,
-            "is_counted": submission.is_counted,
-        }
-
-    def _say(self, submission: Submission, text: str) -> None:
-        self.logs.write(submission.submission_id, "platform", text)
 
 
 async def _events(lines: AsyncIterator[LogLine]) -> AsyncIterator[bytes]:

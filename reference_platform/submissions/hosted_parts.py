@@ -55,7 +55,8 @@ class HostedParts:
         folder.mkdir(mode=0o711, parents=True, exist_ok=True)
 
         def is_ended(submission_id: str) -> bool:
-            return store.get(submission_id).state in FINAL
+            is_final = store.get(submission_id).state in FINAL
+            return is_final and supervisor.has_written(submission_id)
 
         uploads = UploadFolder(folder / "uploads")
         presets = Presets(folder / "presets")

@@ -21,8 +21,11 @@ from reference_platform.submissions.interfaces import (
 )
 from reference_platform.submissions.interfaces import Track as PlayedTrack
 from reference_platform.submissions.lifecycle import (
+    FINAL,
+    STATES,
     Event,
     IllegalTransition,
+    State,
     Submission,
 )
 from reference_platform.submissions.submission_store import SubmissionStore
@@ -30,6 +33,7 @@ from reference_platform.submissions.submission_store import SubmissionStore
 log = logging.getLogger("proctor.hosting")
 
 LOOK_S: Final = 0.25
+_OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 _DEFECT: Final = "The platform has a defect; the host finds it in the log."
 
 
@@ -50,9 +54,16 @@ class SubmissionSupervisor:
         self._logs = logs
         self._at_once = at_once
         self._tasks: dict[str, asyncio.Task[None]] = {}
+        self._noted: dict[str, State] = {}  # of those that have not ended
+
+    def has_written(self, submission_id: str) -> bool:
+        """Whether the end of a submission that has ended is in its log."""
+        return submission_id not in self._noted
 
     async def run(self) -> None:
         """Until it is cancelled; then nothing is played any more."""
+        for submission in self._store.in_states(*_OPEN):
+            self._noted[submission.submission_id] = submission.state
         for submission in self._store.in_states("verifying", "running"):
             self._say(submission, "The platform was restarted.")
             self._store.move(submission.submission_id, "requeue")
@@ -67,8 +78,8 @@ class SubmissionSupervisor:
             await asyncio.gather(*tasks, return_exceptions=True)
 
     async def _look(self) -> None:
-        for late in self._store.end_late():
-            self._say(late, late.reason)
+        self._store.end_late()
+        self._note_changes()
         played = self._store.in_states("verifying", "running")
         active = {submission.submission_id for submission in played}
         for name in self._tasks.keys() - active:  # stopped, or late
@@ -79,6 +90,19 @@ class SubmissionSupervisor:
         for submission in self._store.in_states("queued"):
             if self._has_room():
                 self._begin(submission, "begin_run", self._evaluate)
+
+    def _note_changes(self) -> None:
+        """Write each new state down, whichever program has changed it."""
+        now = {s.submission_id: s for s in self._store.in_states(*_OPEN)}
+        for name in self._noted.keys() - now.keys():
+            if name not in self._tasks:  # else its sandbox still writes
+                ended = self._store.get(name)
+                self._say(ended, f"It is {ended.state}. {ended.reason}")
+                del self._noted[name]
+        for name, submission in now.items():
+            if self._noted.get(name) != submission.state:
+                self._noted[name] = submission.state
+                self._say(submission, f"It is {submission.state}. {submission.reason}")
 
     def _has_room(self) -> bool:
         return len(self._tasks) < self._at_once
@@ -91,7 +115,6 @@ class SubmissionSupervisor:
         if image is not None and image.state == "rejected":
             reason = f"The host has rejected the image: {image.reason}"
             self._end(submission, "fail", Outcome(False, reason, "host"))
-            self._say(submission, reason)
         return image is not None and image.state == "approved"
 
     def _begin(

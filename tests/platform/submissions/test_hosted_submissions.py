@@ -169,9 +169,9 @@ def test_an_upload_goes_on_after_the_host_was_killed(host: HostedServer) -> None
         while offset < size:
             query = {"offset": client.get(path).json()["offset"], "size": size}
             block = content[offset : offset + 2**17]
-            answer = client.patch(path, params=query, content=block).json()
-            offset = answer["offset"]
-        assert answer == {"digest": digest, "offset": size, "is_complete": True}
+            upload = client.patch(path, params=query, content=block).json()
+            offset = upload["offset"]
+        assert upload == {"digest": digest, "offset": size, "is_complete": True}
 
 
 def test_another_account_sees_nothing(host: HostedServer, tmp_path: Path) -> None:
@@ -199,7 +199,12 @@ def test_another_account_sees_nothing(host: HostedServer, tmp_path: Path) -> Non
             ),
         ):
             assert answer.status_code == 404, answer.text
+        wait_until(lambda: client.get(f"{base}/log").json()["lines"], "a line")
         assert client.post(f"{base}/stop").json()["state"] == "stopped"
+        # The stream ends with the reason.
+        events = client.get(f"{base}/log", headers={"Accept": "text/event-stream"})
+        assert "It is stopped. Its owner stopped it." in events.text
+        assert events.text.endswith("event: end\ndata: {}\n\n")
         lines = client.get(f"{base}/log").json()
         assert lines["is_ended"]
-        assert lines["lines"][-1]["text"] == "Its owner stopped it."
+        assert lines["lines"][-1]["text"] == "It is stopped. Its owner stopped it."
