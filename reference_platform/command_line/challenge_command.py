@@ -30,10 +30,9 @@ from reference_platform.accounts.account_rules import (
 )
 from reference_platform.command_line.host_command import DATABASE
 from reference_platform.command_line.submission_commands import submission_groups
-from reference_platform.http.api_calls import time_text
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import BadDatabase, audit, audit_lines
-from reference_platform.tracks.track_rules import Track
+from reference_platform.tracks.track_rules import Track, time_text
 from reference_record.command_line.click_commands import (
     Command,
     Group,

@@ -9,7 +9,6 @@ from collections.abc import Callable, Sequence
 import click
 import msgspec
 
-from reference_platform.http.api_calls import time_text
 from reference_platform.images.image_reviews import (
     ImageDecision,
     ImageReviews,
@@ -18,6 +17,7 @@ from reference_platform.images.image_reviews import (
 )
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import STATES, WAITING
+from reference_platform.tracks.track_rules import time_text
 from reference_record.command_line.click_commands import (
     Command,
     Group,

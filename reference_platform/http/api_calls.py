@@ -9,7 +9,6 @@ from __future__ import annotations
 import logging
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
-from datetime import UTC, datetime
 from typing import Any, Final, TypeVar
 
 import msgspec
@@ -19,6 +18,7 @@ from starlette.responses import Response
 from reference_platform.accounts.account_keys import Key
 from reference_platform.accounts.account_rules import Account
 from reference_platform.parts import Parts
+from reference_platform.tracks.track_rules import time_text
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
@@ -120,12 +120,8 @@ def json_response(content: Any, status: int = 200) -> Response:
     )
 
 
-def time_text(at: float | None) -> str | None:
-    """RFC 3339 in UTC, with milliseconds, as everywhere in the standard."""
-    if at is None:
-        return None
-    moment = datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds")
-    return moment.replace("+00:00", "Z")
+def maybe_time(at: float | None) -> str | None:
+    return None if at is None else time_text(at)
 
 
 def public_url(parts: Parts, request: Request) -> str:

@@ -19,8 +19,8 @@ from reference_platform.http.api_calls import (
     Handler,
     endpoint_of,
     json_response,
+    maybe_time,
     public_url,
-    time_text,
 )
 from reference_platform.http.submission_handlers import SubmissionHandlers
 from reference_platform.parts import Parts
@@ -103,7 +103,7 @@ def account_view(account: Account) -> Mapping[str, Any]:
     shown = msgspec.structs.asdict(account)
     for name in ("password_hash", "email_changed_at", "agreed_at"):
         del shown[name]
-    times = {name: time_text(shown[name]) for name in ("created_at", "decided_at")}
+    times = {name: maybe_time(shown[name]) for name in ("created_at", "decided_at")}
     return shown | times
 
 
@@ -159,9 +159,9 @@ def key_view(key: Key) -> Mapping[str, Any]:
         "key_id": key.key_id,
         "label": key.label,
         "scopes": key.scopes.split(),
-        "made_at": time_text(key.made_at),
-        "expires_at": time_text(key.expires_at),
-        "used_at": time_text(key.used_at),
+        "made_at": maybe_time(key.made_at),
+        "expires_at": maybe_time(key.expires_at),
+        "used_at": maybe_time(key.used_at),
     }
 
 
@@ -193,8 +193,8 @@ def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
         "rules": track.rules,
         "benchmark_id": track.benchmark_id,
         "splits": track.splits,
-        "opens_at": time_text(track.opens_at),
-        "closes_at": time_text(track.closes_at),
+        "opens_at": maybe_time(track.opens_at),
+        "closes_at": maybe_time(track.closes_at),
         "is_open": track.is_open(call.now),
         "entry": track.entry,
         "entry_state": "none" if entrant is None else entrant.state,
@@ -203,7 +203,7 @@ def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
 
 
 def _usage_view(usage: Usage) -> Mapping[str, Any]:
-    return msgspec.structs.asdict(usage) | {"resets_at": time_text(usage.resets_at)}
+    return msgspec.structs.asdict(usage) | {"resets_at": maybe_time(usage.resets_at)}
 
 
 # --- submissions ---
@@ -244,7 +244,7 @@ def submission_view(submission: Submission) -> Mapping[str, Any]:
     times = ("entered_at", "created_at", "deadline_at", "started_at")
     shown = asdict(submission)
     del shown["account"]
-    shown |= {name: time_text(shown[name]) for name in times}
+    shown |= {name: maybe_time(shown[name]) for name in times}
     return shown | {"next_action": submission.next_action}
 
 

@@ -13,7 +13,7 @@ from reference_platform.http.api_calls import (
     ApiCall,
     Handler,
     json_response,
-    time_text,
+    maybe_time,
 )
 from reference_platform.images.image_reviews import (
     ImageDecision,
@@ -156,7 +156,7 @@ async def _events(lines: AsyncIterator[LogLine]) -> AsyncIterator[bytes]:
 def _line_view(line: LogLine) -> Mapping[str, Any]:
     return {
         "number": line.number,
-        "at": time_text(line.at),
+        "at": maybe_time(line.at),
         "source": line.source,
         "text": line.text,
     }
@@ -164,7 +164,7 @@ def _line_view(line: LogLine) -> Mapping[str, Any]:
 
 def _image_view(image: ReviewedImage) -> Mapping[str, Any]:
     times = {"created_at": image.created_at, "decided_at": image.decided_at}
-    texts = {name: time_text(at) for name, at in times.items()}
+    texts = {name: maybe_time(at) for name, at in times.items()}
     return {**msgspec.structs.asdict(image), **texts}
 
 

@@ -22,7 +22,7 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from reference_platform.accounts.account_rules import Account
 from reference_platform.accounts.browser_sessions import Session
-from reference_platform.http.api_calls import time_text
+from reference_platform.http.api_calls import maybe_time
 from reference_platform.parts import Parts
 from reference_record.pages.page_templates import make_environment
 from reference_server.generated.problem_codes import PROBLEMS
@@ -209,5 +209,5 @@ def _environment() -> Environment:
 
 
 def _at(at: float | None) -> str:
-    text = time_text(at)
+    text = maybe_time(at)
     return "–" if text is None else f"{text[:10]} {text[11:16]} UTC"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from datetime import UTC, datetime
 from typing import Final, Literal
 
 import msgspec
@@ -162,6 +163,12 @@ def choose_track(
     raise refusals[0]
 
 
+def time_text(at: float) -> str:
+    """RFC 3339 in UTC, with milliseconds, as everywhere in the standard."""
+    moment = datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds")
+    return moment.replace("+00:00", "Z")
+
+
 def _selection(track: Track) -> str:
     if not track.splits:
         return "the whole benchmark, without `select`"
@@ -174,5 +181,7 @@ def _quota_refusal(track: Track, usage: Usage) -> Refused:
     text += f"{words[usage.limit]}."
     members: dict[str, object] = {"limit": usage.limit, "track_id": track.track_id}
     if usage.resets_at is not None:
-        members["resets_at"] = usage.resets_at
+        opens_at = time_text(usage.resets_at)
+        members["resets_at"] = opens_at
+        text += f" The next is possible at {opens_at}."
     return Refused("quota_exceeded", text, members=members)

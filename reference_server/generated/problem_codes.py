@@ -34,7 +34,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": False,
         "side_effects": "none",
         "title": "The token lacks a scope",
-        "act": "Use a token that has the scope named in detail.",
+        "act": "Use a token that has the scope named in detail, or do what detail says.",
     },
     "not_found": {
         "status": 404,
