@@ -72,10 +72,10 @@ class UploadFolder:
         offset: int,
         parts: AsyncIterator[bytes],
     ) -> Upload:
-        """Add bytes at an offset, which must be where the file ends now.
+        """Add bytes at an offset, which must be where the file ends now (HST-020).
 
         size: of the whole file. When it has arrived, its digest is checked; a file with
-        another one is removed, and the upload begins anew.
+        another one is removed, and the upload begins anew (HST-021).
         """
         path = self._path(account, digest)
         lock = self._locks.setdefault(path, asyncio.Lock())
@@ -127,7 +127,7 @@ class UploadFolder:
 async def _write(
     part: Path, offset: int, size: int, parts: AsyncIterator[bytes]
 ) -> None:
-    """Raises Refused for bytes beyond the size. The bytes before them stay."""
+    """Raises Refused for bytes beyond the size. Those before stay (HST-022)."""
     with await asyncio.to_thread(part.open, "ab") as file:
         try:
             async for content in parts:

@@ -1,4 +1,4 @@
-"""Sandboxes by bubblewrap: namespaces, a filter of system calls, and limits.
+"""Sandboxes by bubblewrap: namespaces, a filter of system calls, limits (HST-024).
 
 The policy sees its image as a read-only root and two small writable folders in memory.
 It has namespaces of its own for users, processes, the network, mounts and names, no

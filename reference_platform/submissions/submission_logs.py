@@ -1,6 +1,7 @@
 """The logs of submissions: files of lines, durable when they are written, and bounded.
 
-A policy can fill its part and no more; what the platform did is always written.
+A policy can fill its part and no more (HST-025); the acts of the platform are always
+written.
 """
 
 from __future__ import annotations

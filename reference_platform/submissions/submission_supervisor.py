@@ -108,7 +108,7 @@ class SubmissionSupervisor:
         return len(self._tasks) < self._at_once
 
     def _may_be_verified(self, submission: Submission) -> bool:
-        """Code at once; an image when it is approved. A rejected one fails."""
+        """Code at once, an image once approved (HST-023). A rejected one fails."""
         if submission.kind == "code":
             return True
         image = self._reviews.get(submission.digest)
