@@ -1,0 +1,149 @@
+"""What is known of one run: its views, episodes and sessions, and what is in flight."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from conformance.oracle.history.episode_facts import EpisodeFacts
+from conformance.oracle.history.expected_turn import Played
+from conformance.oracle.history.observation import LOST, Observation
+from conformance.oracle.history.run_views import RunViews
+from conformance.oracle.history.session_turns import Session
+
+
+@dataclass
+class Attempts:
+    """The actions that attempts executed since step 0, as far as turns showed them.
+
+    An attempt is (index of its episode, its number). It is tainted when a request may
+    have executed actions of it that no turn showed.
+    """
+
+    tainted: set[tuple[int, int]] = field(default_factory=set)
+    _played: dict[tuple[int, int], list[Played]] = field(default_factory=dict)
+
+    @staticmethod
+    def of(episode: Mapping[str, Any]) -> tuple[int, int]:
+        """Give the attempt that a turn shows."""
+        return int(episode["index"]), int(episode["attempt"])
+
+    def taint(self, episode: Mapping[str, Any] | None) -> None:
+        """Note that unknown actions may have been executed; of all with None."""
+        if episode is not None:
+            self.tainted.add(self.of(episode))
+        else:
+            self.tainted |= self._played.keys()
+
+    def at(self, episode: Mapping[str, Any]) -> Played | None:
+        """Give the actions of an attempt up to the step that a turn shows."""
+        attempt = self.of(episode)
+        if attempt in self.tainted:
+            return None
+        if episode["step"] == 0:
+            self._played.pop(attempt, None)
+            return Played()
+        played = reversed(self._played.get(attempt, []))
+        return next((p for p in played if p.steps == episode["step"]), None)
+
+    def add(self, episode: Mapping[str, Any], played: Played) -> None:
+        """Note the actions of an attempt that goes on."""
+        attempt = self.of(episode)
+        self._played[attempt] = [*self._played.get(attempt, [])[-3:], played]
+
+
+@dataclass
+class RunFacts:
+    """One run. `limits` are those that the server announces.
+
+    submission: the body of its `submit_run`; None where the oracle has not seen it.
+    open: the requests about it that have not ended, by their number.
+    """
+
+    run_id: str
+    account: str | None
+    views: RunViews
+    episodes: EpisodeFacts
+    limits: Mapping[str, Any]
+    submission: Mapping[str, Any] | None = None
+    sessions: dict[str, Session] = field(default_factory=dict)
+    attempts: Attempts = field(default_factory=Attempts)
+    open: dict[int, Observation] = field(default_factory=dict)
+    attaches: list[Observation] = field(default_factory=list)
+    stops: list[Observation] = field(default_factory=list)
+
+    @property
+    def is_partial(self) -> bool:
+        """Whether requests may have reached the run that the oracle has not seen."""
+        return self.submission is None or self.views.is_played_by_others
+
+    @property
+    def is_played_by_server(self) -> bool:
+        """Whether it may have the mode `push`, in which nobody attaches."""
+        return str(self.views.latest().get("mode", "pull")) != "pull"
+
+    @property
+    def is_calibration(self) -> bool:
+        """Whether its episodes are those of calibration.md."""
+        return self.episodes.is_calibration
+
+    @property
+    def options(self) -> Mapping[str, Any]:
+        """The options of calibration with which it was submitted."""
+        return (self.submission or {}).get("options") or {}
+
+    @property
+    def success_rule(self) -> str | None:
+        """The success rule; None where it is not known."""
+        if self.submission is None or not self.is_calibration:
+            return None
+        return str(self.options.get("success_rule", "any_step"))
+
+    @property
+    def idle_timeout_s(self) -> float | None:
+        """The lease of its sessions; None before the run was shown."""
+        length_s = self.views.latest().get("idle_timeout_s")
+        return None if length_s is None else float(length_s)
+
+    @property
+    def episodes_total(self) -> int | None:
+        """How many episodes it has; None before the run was shown."""
+        total = self.views.latest().get("progress", {}).get("episodes_total")
+        return None if total is None else int(total)
+
+    @property
+    def may_fail(self) -> bool:
+        """Whether faults may fail the run, which ends all sessions."""
+        return not self.is_calibration or "fault" in self.options.get("tasks", [])
+
+    def attaches_of(self, worker: str) -> Iterator[Observation]:
+        """Give the attaches of a worker that may have had an effect, and the open."""
+        for attach in [*self.attaches, *self.open.values()]:
+            is_attach = attach.operation == "attach_worker"
+            if is_attach and attach.params.get("worker_id") == worker:
+                yield attach
+
+    def is_settled(self, session: Session, seen: Observation) -> bool:
+        """Whether the state of a session was surely that of its latest turn."""
+        is_lost = session.highest_seq_sent(seen.ended_at) > session.last_seq
+        is_asked = session.is_asked_beside(seen, self.open.values())
+        return not (is_lost or is_asked or session.is_unknown)
+
+    def surely_lives(self, session: Session, seen: Observation) -> bool:
+        """Whether a session was live until an answer came, whatever the order."""
+        length_s = self.idle_timeout_s
+        if session.is_unknown or length_s is None or self.is_partial or self.may_fail:
+            return False
+        ends = [end for end, _ in session.ends if end is not seen]
+        is_ending = any(
+            beside.operation in ("stop_run", "detach_worker")
+            or beside.params.get("worker_id") == session.worker
+            for beside in self.open.values()
+        )
+        if is_ending or any(end.may_be_before(seen) for end in ends):
+            return False
+        bounds = [self.limits.get(n, LOST) for n in ("unused_s_max", "heartbeat_s_max")]
+        return seen.ended_at < session.least_end(
+            length_s
+        ) and seen.ended_at < session.last_new_turn_at() + min(bounds)
