@@ -30,11 +30,47 @@ def judge_assigned(
             yield Difference(rules, text, f"episode {index}", seen, witness)
     if facts.is_partial:
         return
+    yield from _attempt(facts, session, index, seen)
     for lower in range(index):
         if _is_surely_pending(facts, lower, session, seen):
             text = f"episode {lower}, the pending one with the lowest index"
             yield Difference(("EPI-001",), text, f"episode {index}", seen)
             return
+
+
+def _attempt(
+    facts: RunFacts, session: Session, index: int, seen: Observation
+) -> Iterator[Difference]:
+    """Judge the number of an attempt by what became of the one before."""
+    holders = [
+        other
+        for other in facts.sessions.values()
+        if other is not session and other.held_index == index
+    ]
+    if facts.views.restarts or facts.may_fail:
+        return
+    due, rules, witness = 1, ("EPI-002", "EPI-003"), None
+    if holders:
+        old = max(holders, key=lambda other: other.last.observation.started_at)
+        shown, witness = old.last.value["episode"], old.last.observation
+        is_closed = facts.reason_of_end(old, seen) is not None
+        if not is_closed or not facts.is_settled(old, seen) or facts.ends_for_room(old):
+            return
+        due = shown["attempt"] + (shown["step"] > 0)
+        rules = ("EPI-003", "LEASE-012") if shown["step"] else ("EPI-002", "LEASE-012")
+    elif any(not attach.is_success for attach in facts.attaches):
+        return  # an attach without an answer may have played it
+    elif any(_may_have_held(facts, other, seen) for other in facts.sessions.values()):
+        return
+    attempt = seen.value["episode"]["attempt"]
+    if attempt != due:
+        text = f"attempt {due} of episode {index}"
+        yield Difference(rules, text, f"attempt {attempt}", seen, witness)
+
+
+def _may_have_held(facts: RunFacts, session: Session, seen: Observation) -> bool:
+    """Whether a session may have played an episode that no turn showed."""
+    return session.opened is not seen and not facts.is_settled(session, seen)
 
 
 def judge_nothing_left(

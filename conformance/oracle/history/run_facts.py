@@ -10,7 +10,7 @@ from conformance.oracle.history.episode_facts import EpisodeFacts
 from conformance.oracle.history.expected_turn import Played
 from conformance.oracle.history.observation import LOST, Observation
 from conformance.oracle.history.run_views import RunViews
-from conformance.oracle.history.session_turns import Session
+from conformance.oracle.history.session_turns import LEASE_TOLERANCE_S, Session
 
 
 @dataclass
@@ -130,12 +130,43 @@ class RunFacts:
         is_asked = session.is_asked_beside(seen, self.open.values())
         return not (is_lost or is_asked or session.is_unknown)
 
+    def ends_for_room(self, session: Session) -> bool:
+        """Whether a session may end without counting its attempt, to make room."""
+        unused_s = float(self.limits.get("unused_s_max", LOST))
+        if session.ends:
+            first = min(end.ended_at for end, _ in session.ends)
+            return first > session.last_new_turn_at() + unused_s
+        return unused_s != LOST
+
+    def reason_of_end(self, session: Session, seen: Observation) -> str | None:
+        """Name the rule by which a session had surely ended before a request."""
+        for end, rule in session.ends:
+            is_older = rule != "STOP-002" or session.opened.is_surely_before(end)
+            if end.is_success and is_older and end.is_surely_before(seen):
+                return {"STOP-002": "STOP-001"}.get(rule, rule)
+        length_s = self.idle_timeout_s
+        is_extended = any(
+            attach.status is None for attach in self.attaches_of(session.worker)
+        )
+        if length_s is None or is_extended or self._is_asked_by(session.worker):
+            return None
+        end_at = session.latest_end(length_s, seen.started_at)
+        is_over = seen.started_at > end_at + 2 * LEASE_TOLERANCE_S
+        return "LEASE-011" if is_over else None
+
+    def _is_asked_by(self, worker: str) -> bool:
+        """Whether a request of a worker is still carried out."""
+        return any(
+            beside.params.get("worker_id") == worker for beside in self.open.values()
+        )
+
     def surely_lives(self, session: Session, seen: Observation) -> bool:
         """Whether a session was live until an answer came, whatever the order."""
         length_s = self.idle_timeout_s
         if session.is_unknown or length_s is None or self.is_partial or self.may_fail:
             return False
-        ends = [end for end, _ in session.ends if end is not seen]
+        # A takeover ends the session itself, but only once it has its effect.
+        ends = [e for e, rule in session.ends if e is not seen or rule != "ATT-005"]
         is_ending = any(
             beside.operation in ("stop_run", "detach_worker")
             or beside.params.get("worker_id") == session.worker

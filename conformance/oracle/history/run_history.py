@@ -6,15 +6,18 @@ have had their effects in either order, each order is allowed.
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator
 from typing import Any
 
 from conformance.oracle.history.observation import Difference, Observation
+from conformance.oracle.history.occupancy import judge_occupancy
 from conformance.oracle.history.refusals import judge_refusal
 from conformance.oracle.history.run_facts import RunFacts
-from conformance.oracle.history.run_views import COMMANDS
+from conformance.oracle.history.run_views import COMMANDS, RunViews
 from conformance.oracle.history.score_views import judge_score
 from conformance.oracle.history.session_requests import SessionRequests
+from conformance.oracle.history.submitted import judge_episode, judge_submitted
 
 _SHOW_RUN = ("get_run", "stop_run", "resume_run")
 _OF_SESSION = ("predict", "heartbeat", "detach_worker")
@@ -42,12 +45,15 @@ class RunHistory:
         operation = seen.operation
         if seen.code is not None:
             yield from judge_refusal(self.facts, seen)
+            if seen.code == "illegal_transition" and "state" in seen.value:
+                yield from self._state(seen.value["state"], seen)
         if operation in COMMANDS:
             self.facts.views.note_command(seen)
         if operation == "stop_run" and seen.may_have_effect:
             self._note_stop(seen)
         if operation == "get_run":
-            yield from self.facts.views.judge_etag(seen)
+            wait_s_max = float(self.facts.limits.get("wait_s_max", 0))
+            yield from self.facts.views.judge_etag(seen, wait_s_max)
         if operation == "attach_worker":
             yield from self._requests.judge_attach(seen)
         if operation in _OF_SESSION:
@@ -55,15 +61,29 @@ class RunHistory:
         if seen.is_success:
             yield from self._judge_success(seen)
 
-    def judge_view(self, body: Any, seen: Observation) -> Iterator[Difference]:
-        """Judge the run as an answer shows it; open commands may have acted on it."""
+    @contextlib.contextmanager
+    def _open_commands(self) -> Iterator[RunViews]:
+        """Give the views while open commands count: they may have had their effect."""
         views = self.facts.views
         noted = len(views.commands)
         for beside in self.facts.open.values():
             if beside.operation in COMMANDS:
                 views.note_command(beside)
-        yield from views.judge(body, seen)
+        yield views
         del views.commands[noted:]
+
+    def _state(self, state: str, seen: Observation) -> Iterator[Difference]:
+        """Judge a state that an answer shows without the run."""
+        with self._open_commands() as views:
+            yield from views.judge_state(state, seen)
+
+    def judge_view(self, body: Any, seen: Observation) -> Iterator[Difference]:
+        """Judge the run as an answer shows it."""
+        with self._open_commands() as views:
+            yield from views.judge(body, seen)
+        yield from judge_submitted(self.facts, body, seen)
+        if seen.operation != "stream_events":
+            yield from judge_occupancy(self.facts, body, seen)
 
     def _judge_success(self, seen: Observation) -> Iterator[Difference]:
         if seen.operation in _SHOW_RUN:
@@ -72,6 +92,7 @@ class RunHistory:
             yield from self._page(seen)
         elif seen.operation == "get_score":
             yield from judge_score(self.facts, seen)
+            yield from self._state(seen.value["state"], seen)
 
     def _note_stop(self, seen: Observation) -> None:
         self.facts.stops.append(seen)
@@ -104,3 +125,4 @@ class RunHistory:
                 yield Difference(("EPI-006",), text, f"the first {after}", seen)
         for item in items:
             yield from self.facts.episodes.judge_listed(item, seen)
+            yield from judge_episode(self.facts, item, seen)

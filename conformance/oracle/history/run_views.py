@@ -43,6 +43,9 @@ COMMANDS = {
 _FINAL = ("stopped", "completed", "failed")
 _STATES = ("queued", "ready", "running", "stopping", *_FINAL)
 _IDLE = ("queued", "ready", *_FINAL)
+# Members that may change and change back without a request.
+_LIVE = ("queue_position", "live_workers", "endpoint")
+_TIMER_S = 0.05  # so early a timer may end
 _VIEWS_KEPT = 10
 # The states in which a run may be when its command was just carried out.
 _AFTER_COMMAND = {
@@ -126,14 +129,25 @@ class RunViews:
             yield from self._growth(view)
             yield from self._moves(view)
             yield from self._effect_of_command(view)
+            yield from self._between(view)
             self._views = [*self._views[-_VIEWS_KEPT:], view]
 
-    def judge_etag(self, seen: Observation) -> Iterator[Difference]:
+    def judge_etag(self, seen: Observation, wait_s_max: float) -> Iterator[Difference]:
         """Judge an answer of `get_run` beside earlier ones with its ETag."""
         etag = seen.answer_headers.get("etag", "").removeprefix("W/")
+        sent = seen.headers.get("if-none-match", "")
+        named = [name.strip().removeprefix("W/") for name in sent.split(",")]
+        wait = seen.headers.get("prefer", "").removeprefix("wait=")
+        is_current = bool(etag) and (etag in named or "*" in named)
+        if seen.status == 200 and is_current and not wait:
+            text, observed = "304 for the current ETag", f"200 with ETag {etag}"
+            yield Difference(("RUN-011",), text, observed, seen)
         if seen.status == 304:
-            sent = seen.headers.get("if-none-match", "")
-            named = [name.strip().removeprefix("W/") for name in sent.split(",")]
+            due_s = min(float(wait), wait_s_max) if wait.isdigit() else 0.0
+            if seen.ended_at - seen.started_at < due_s - _TIMER_S:
+                text = f"304 after {due_s:g} s"
+                observed = f"after {seen.ended_at - seen.started_at:.2f} s"
+                yield Difference(("RUN-013",), text, observed, seen)
             shown = self._by_etag.get(named[0]) if len(named) == 1 else None
             if shown is not None:
                 yield from self._growth(View(shown.body, seen), shown.observation)
@@ -191,6 +205,35 @@ class RunViews:
                 )
                 return
 
+    def _between(self, view: View) -> Iterator[Difference]:
+        """Judge the views between two equal ones: the run did not change meanwhile."""
+        after = view.observation
+        equal = [
+            earlier.observation
+            for earlier in self._views
+            if earlier.observation.operation == after.operation == "get_run"
+            and earlier.observation.is_surely_before(after)
+            and is_same(earlier.body, view.body)
+        ]
+        if not equal or self.is_played_by_others:
+            return
+        before, *_ = equal
+        is_moved = any(
+            command.started_at < after.ended_at and command.ended_at > before.started_at
+            for command in self.commands
+        )
+        for middle in self._views if not is_moved else ():
+            seen = middle.observation
+            is_between = before.is_surely_before(seen) and seen.is_surely_before(after)
+            for name in middle.body if is_between else ():
+                shown, due = middle.body[name], view.body.get(name)
+                if name not in _LIVE and not is_same(shown, due):
+                    text = f"`{name}` {due!r} as `get_run` before and after"
+                    yield Difference(
+                        ("RUN-019",), text, f"`{name}` {shown!r}", seen, after
+                    )
+                    return
+
     def _rules_of_loss(self, since: Observation) -> tuple[str, ...]:
         """Name the rules that keep results, by what happened since they were shown."""
         if any(ended > since.started_at for _, ended in self.restarts):
@@ -210,6 +253,12 @@ class RunViews:
         return self._rules_of_loss(since)
 
     # --- the lifecycle ---
+
+    def judge_state(self, state: str, seen: Observation) -> Iterator[Difference]:
+        """Judge the state that a score or a refusal shows."""
+        if self._views:
+            body = {**self._views[-1].body, "state": state}
+            yield from self._moves(View(body, seen))
 
     def _moves(
         self, view: View, shown_by: Observation | None = None

@@ -34,7 +34,11 @@ from conformance.oracle.history.session_turns import (
     Session,
     Turn,
 )
+from conformance.oracle.history.submitted import judge_episode
 
+_TIMER_S = 0.002  # so early a timer may end
+_ROUNDING_S = 1e-6
+_PARTS = ("queue_s", "simulate_s", "render_s", "encode_s")
 _OF_TURN_0: list[Expectation] = [
     ("executed_steps", 0, ("ATT-022",)),
     ("rewards", [], ("ATT-022",)),
@@ -173,7 +177,10 @@ class SessionRequests:
             yield from self._predict(session, seq, seen)
         elif seen.is_success and seen.operation == "heartbeat":
             yield from self._after_end(session, seen)
-        if seen.may_have_effect:  # what is refused uses up no seq (PRED-024)
+        # What is refused uses up no seq (PRED-024), nor does a session that is over.
+        if seen.is_success or (
+            seen.may_have_effect and facts.reason_of_end(session, seen) is None
+        ):
             session.note(seen, seq)
         if seen.operation == "detach_worker" and seen.may_have_effect:
             session.ends.append((seen, "DET-001"))
@@ -182,7 +189,8 @@ class SessionRequests:
         self, session: Session, seq: int, seen: Observation
     ) -> Iterator[Difference]:
         if not seen.is_success:
-            if seen.may_have_effect:
+            is_over = self._facts.reason_of_end(session, seen) is not None
+            if seen.may_have_effect and not is_over:
                 episode = session.last.value.get("episode")
                 self._facts.attempts.taint(episode)
             return
@@ -253,6 +261,7 @@ class SessionRequests:
             facts.attempts.at(turn["episode"])
         session.add(seq, Turn(seen.request, seen, played))
         yield from _compare(due, seen, before.observation)
+        yield from _times(chunk, episode, seen)
         yield from self._shown(seen)
         yield from self._after_episode(session, chunk, seen)
 
@@ -275,8 +284,10 @@ class SessionRequests:
         turn, episodes = seen.value, self._facts.episodes
         if "episode" in turn:
             yield from episodes.judge_shown(turn["episode"], seen)
+            yield from judge_episode(self._facts, turn["episode"], seen)
         if "episode_result" in turn:
             yield from episodes.judge_result(turn["episode_result"], seen)
+            yield from judge_episode(self._facts, turn["episode_result"], seen)
         shown = {**turn, **turn.get("episode", {})}
         if "seed" in shown:
             text = "no seed of an episode without a result"
@@ -316,6 +327,22 @@ class SessionRequests:
             late_s = seen.started_at - end_at + length_s
             observed = f"status 200 after {late_s:.2f} s"
             yield Difference(("LEASE-001", "LEASE-008"), text, observed, seen)
+
+
+def _times(
+    chunk: Chunk, episode: Mapping[str, Any], seen: Observation
+) -> Iterator[Difference]:
+    """Judge how long a turn took, and how it says that it spent the time."""
+    delays = [values["delay_s"][0] for values in chunk.executed]
+    took_s = seen.ended_at - seen.started_at
+    if episode["task"] == "delay" and took_s < sum(delays) - _TIMER_S:
+        text, observed = f"a turn of at least {sum(delays):.3f} s", f"{took_s:.3f} s"
+        yield Difference(("CAL-004",), text, observed, seen)
+    timing = seen.value["timing"]
+    parts = sum(timing[name] for name in timing if name in _PARTS)
+    if timing and parts > timing["total_s"] + _ROUNDING_S:
+        text = f"parts of at most total_s {timing['total_s']}"
+        yield Difference(("PRED-023",), text, f"parts of {parts}", seen)
 
 
 def _out_of_order(session: Session, seq: int, seen: Observation) -> Difference:

@@ -17,7 +17,7 @@ from conformance.oracle.history.observation import (
 )
 
 # A lease may be judged only that much after its end: timers are not exact.
-LEASE_TOLERANCE_S = 0.5
+LEASE_TOLERANCE_S = 1.0
 _TURNS_KEPT = 3
 
 

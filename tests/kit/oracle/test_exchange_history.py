@@ -27,6 +27,7 @@ def a_run(state: str = "ready", **changes: Any) -> dict[str, Any]:
         "reason": None,
         "retryable": None,
         "benchmark_id": "calibration",
+        "policy": {"name": "p"},
         "max_workers": 2,
         "idle_timeout_s": 30.0,
         "queue_position": None,
@@ -100,7 +101,7 @@ class Story:
     """Exchanges with one service, each after the other unless a time is given."""
 
     def __init__(self) -> None:
-        settings = Settings(service={"limits": {}, "profiles": []})
+        settings = Settings(service={"limits": {"wait_s_max": 20}, "profiles": []})
         self.history = new_history(load_spec(), settings)
         self.now = 0.0
         self.rules: list[str] = []
@@ -129,7 +130,9 @@ class Story:
 
     def submit(self, **options: Any) -> Story:
         """Submit the run r, of three episodes."""
-        body = {"benchmark_id": "calibration", "options": options}
+        policy = {"name": "p"}
+        options = {"tasks": ["count"] * 3, "max_steps": 3} | options
+        body = {"benchmark_id": "calibration", "policy": policy, "options": options}
         self.say("submit_run", a_run(), 201, body=body)
         return self
 
@@ -154,6 +157,11 @@ class Story:
     def see(self, run: dict[str, Any] | None, **how: Any) -> Story:
         """Read the run."""
         self.say("get_run", run, **how)
+        return self
+
+    def listed_run(self, run: dict[str, Any]) -> Story:
+        """Read the list of runs."""
+        self.say("list_runs", {"runs": [run], "next_cursor": None})
         return self
 
     def listed(self, *items: dict[str, Any], cursor: str | None = None) -> Story:
@@ -301,7 +309,75 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
         ),
         "RUN-011",
     ),
+    "a 200 for the current ETag": (
+        lambda: (
+            Story()
+            .submit()
+            .see(a_run(), answer_headers=etag("1"), headers={"if-none-match": '"1"'})
+        ),
+        "RUN-011",
+    ),
+    "a wait that is too short": (
+        lambda: (
+            Story()
+            .submit()
+            .see(None, status=304, headers={"prefer": "wait=5", "if-none-match": '"1"'})
+        ),
+        "RUN-013",
+    ),
+    "a list that shows another run than reads around it": (
+        lambda: (
+            Story().submit().see(a_run()).listed_run(a_run(reason="x")).see(a_run())
+        ),
+        "RUN-019",
+    ),
+    "another policy": (lambda: Story().submit().see(a_run(policy={})), "RUN-018"),
+    "too few episodes": (
+        lambda: Story().submit(tasks=["count"]).see(a_run()),
+        "CAL-001",
+    ),
+    "two live workers shown as one": (
+        lambda: (
+            begun()
+            .attach("k2", turn=a_turn(session="t", **at_step(0, 1)), worker="v")
+            .see(a_run("running", in_progress=1, pending=2))
+        ),
+        "LEASE-002",
+    ),
+    "a worker that has detached": (
+        lambda: begun().detach().see(a_run("running", in_progress=1, pending=2)),
+        "RUN-022",
+    ),
+    "running without a worker": (
+        lambda: begun().detach().see(a_run("running")),
+        "LIFE-802",
+    ),
     # Episodes and scores.
+    "another task": (
+        lambda: Story().submit(tasks=["score"] * 3).listed(an_item(), cursor="c"),
+        "CAL-001",
+    ),
+    "another seed": (
+        lambda: turned(
+            SECOND | {"episode_result": a_result(seed=1)},
+            END,
+        ),
+        "SEAL-001",
+    ),
+    "an attempt that is not counted": (
+        lambda: (
+            turned(a_turn(1, **at_step(1)))
+            .detach()
+            .attach("k2", turn=a_turn(session="t", **at_step()))
+        ),
+        "EPI-003",
+    ),
+    "an attempt that is counted unplayed": (
+        lambda: (
+            begun().detach().attach("k2", turn=a_turn(session="t", **at_step(0, 0, 2)))
+        ),
+        "EPI-002",
+    ),
     "a result changes": (
         lambda: turned(SECOND, END).listed(scored(steps=2), an_item(1), an_item(2)),
         "EPI-005",

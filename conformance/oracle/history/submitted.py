@@ -1,0 +1,67 @@
+"""A run beside the body of its `submit_run`: what was chosen, or its default."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from conformance.oracle.history.observation import Difference, Observation, is_same
+from conformance.oracle.history.run_facts import RunFacts
+
+_MAX_STEPS = 10  # without the option
+_CHOSEN = {
+    "benchmark_id": "RUN-018",
+    "max_workers": "RUN-018",
+    "idle_timeout_s": "RUN-018",
+    "any_policy": "ATR-005",
+    "select": "SUB-003",
+}
+
+
+def judge_submitted(
+    facts: RunFacts, body: Mapping[str, Any], seen: Observation
+) -> Iterator[Difference]:
+    """Judge whether a run shows what was submitted."""
+    submission = facts.submission
+    if submission is None:
+        return
+    for name, rule in _CHOSEN.items():
+        if name in submission and not is_same(body.get(name), submission[name]):
+            text = f"`{name}` {submission[name]!r} as it was submitted"
+            yield Difference((rule,), text, f"`{name}` {body.get(name)!r}", seen)
+    for name in ("policy", "images"):
+        shown = body.get(name) or {}
+        for member, value in (submission.get(name) or {}).items():
+            if not is_same(shown.get(member), value):
+                text = f"`{name}.{member}` {value!r} as it was submitted"
+                observed = f"`{name}.{member}` {shown.get(member)!r}"
+                yield Difference(("RUN-018",), text, observed, seen)
+    if facts.is_calibration and "select" not in submission:
+        total = len(facts.options.get("tasks") or ["score"])
+        shown = body["progress"]["episodes_total"]
+        if shown != total:
+            text = f"episodes_total {total}: one for each of `options.tasks`"
+            yield Difference(("CAL-001",), text, f"episodes_total {shown}", seen)
+
+
+def judge_episode(
+    facts: RunFacts, episode: Mapping[str, Any], seen: Observation
+) -> Iterator[Difference]:
+    """Judge task, split, seed and length of an episode of calibration."""
+    submission, index = facts.submission, episode["index"]
+    if submission is None or not facts.is_calibration or "select" in submission:
+        return
+    result = episode.get("result") or episode
+    tasks = facts.options.get("tasks") or ["score"]
+    split = ("even", "odd")[index % 2]
+    due: dict[str, tuple[Any, str]] = {
+        "task": (tasks[index] if index < len(tasks) else None, "CAL-001"),
+        "split": (split, "CAL-001"),
+        "seed": (index + 1000, "SEAL-001"),
+        "max_steps": (facts.options.get("max_steps", _MAX_STEPS), "EPI-013"),
+    }
+    for name, (value, rule) in due.items():
+        is_secret = name == "seed" and facts.options.get("sealed") is True
+        if name in result and not is_secret and not is_same(result[name], value):
+            text = f"`{name}` {value!r} of episode {index}"
+            yield Difference((rule,), text, f"`{name}` {result[name]!r}", seen)
