@@ -137,6 +137,7 @@ class ExchangeJudge:
 
     def _end(self, seen: Observation, exchange: Exchange) -> None:
         self._record(self.history.end(id(exchange), seen))
+        self._tally.exercised.update(self.history.take_exercised())
 
     def _record(self, differences: list[Difference]) -> None:
         for difference in differences:

@@ -17,6 +17,11 @@ from conformance.specification.document import PROBLEM_JSON, Operation, Spec
 from conformance.verdicts.expect import format_value
 
 UNIVERSAL_RULES = ("SVC-003", "VER-001", "ERR-001", "ERR-011", "ERR-012")
+# Rules that the oracle judges by what their checks make a server answer.
+ORACLE_RULES = (
+    *("SCORE-005", "SCORE-006", "SCORE-007", "SCORE-008", "SCORE-009", "SCORE-011"),
+    *("SCORE-012", "SCORE-013"),
+)
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")
 
@@ -35,6 +40,11 @@ class Breach:
     exchange: Exchange
     rules: list[str] = field(default_factory=list)
     witness: Exchange | None = None
+
+    @property
+    def check(self) -> str:
+        """The rule whose check sent the request."""
+        return self.exchange.correlation_id.partition("/")[0]
 
     def as_plain(self) -> dict[str, Any]:
         """Give it as JSON-ready data."""

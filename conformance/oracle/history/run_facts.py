@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -72,6 +73,7 @@ class RunFacts:
     open: dict[int, Observation] = field(default_factory=dict)
     attaches: list[Observation] = field(default_factory=list)
     stops: list[Observation] = field(default_factory=list)
+    exercised: Counter[str] = field(default_factory=Counter)  # rules that were judged
 
     @property
     def is_partial(self) -> bool:
@@ -92,6 +94,14 @@ class RunFacts:
     def options(self) -> Mapping[str, Any]:
         """The options of calibration with which it was submitted."""
         return (self.submission or {}).get("options") or {}
+
+    @property
+    def tasks(self) -> list[str]:
+        """The tasks of its episodes; empty where they are not known."""
+        submission = self.submission
+        if submission is None or not self.is_calibration or "select" in submission:
+            return []
+        return list(self.options.get("tasks") or ["score"])
 
     @property
     def success_rule(self) -> str | None:

@@ -6,6 +6,7 @@ A view is a run in an answer of `get_run`, `submit_run`, `stop_run`, `resume_run
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -82,6 +83,7 @@ class View:
         return int(self.body["progress"]["episodes_scored"])
 
 
+@functools.lru_cache(maxsize=4096)
 def instant_of(text: str) -> float:
     """Give a time of an answer in seconds."""
     return datetime.fromisoformat(text).timestamp()

@@ -54,19 +54,27 @@ def judge_score(run: RunFacts, seen: Observation) -> Iterator[Difference]:
         yield Difference(rules, text, f"{counts}", seen, witness)
         return
     if len(before) == scored and (shown or not scored):
-        yield from _numbers(total, [fact[0] for fact in before], seen)
+        yield from _numbers(run, total, seen)
 
 
-def _numbers(
-    total: int, results: list[Mapping[str, Any]], seen: Observation
-) -> Iterator[Difference]:
+def _numbers(run: RunFacts, total: int, seen: Observation) -> Iterator[Difference]:
     """Compare all numbers with those of the results, which are all that there are."""
-    unscored = {"task": "", "split": "", "outcome": None, "score": 0.0}
-    episodes = [*results, *[unscored] * (total - len(results))]
+    known = {
+        index: result
+        for index, (result, witness) in run.episodes.results.items()
+        if witness.is_surely_before(seen)
+    }
+    tasks = run.tasks or [""] * total
+    unscored = [
+        {"task": tasks[index], "split": ("even", "odd")[index % 2], "outcome": None}
+        for index in range(total)
+    ]
+    episodes = [known.get(index, unscored[index]) for index in range(total)]
     due, score = expected_score(episodes), seen.value
     for name, rules in _RULES.items():
+        run.exercised.update(rules)
         if name in ("by_task", "by_split"):
-            differs = _group_differs(due[name], score[name])
+            differs = _groups_differ(due[name], score[name], is_whole=bool(run.tasks))
         elif name == "counts":
             differs = any(score[name].get(k) != v for k, v in due[name].items())
         elif name.endswith("_interval"):
@@ -76,21 +84,21 @@ def _numbers(
         else:
             differs = not is_close(score[name], due[name])
         if differs:
-            expected = f"`{name}` {_readable(due[name])} of {len(results)} results"
+            expected = f"`{name}` {_readable(due[name])} of {len(known)} results"
             yield Difference(rules, expected, f"`{name}` {score[name]}", seen)
 
 
-def _group_differs(due: Mapping[str, Any], groups: Mapping[str, Any]) -> bool:
-    """Whether a group has other means than its results; those unscored are unknown."""
-    for key, group in due.items():
-        if key == "":
-            continue
-        shown = groups.get(key)
-        if shown is None:
-            return True
-        counts = [shown["counts"][n] != group["counts"][n] for n in OUTCOMES]
-        means = [is_close(shown[n], group[n]) for n in ("mean", "success_rate")]
-        if any(counts) or not all(means):
+def _groups_differ(
+    due: Mapping[str, Any], groups: Mapping[str, Any], *, is_whole: bool
+) -> bool:
+    """Whether groups have other numbers; `is_whole`: all episodes are known."""
+    if is_whole and due.keys() != groups.keys():
+        return True
+    for key in due.keys() & groups.keys() if not is_whole else due:
+        counts, shown = due[key]["counts"], groups[key]
+        names = counts if is_whole else OUTCOMES
+        means = [is_close(shown[n], due[key][n]) for n in ("mean", "success_rate")]
+        if any(shown["counts"][n] != counts[n] for n in names) or not all(means):
             return True
     return False
 

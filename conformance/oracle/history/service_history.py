@@ -8,6 +8,7 @@ Safe for several threads.
 from __future__ import annotations
 
 import threading
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -60,6 +61,8 @@ class ServiceHistory:
         default_factory=dict
     )
     _made: dict[str, tuple[str, Observation]] = field(default_factory=dict)
+    _exercised: Counter[str] = field(default_factory=Counter)
+    _kept: set[str] = field(default_factory=set)
     _walks: dict[tuple[str | None, str], _Walk] = field(default_factory=dict)
 
     # --- what happens ---
@@ -99,6 +102,18 @@ class ServiceHistory:
             except _UNREADABLE:
                 return []  # EVT-001 judges what it is
 
+    def take_exercised(self) -> Counter[str]:
+        """Give how often rules were judged since this was asked last."""
+        with self._lock:
+            exercised = self._exercised.copy()
+            self._exercised.clear()
+            return exercised
+
+    def keep(self, run_id: str) -> None:
+        """Keep a run that several checks use."""
+        with self._lock:
+            self._kept.add(run_id)
+
     def note_restart(self, began_at: float, ended_at: float) -> None:
         """Note that the server was killed and started again."""
         with self._lock:
@@ -117,7 +132,7 @@ class ServiceHistory:
         """Drop what only one check needed, which has ended: its runs."""
         with self._lock:
             for run_id, checks in [*self._checks_of.items()]:
-                if checks == {check}:
+                if checks == {check} and run_id not in self._kept:
                     self.runs.pop(run_id, None)
                     del self._checks_of[run_id]
 
@@ -218,6 +233,7 @@ class ServiceHistory:
         run = RunHistory(
             RunFacts(run_id, account, views, episodes, self.limits, submission)
         )
+        run.facts.exercised = self._exercised
         run.facts.open |= {
             number: sent
             for number, sent in self._open.items()

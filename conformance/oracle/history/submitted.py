@@ -36,8 +36,8 @@ def judge_submitted(
                 text = f"`{name}.{member}` {value!r} as it was submitted"
                 observed = f"`{name}.{member}` {shown.get(member)!r}"
                 yield Difference(("RUN-018",), text, observed, seen)
-    if facts.is_calibration and "select" not in submission:
-        total = len(facts.options.get("tasks") or ["score"])
+    if facts.tasks:
+        total = len(facts.tasks)
         shown = body["progress"]["episodes_total"]
         if shown != total:
             text = f"episodes_total {total}: one for each of `options.tasks`"
@@ -48,11 +48,10 @@ def judge_episode(
     facts: RunFacts, episode: Mapping[str, Any], seen: Observation
 ) -> Iterator[Difference]:
     """Judge task, split, seed and length of an episode of calibration."""
-    submission, index = facts.submission, episode["index"]
-    if submission is None or not facts.is_calibration or "select" in submission:
+    tasks, index = facts.tasks, episode["index"]
+    if not tasks:
         return
     result = episode.get("result") or episode
-    tasks = facts.options.get("tasks") or ["score"]
     split = ("even", "odd")[index % 2]
     due: dict[str, tuple[Any, str]] = {
         "task": (tasks[index] if index < len(tasks) else None, "CAL-001"),
