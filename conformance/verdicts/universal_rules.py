@@ -20,7 +20,10 @@ UNIVERSAL_RULES = ("SVC-003", "VER-001", "ERR-001", "ERR-011", "ERR-012")
 # Rules that the oracle judges by what their checks make a server answer.
 ORACLE_RULES = (
     *("SCORE-005", "SCORE-006", "SCORE-007", "SCORE-008", "SCORE-009", "SCORE-011"),
-    *("SCORE-012", "SCORE-013"),
+    *("SCORE-012", "SCORE-013", "SCORE-002", "SCORE-003", "RUN-014", "RUN-021"),
+    *("RUN-023", "RUN-025", "EPI-013", "CAL-002", "CAL-003", "CAL-005", "CAL-007"),
+    *("CAL-011", "PRED-007", "PRED-009", "PRED-020", "PRED-021", "PRED-023"),
+    "ATT-022",
 )
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")

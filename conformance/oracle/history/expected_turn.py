@@ -114,9 +114,13 @@ def expectations(
 ) -> Iterator[Expectation]:
     """Give what a turn has to have: path, value, the rules that say so."""
     count = len(chunk.executed)
-    yield "executed_steps", count, ("PRED-001", "PRED-007", "PRED-020")
+    rules: tuple[str, ...] = ("PRED-001", "PRED-006")
+    if turn["executed_steps"] > count:
+        rules = ("PRED-020" if chunk.is_truncated else "PRED-007", "PRED-001")
+    yield "executed_steps", count, rules
     yield "stopped_early", count < chunk.sent and not chunk.is_fault, ("PRED-007",)
-    yield "terminated", chunk.is_terminated, ("CAL-005",)
+    rules = ("PRED-020",) if chunk.is_truncated else ("CAL-005",)
+    yield "terminated", chunk.is_terminated, rules
     yield "truncated", chunk.is_truncated, ("PRED-020",)
     rewards = [values["score"][0] for values in chunk.executed]
     yield "rewards.length", len(rewards), ("PRED-021",)
@@ -134,7 +138,9 @@ def expectations(
         yield from expected_states("observation", chunk.after, chunk.step)
     else:
         yield from _result(chunk, episode, success_rule)
-        if not turn["done"]:
+        if not turn["done"] and "episode" not in turn:
+            yield "done", True, ("PRED-009", "PRED-008")
+        elif not turn["done"]:
             yield "episode.step", 0, ("PRED-008",)
             yield from expected_states("observation", Played(), 0)
 

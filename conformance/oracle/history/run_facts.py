@@ -134,6 +134,28 @@ class RunFacts:
             if is_attach and attach.params.get("worker_id") == worker:
                 yield attach
 
+    def first_sent_at(self, session: Session, seq: int, seen: Observation) -> float:
+        """Give when a seq was sent first: later requests get the same turn.
+
+        For seq 0, when the attach was sent first that opened the session.
+        """
+        if seq:
+            sent = [t.started_at for t in session.traces if t.seq == seq]
+            open_ = [
+                beside.started_at
+                for beside in self.open.values()
+                if beside.request.get("session_id") == session.id
+                and beside.request.get("seq") == seq
+            ]
+            return min((seen.started_at, *sent, *open_))
+        attaches = self.attaches_of(session.worker)
+        same = [
+            a.started_at
+            for a in attaches
+            if a.request.get("attach_key") == (session.key)
+        ]
+        return min((seen.started_at, *same))
+
     def is_settled(self, session: Session, seen: Observation) -> bool:
         """Whether the state of a session was surely that of its latest turn."""
         is_lost = session.highest_seq_sent(seen.ended_at) > session.last_seq

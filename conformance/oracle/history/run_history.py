@@ -81,6 +81,7 @@ class RunHistory:
         """Judge the run as an answer shows it."""
         with self._open_commands() as views:
             yield from views.judge(body, seen)
+        self.facts.exercised.update(("RUN-014", "RUN-021", "RUN-023"))
         yield from judge_submitted(self.facts, body, seen)
         if seen.operation != "stream_events":
             yield from judge_occupancy(self.facts, body, seen)
@@ -105,6 +106,7 @@ class RunHistory:
         """Judge a page of the episodes."""
         items, cursor = seen.value["episodes"], seen.query.get("cursor")
         following, total = seen.value["next_cursor"], self.facts.episodes_total
+        self.facts.exercised["RUN-025"] += 1
         limit = int(seen.query.get("limit", _EPISODES_OF_PAGE))
         if len(items) > limit:
             text = f"at most {limit} episodes"

@@ -140,7 +140,7 @@ class RunViews:
         sent = seen.headers.get("if-none-match", "")
         named = [name.strip().removeprefix("W/") for name in sent.split(",")]
         wait = seen.headers.get("prefer", "").removeprefix("wait=")
-        is_current = bool(etag) and (etag in named or "*" in named)
+        is_current = bool(etag) and (etag in named or named == ["*"])
         if seen.status == 200 and is_current and not wait:
             text, observed = "304 for the current ETag", f"200 with ETag {etag}"
             yield Difference(("RUN-011",), text, observed, seen)

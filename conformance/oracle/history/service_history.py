@@ -188,7 +188,10 @@ class ServiceHistory:
         if session is None or length_s is None or session.is_unknown:
             return
         turn = session.turns.get(seen.value["seq"])
-        if turn is not None and turn.observation is seen:
+        # A turn that was sent before has the times of then.
+        first_at = run.facts.first_sent_at(session, seen.value["seq"], seen)
+        is_first = first_at == seen.started_at
+        if turn is not None and turn.observation is seen and is_first:
             yield from self._clock.judge_lease(seen, length_s, LOST)
             yield from self._clock.judge_finished(seen)
 
@@ -301,6 +304,7 @@ class ServiceHistory:
     def _page(self, seen: Observation) -> Iterator[Difference]:
         items, cursor = seen.value["runs"], seen.query.get("cursor")
         account = _ACCOUNTS.get(seen.account or "")
+        self._exercised["RUN-025"] += 1
         limit = int(seen.query.get("limit", 100))
         if len(items) > limit:
             text = f"at most {limit} runs"

@@ -37,7 +37,7 @@ from conformance.oracle.history.session_turns import (
 from conformance.oracle.history.submitted import judge_episode
 
 _TIMER_S = 0.002  # so early a timer may end
-_ROUNDING_S = 1e-6
+_ROUNDING_S = 5e-6
 _PARTS = ("queue_s", "simulate_s", "render_s", "encode_s")
 _OF_TURN_0: list[Expectation] = [
     ("executed_steps", 0, ("ATT-022",)),
@@ -77,7 +77,7 @@ class SessionRequests:
             if earlier.worker == worker:
                 earlier.ends.append((seen, "ATT-005"))
         if turn["seq"] == 0:
-            yield from _compare(_OF_TURN_0, seen)
+            yield from self._compare(_OF_TURN_0, seen)
         played = None
         if "episode" in turn and facts.is_calibration:
             played = facts.attempts.at(turn["episode"])
@@ -157,7 +157,7 @@ class SessionRequests:
         if is_new:
             due.append(("episode.step", 0, ("ATT-001",)))
             yield from judge_assigned(facts, session, episode["index"], seen)
-        yield from _compare(due, seen, witness)
+        yield from self._compare(due, seen, witness)
 
     # --- requests with a session id ---
 
@@ -195,7 +195,7 @@ class SessionRequests:
                 self._facts.attempts.taint(episode)
             return
         due = [("session_id", session.id, ("PRED-001",)), ("seq", seq, ("PRED-001",))]
-        yield from _compare(due, seen)
+        yield from self._compare(due, seen)
         yield from self._after_end(session, seen)
         if seq in session.turns:
             yield from session.judge_repeat(seq, seen)
@@ -260,8 +260,8 @@ class SessionRequests:
         if "episode" in turn and turn["episode"]["step"] == 0:
             facts.attempts.at(turn["episode"])
         session.add(seq, Turn(seen.request, seen, played))
-        yield from _compare(due, seen, before.observation)
-        yield from _times(chunk, episode, seen)
+        yield from self._compare(due, seen, before.observation)
+        yield from self._times(chunk, episode, seen)
         yield from self._shown(seen)
         yield from self._after_episode(session, chunk, seen)
 
@@ -292,6 +292,39 @@ class SessionRequests:
         if "seed" in shown:
             text = "no seed of an episode without a result"
             yield Difference(("EPI-007",), text, f"seed {shown['seed']}", seen)
+
+    def _times(
+        self, chunk: Chunk, episode: Mapping[str, Any], seen: Observation
+    ) -> Iterator[Difference]:
+        """Judge how long a turn took, and how it says that it spent the time."""
+        delays = [values["delay_s"][0] for values in chunk.executed]
+        seq, session = seen.value["seq"], self._facts.sessions[seen.value["session_id"]]
+        took_s = seen.ended_at - self._facts.first_sent_at(session, seq, seen)
+        if episode["task"] == "delay" and took_s < sum(delays) - _TIMER_S:
+            text, observed = f"a turn of {sum(delays):.3f} s or more", f"{took_s:.3f} s"
+            yield Difference(("CAL-004",), text, observed, seen)
+        timing = seen.value["timing"]
+        parts = sum(timing.get(name, 0.0) for name in _PARTS)
+        self._facts.exercised["PRED-023"] += 1
+        if parts > timing.get("total_s", parts) + _ROUNDING_S:
+            text = f"parts of at most total_s {timing['total_s']}"
+            yield Difference(("PRED-023",), text, f"parts of {parts}", seen)
+
+    def _compare(
+        self,
+        due: Iterable[Expectation],
+        seen: Observation,
+        witness: Observation | None = None,
+    ) -> Iterator[Difference]:
+        """Compare an answer with what it has to have; give one difference a rule."""
+        broken = set[str]()
+        for path, expected, rules in due:
+            observed = value_at(seen.value, path)
+            self._facts.exercised[rules[0]] += 1
+            if rules[0] not in broken and not is_same(observed, expected):
+                broken.add(rules[0])
+                text = f"`{path}` {expected!r}"
+                yield Difference(rules, text, f"`{path}` {observed!r}", seen, witness)
 
     # --- the end of a session ---
 
@@ -329,22 +362,6 @@ class SessionRequests:
             yield Difference(("LEASE-001", "LEASE-008"), text, observed, seen)
 
 
-def _times(
-    chunk: Chunk, episode: Mapping[str, Any], seen: Observation
-) -> Iterator[Difference]:
-    """Judge how long a turn took, and how it says that it spent the time."""
-    delays = [values["delay_s"][0] for values in chunk.executed]
-    took_s = seen.ended_at - seen.started_at
-    if episode["task"] == "delay" and took_s < sum(delays) - _TIMER_S:
-        text, observed = f"a turn of at least {sum(delays):.3f} s", f"{took_s:.3f} s"
-        yield Difference(("CAL-004",), text, observed, seen)
-    timing = seen.value["timing"]
-    parts = sum(timing[name] for name in timing if name in _PARTS)
-    if timing and parts > timing["total_s"] + _ROUNDING_S:
-        text = f"parts of at most total_s {timing['total_s']}"
-        yield Difference(("PRED-023",), text, f"parts of {parts}", seen)
-
-
 def _out_of_order(session: Session, seq: int, seen: Observation) -> Difference:
     text = f"`seq_out_of_order` for seq {seq} after {session.last_seq}"
     witness = session.last.observation
@@ -357,15 +374,3 @@ def _commands_fault(actions: list[Any]) -> bool:
 
 def _without_times(turn: Mapping[str, Any]) -> dict[str, Any]:
     return {k: v for k, v in turn.items() if k not in ("lease", "timing")}
-
-
-def _compare(
-    due: Iterable[Expectation], seen: Observation, witness: Observation | None = None
-) -> Iterator[Difference]:
-    """Compare an answer with what it has to have; the first difference is enough."""
-    for path, expected, rules in due:
-        observed = value_at(seen.value, path)
-        if not is_same(observed, expected):
-            text = f"`{path}` {expected!r}"
-            yield Difference(rules, text, f"`{path}` {observed!r}", seen, witness)
-            return

@@ -61,6 +61,9 @@ def judge_episode(
     }
     for name, (value, rule) in due.items():
         is_secret = name == "seed" and facts.options.get("sealed") is True
-        if name in result and not is_secret and not is_same(result[name], value):
+        if name not in result or is_secret:
+            continue
+        facts.exercised[rule] += 1
+        if not is_same(result[name], value):
             text = f"`{name}` {value!r} of episode {index}"
             yield Difference((rule,), text, f"`{name}` {result[name]!r}", seen)
