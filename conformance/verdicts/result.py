@@ -310,13 +310,15 @@ def _apply_differences(result: Result, tally: Tally, known_failures: set[str]) -
         for row_id, row in result.rows.items()
         if row.outcome == Outcome.FAILED and row_id not in known_failures
     }
-    judged_checks = set[str]()
+    judged_checks, new = set[str](), set[str]()
     for breach in breaches:
-        if failed & set(breach.rules):
+        if (failed | new) & set(breach.rules):
             continue
         is_news = not failed and breach.check not in judged_checks
         judged_checks.add(breach.check)
-        _fail_by(breach, breach.requirement_id if is_news else ANY_SEQUENCE, result)
+        row = breach.requirement_id if is_news else ANY_SEQUENCE
+        new.add(row)
+        _fail_by(breach, row, result)
 
 
 def _fail_by(breach: Breach, row_id: str, result: Result) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -134,6 +134,18 @@ class RunFacts:
             if is_attach and attach.params.get("worker_id") == worker:
                 yield attach
 
+    @property
+    def aborts(self) -> list[Observation]:
+        """The stops that may have ended sessions."""
+        return [stop for stop in self.stops if stop.request.get("mode") != "drain"]
+
+    @staticmethod
+    def perhaps_after(
+        opened: Observation, ends: Iterable[Observation], rule: str
+    ) -> list[tuple[Observation, str]]:
+        """Give what may have ended a session that an attach opened meanwhile."""
+        return [(end, rule) for end in ends if not end.is_surely_before(opened)]
+
     def first_sent_at(self, session: Session, seq: int, seen: Observation) -> float:
         """Give when a seq was sent first: later requests get the same turn.
 
@@ -173,7 +185,7 @@ class RunFacts:
     def reason_of_end(self, session: Session, seen: Observation) -> str | None:
         """Name the rule by which a session had surely ended before a request."""
         for end, rule in session.ends:
-            is_older = rule != "STOP-002" or session.opened.is_surely_before(end)
+            is_older = session.opened.is_surely_before(end)
             if end.is_success and is_older and end.is_surely_before(seen):
                 return {"STOP-002": "STOP-001"}.get(rule, rule)
         length_s = self.idle_timeout_s

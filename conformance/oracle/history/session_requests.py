@@ -76,6 +76,8 @@ class SessionRequests:
         for earlier in facts.sessions.values():
             if earlier.worker == worker:
                 earlier.ends.append((seen, "ATT-005"))
+                session.ends += facts.perhaps_after(seen, [earlier.opened], "ATT-005")
+        session.ends += facts.perhaps_after(seen, facts.aborts, "STOP-002")
         if turn["seq"] == 0:
             yield from self._compare(_OF_TURN_0, seen)
         played = None
@@ -335,7 +337,7 @@ class SessionRequests:
         for end, rule in session.ends:
             is_other = end.is_success and end.is_surely_before(seen)
             is_kept = session.is_done and rule != "DET-001"
-            is_kept |= rule == "STOP-002" and not session.opened.is_surely_before(end)
+            is_kept |= not session.opened.is_surely_before(end)
             if is_other and not is_kept:
                 text = "a refusal of a session that has ended or was taken over"
                 yield Difference((rule,), text, "status 200", seen, end)

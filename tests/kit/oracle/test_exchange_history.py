@@ -189,6 +189,12 @@ def begun() -> Story:
     return Story().submit().attach()
 
 
+def delayed(seq: int = 0) -> dict[str, Any]:
+    """A turn of the task `delay`."""
+    shown = at_step(seq)
+    return a_turn(seq, **shown | {"episode": shown["episode"] | {"task": "delay"}})
+
+
 def etag(name: str) -> dict[str, str]:
     return {"etag": f'"{name}"'}
 
@@ -226,6 +232,28 @@ RIGHT: dict[str, Callable[[], Story]] = {
         begun()
         .predict(None, seq=1, status=None)
         .attach("k2", turn=a_turn(session="t", **at_step(1)), body={"takeover": True})
+    ),
+    "an abort beside an attach": lambda: (
+        Story()
+        .submit()
+        .stop(at=1.0, takes=3)
+        .attach(at=2.0)
+        .see(a_run("stopped"), at=5.0)
+        .predict(a_turn(1, **at_step(1)), at=7.0)
+    ),
+    "two attaches beside each other": lambda: (
+        Story()
+        .submit()
+        .attach("k2", turn=a_turn(session="t", **at_step()), at=2.0)
+        .attach(at=1.5, body={"takeover": True})
+        .predict(a_turn(1, **at_step(1)))
+    ),
+    "a repeat of a long turn is answered first": lambda: (
+        Story()
+        .submit(tasks=["delay"] * 3)
+        .attach(turn=delayed())
+        .predict(None, an_action(delay_s=3), at=3.0, status=None)
+        .predict(delayed(1), an_action(delay_s=3), at=5.5)
     ),
     "a lease that was over": lambda: begun().refused(
         "heartbeat", "session_ended", ended_by="lease_ended", at=99.0
@@ -473,6 +501,21 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
         "ATT-004",
     ),
     "a session of another key": (lambda: begun().attach("k2"), "ATT-018"),
+    "a delay that is left out": (
+        lambda: (
+            Story()
+            .submit(tasks=["delay"] * 3)
+            .attach(turn=delayed())
+            .predict(delayed(1), an_action(delay_s=3))
+        ),
+        "CAL-004",
+    ),
+    "parts of more than the whole": (
+        lambda: turned(
+            a_turn(1, **at_step(1), timing={"total_s": 1.0, "simulate_s": 1.5})
+        ),
+        "PRED-023",
+    ),
     # The end of a session.
     "a turn after a stop": (
         lambda: begun().stop().predict(a_turn(1, **at_step(1))),
